@@ -121,7 +121,14 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ),
     (
         "percuss-benches",
-        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],
+        &[
+            "percuss-spatial",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-dynamics",
+            "percuss-impact",
+            "percuss-oracle",
+        ],
     ),
 ];
 

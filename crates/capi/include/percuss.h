@@ -418,6 +418,24 @@ typedef struct percuss_mass {
 typedef int32_t percuss_layout;
 
 /*
+ Result of a rigid impact.
+ */
+typedef struct percuss_rigid_impact {
+  /*
+   Impulse between the two sides, (1+e) m̄ c, N·s.
+   */
+  double impulse;
+  /*
+   Lost kinetic energy, ½ m̄ (1−e²) c², J.
+   */
+  double energy_loss;
+  /*
+   Largest unbalanced impulse of the reactions, relative to the impulse.
+   */
+  double residual;
+} percuss_rigid_impact;
+
+/*
  Response of a workspace to a contact.
  */
 typedef struct percuss_workspace_response {
@@ -1488,6 +1506,34 @@ percuss_status percuss_response_contributions(const struct percuss_response *res
                                               size_t link_count,
                                               double *rotors,
                                               size_t joint_count);
+
+/*
+ Rigid impact without friction at a contact, with the closing speed (m/s) and the coefficient of restitution (0 to 1).
+
+ before (count numbers, or null): the velocities of all joints before the impact, concatenated in joint order, as for
+ percuss_response_velocities, with this closing speed; null: the motion of least energy with this closing speed, v* times the speed. The base is at rest
+ before the impact if before is given. after (count numbers, or null): the velocities after the impact.
+ reactions (6 joint_count numbers, or null): for each joint the impulse of the parent on the child, N·s, along two transverse
+ directions and the axis of the joint, then its moment about the child's origin, N·m·s; NaN for a component that redundant loops leave
+ open.
+
+ Errors: PERCUSS_ERROR_ARGUMENT: speed or restitution out of range, or a speed that before does not have. PERCUSS_ERROR_CONTACT: an invalid contact, or one without
+ finite m̄.
+
+ Pointers:
+ pose is a handle; contact and impact are null or point to their types; before, after and reactions are null or have space for the
+ given counts.
+ */
+percuss_status percuss_pose_impact(const struct percuss_pose *pose,
+                                   const struct percuss_contact *contact,
+                                   double speed,
+                                   double restitution,
+                                   const double *before,
+                                   double *after,
+                                   size_t count,
+                                   double *reactions,
+                                   size_t reaction_count,
+                                   struct percuss_rigid_impact *impact);
 
 /*
  Workspace for many poses of an assembly, initially at its first closed pose. Free it with percuss_workspace_free.

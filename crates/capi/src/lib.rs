@@ -23,6 +23,7 @@ pub use boundary::status::*;
 pub use dense::*;
 pub use evaluation::batch::*;
 pub use evaluation::contact::*;
+pub use evaluation::impact::*;
 pub use evaluation::pose::*;
 pub use evaluation::response::*;
 pub use evaluation::workspace::*;

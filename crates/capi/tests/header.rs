@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 15] = [
+const FILES: [&str; 16] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -39,6 +39,7 @@ const FILES: [&str; 15] = [
     "evaluation/contact",
     "evaluation/pose",
     "evaluation/response",
+    "evaluation/impact",
     "evaluation/workspace",
     "evaluation/batch",
     "evaluation/derivatives",

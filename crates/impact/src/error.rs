@@ -1,10 +1,11 @@
 //! Errors of an impact.
 
 use crate::mobility::delassus::DelassusError;
-use crate::reactions::unit_impulse::ReactionError;
+use crate::reactions::reaction_map::ReactionError;
+use percuss_dynamics::ResponseError;
 
 /// Error of an impact.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImpactError {
     /// The coefficient of restitution is outside its range.
@@ -82,6 +83,27 @@ pub enum ImpactError {
          or a joint between the ground and the mechanism"
     )]
     GroundedBase,
+    /// A spring at a joint without exactly one velocity.
+    #[error("joint \"{joint}\": a spring of a joint; expected a hinge or a slide")]
+    SpringJoint {
+        /// The joint.
+        joint: String,
+    },
+    /// Numbers of a spring out of range.
+    #[error(
+        "joint \"{joint}\": a spring with the stiffness {stiffness}, the damping {damping} and the free position {free_position}; \
+         expected finite numbers, the first two of at least 0"
+    )]
+    Spring {
+        /// The joint.
+        joint: String,
+        /// Stiffness, N·m/rad or N/m.
+        stiffness: f64,
+        /// Damping, N·m·s/rad or N·s/m.
+        damping: f64,
+        /// Position without force, rad or m.
+        free_position: f64,
+    },
     /// The motion of an impact in time leads to a pose without a contact normal, or out of the range of numbers.
     #[error(
         "the motion of the impact leads to a pose at which the contact has no normal or the loops break; expected a stiffer contact"
@@ -90,6 +112,9 @@ pub enum ImpactError {
     /// The mobility of the contacts cannot be computed.
     #[error(transparent)]
     Mobility(#[from] DelassusError),
+    /// The contact is invalid.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
     /// The reactions cannot be computed.
     #[error(transparent)]
     Reactions(#[from] ReactionError),

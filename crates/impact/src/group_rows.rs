@@ -1,34 +1,25 @@
 //! Multipliers of a group of constraints: one solution, and the combinations that redundancy leaves open.
 
+use crate::numerics::pivoted_qr::PivotedQr;
 use crate::tolerances::{INVOLVED, MOST_OPEN, OPEN_COMPONENT, OPEN_PER_FLOOR};
 use faer::Mat;
 use percuss_dynamics::ConstraintGroup;
 
-/// A group of constraints with the pivoted decomposition A P = Q R of its rows over scaled coordinates.
+/// A group of constraints with the pivoted decomposition A P = Q R of its rows over scaled coordinates. The last columns of Q span
+/// ker Aᵀ.
+#[derive(Clone, Debug)]
 pub(crate) struct GroupRows {
     group: ConstraintGroup,
-    /// Orthogonal, rows × rows. The last columns span ker Aᵀ.
-    q: Mat<f64>,
-    /// R, rows × coordinates.
-    r: Mat<f64>,
-    /// Order of the coordinates: column k of R belongs to coordinate `order[k]` of the group.
-    order: Vec<usize>,
+    qr: PivotedQr,
 }
 
 impl GroupRows {
     /// Decomposes the rows of a group. Cost: O(rows² · coordinates).
     pub fn new(group: ConstraintGroup) -> Self {
         let (m, n) = group.rows.shape();
-        let scaled = Mat::from_fn(m, n, |r, c| group.rows[(r, c)] / group.lengths[c]);
-        // The pivoted QR of faer returns NaN for a zero matrix.
-        if m == 0 || n == 0 || group.rank == 0 || scaled.norm_max() == 0.0 {
-            let group = ConstraintGroup { rank: 0, ..group };
-            return Self { group, q: Mat::identity(m, m), r: Mat::zeros(m, n), order: (0..n).collect() };
-        }
-        let qr = scaled.col_piv_qr();
-        let r = Mat::from_fn(m, n, |i, k| if i <= k && i < qr.R().nrows() { qr.R()[(i, k)] } else { 0.0 });
-        let (q, order) = (qr.compute_Q(), qr.P().arrays().0.to_vec());
-        Self { group, q, r, order }
+        let qr = PivotedQr::new(m, n, |r, c| group.rows[(r, c)] / group.lengths[c]);
+        let rank = if m == 0 || n == 0 || qr.r(0, 0) == 0.0 { 0 } else { group.rank };
+        Self { group: ConstraintGroup { rank, ..group }, qr }
     }
 
     /// The group.
@@ -43,7 +34,12 @@ impl GroupRows {
 
     /// Number of rows.
     fn rows(&self) -> usize {
-        self.q.nrows()
+        self.group.rows.nrows()
+    }
+
+    /// True if rows depend on others.
+    pub fn is_redundant(&self) -> bool {
+        self.group.rank < self.rows()
     }
 
     /// Relative error of the null spaces of the rows, from the accuracy of the rows.
@@ -61,49 +57,38 @@ impl GroupRows {
     pub fn multipliers(&self, forces: &[f64]) -> (Vec<f64>, f64) {
         let (group, rank) = (&self.group, self.group.rank);
         let scaled = |k: usize| {
-            let at = self.order[k];
+            let at = self.qr.order()[k];
             forces[group.coordinates[at]] / group.lengths[at]
         };
         let mut y = vec![0.0; rank];
         for k in 0..rank {
-            let known: f64 = (0..k).map(|i| self.r[(i, k)] * y[i]).sum();
-            y[k] = (scaled(k) - known) / self.r[(k, k)];
+            let known: f64 = (0..k).map(|i| self.qr.r(i, k) * y[i]).sum();
+            y[k] = (scaled(k) - known) / self.qr.r(k, k);
         }
-        let rest = |k: usize| scaled(k) - (0..rank).map(|i| self.r[(i, k)] * y[i]).sum::<f64>();
+        let rest = |k: usize| scaled(k) - (0..rank).map(|i| self.qr.r(i, k) * y[i]).sum::<f64>();
         let residual = (rank..group.coordinates.len()).map(|k| rest(k).abs()).fold(0.0, f64::max);
-        let multiplier = |row: usize| (0..rank).map(|i| self.q[(row, i)] * y[i]).sum();
-        ((0..self.rows()).map(multiplier).collect(), residual)
-    }
-
-    /// Rates x with A x = `right`, of which as many as possible are zero: (coordinate of the model, rate).
-    pub fn particular_rates(&self, right: &[f64]) -> Vec<(usize, f64)> {
-        let (group, rank) = (&self.group, self.group.rank);
-        let mut y: Vec<f64> =
-            (0..rank).map(|k| (0..self.rows()).map(|row| self.q[(row, k)] * right[row]).sum()).collect();
-        for k in (0..rank).rev() {
-            let known: f64 = (k + 1..rank).map(|i| self.r[(k, i)] * y[i]).sum();
-            y[k] = (y[k] - known) / self.r[(k, k)];
+        let mut multipliers = vec![0.0; self.rows()];
+        for (i, y) in y.iter().enumerate() {
+            multipliers.iter_mut().zip(self.qr.q_column(i)).for_each(|(sum, q)| *sum += q * y);
         }
-        let rate = |(k, y): (usize, f64)| {
-            let at = self.order[k];
-            (group.coordinates[at], y / group.lengths[at])
-        };
-        y.into_iter().enumerate().map(rate).collect()
+        (multipliers, residual)
     }
 
     /// Projection of a linear function of the multipliers on ker Aᵀ: Z Zᵀ s.
     fn open_part(&self, sensitivity: &[f64]) -> Vec<f64> {
         let open = self.group.rank..self.rows();
-        let weights: Vec<f64> =
-            open.clone().map(|k| (0..self.rows()).map(|r| self.q[(r, k)] * sensitivity[r]).sum()).collect();
-        let entry = |row: usize| open.clone().zip(&weights).map(|(k, w)| self.q[(row, k)] * w).sum();
+        let weights: Vec<f64> = open
+            .clone()
+            .map(|k| self.qr.q_column(k).iter().zip(sensitivity).map(|(q, x)| q * x).sum())
+            .collect();
+        let entry = |row: usize| open.clone().zip(&weights).map(|(k, w)| self.qr.q(row, k) * w).sum();
         (0..self.rows()).map(entry).collect()
     }
 
     /// Constraints, by index into the group, that leave the value of a linear function of the multipliers open; empty
     /// if the value is determinate. `unit`: size of the function at a unit multiplier.
     pub fn open_constraints(&self, sensitivity: &[f64], unit: f64) -> Vec<usize> {
-        if self.group.rank == self.rows() {
+        if !self.is_redundant() {
             return Vec::new();
         }
         let open = self.open_part(sensitivity);
@@ -126,16 +111,12 @@ impl GroupRows {
             return group.coordinates.iter().map(|&c| vec![(c, 1.0)]).collect();
         }
         // The independent rows R₁ Pᵀ, rescaled from the lengths of the group to those of the model.
-        let mut transposed = Mat::zeros(n, rank);
-        for k in 0..n {
-            let at = self.order[k];
-            let scale = group.lengths[at] / lengths[group.coordinates[at]];
-            for i in 0..rank {
-                transposed[(at, i)] = self.r[(i, k)] * scale;
-            }
-        }
-        let q = transposed.col_piv_qr().compute_Q();
-        let column = |k: usize| (0..n).map(|at| (group.coordinates[at], q[(at, k)])).collect();
+        let order = self.qr.order();
+        let scale: Vec<f64> =
+            order.iter().map(|&at| group.lengths[at] / lengths[group.coordinates[at]]).collect();
+        let transposed = PivotedQr::new(n, rank, |k, i| self.qr.r(i, k) * scale[k]);
+        let column =
+            |k: usize| (0..n).map(|at| (group.coordinates[order[at]], transposed.q(at, k))).collect();
         (rank..n).map(column).collect()
     }
 
@@ -143,9 +124,9 @@ impl GroupRows {
     pub fn independent_rows(&self) -> Mat<f64> {
         let (group, rank) = (&self.group, self.group.rank);
         let mut rows = Mat::zeros(rank, group.coordinates.len());
-        for (k, &at) in self.order.iter().enumerate() {
+        for (k, &at) in self.qr.order().iter().enumerate() {
             for i in 0..rank {
-                rows[(i, at)] = self.r[(i, k)] * group.lengths[at];
+                rows[(i, at)] = self.qr.r(i, k) * group.lengths[at];
             }
         }
         rows

@@ -14,15 +14,15 @@
 //! laws of compliant contacts.
 
 mod error;
-mod extrapolation;
 mod friction;
 mod group_rows;
 mod mobility;
 mod motion;
+mod numerics;
 mod percussion;
 mod ranges;
 mod reactions;
-mod rigid_impact;
+mod rigid;
 mod several;
 mod time;
 mod tolerances;
@@ -35,21 +35,29 @@ pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
 pub use percussion::{
-    PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
+    PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
+    worst_reaction_within,
 };
 pub use ranges::extremes::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, extreme_effective_mass,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    extreme_effective_mass, extreme_quantity,
 };
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
 };
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
-pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};
+pub use reactions::reaction_map::{ReactionError, ReactionMap};
+pub use reactions::unit_impulse::reactions_to_unit_impulse;
+pub use rigid::impact::{
+    RigidImpact, closing_speed, greatest_closing_speed, greatest_closing_speed_of_gears,
+};
+pub use rigid::workspace::ImpactWorkspace;
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::impact_in_time::{ImpactInTime, ImpactSample, TimeConditions, impact_in_time};
+pub use time::impact_in_time::{
+    ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time, peak_over_time,
+};

@@ -1,7 +1,7 @@
 //! Centre of percussion: the contact point with the least reaction at a joint.
 
-use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
-use crate::tolerances::NO_INFLUENCE;
+use crate::reactions::reaction_map::{ReactionError, ReactionMap};
+use crate::tolerances::{CIRCLE_ANGLES, CIRCLE_ITERATIONS, NO_INFLUENCE};
 use nalgebra::{Matrix2, Vector2, Vector3};
 use percuss_dynamics::{Contact, Direction, Frame, Pose, ResponseError};
 use percuss_mechanism::JointId;
@@ -30,6 +30,12 @@ pub enum PercussionError {
     Direction {
         /// Given direction.
         direction: [f64; 3],
+    },
+    /// The radius of the displaced points is negative or not finite.
+    #[error("the contact point is displaced by up to {radius} m; expected a finite radius of at least 0")]
+    Radius {
+        /// Given radius, m.
+        radius: f64,
     },
     /// The reaction does not depend on the position of the contact point.
     #[error("joint \"{joint}\": its reaction does not depend on the position of the contact point")]
@@ -119,6 +125,69 @@ pub fn centre_of_percussion_in_plane(
     Ok(affine.centre(contact, t1 * x[0] + t2 * x[1], affine.given + r1 * x[0] + r2 * x[1]))
 }
 
+/// Largest impulse at a joint for contact points near the given one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorstReaction {
+    /// Contact point with the largest impulse, in the frame of the contact link, m.
+    pub point: Vector3<f64>,
+    /// Displacement from the given contact point, m.
+    pub displacement: Vector3<f64>,
+    /// Magnitude of the impulse at the joint for the given point, per impulse at the contact.
+    pub given_reaction: f64,
+    /// Largest magnitude, at [`point`](Self::point).
+    pub worst_reaction: f64,
+    /// True for each component of the impulse (two transverse directions, the axis of the joint) that redundant loops leave open.
+    /// Such components do not count.
+    pub is_open: [bool; 3],
+    /// Loops that leave these components open.
+    pub loops: Vec<String>,
+}
+
+/// Largest impulse at a joint, per impulse at the contact, if the contact point is displaced in the tangent plane by at most `radius`
+/// (m).
+///
+/// The impulse is an affine function of the point, R = R₀ + x R₁ + y R₂, so its magnitude is largest on the circle. |R|² over the angle
+/// is a trigonometric polynomial of degree 2; its largest value is found to rounding by Newton's method from the best of many angles.
+///
+/// # Errors
+/// [`PercussionError`]; a radius that is negative or not finite is [`PercussionError::Radius`].
+pub fn worst_reaction_within(
+    pose: &Pose,
+    contact: &Contact,
+    joint: JointId,
+    radius: f64,
+) -> Result<WorstReaction, PercussionError> {
+    if !(radius.is_finite() && radius >= 0.0) {
+        return Err(PercussionError::Radius { radius });
+    }
+    let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
+    let (t1, t2) = plane_basis(&normal);
+    let affine = AffineReaction::new(pose, contact, joint, &[t1, t2])?;
+    let [r1, r2] = [affine.derivatives[0] * radius, affine.derivatives[1] * radius];
+    let at = |angle: f64| affine.given + r1 * angle.cos() + r2 * angle.sin();
+    let step = std::f64::consts::TAU / f64::from(CIRCLE_ANGLES);
+    let angles = (0..CIRCLE_ANGLES).map(|k| f64::from(k) * step);
+    let mut best =
+        angles.max_by(|a, b| at(*a).norm_squared().total_cmp(&at(*b).norm_squared())).unwrap_or(0.0);
+    for _ in 0..CIRCLE_ITERATIONS {
+        let (r, d) = (at(best), r2 * best.cos() - r1 * best.sin());
+        let curvature = d.norm_squared() - r.dot(&(r - affine.given));
+        if curvature >= 0.0 {
+            break;
+        }
+        best -= (r.dot(&d) / curvature).clamp(-step, step);
+    }
+    let displacement = (t1 * best.cos() + t2 * best.sin()) * radius;
+    Ok(WorstReaction {
+        point: contact.point + displacement,
+        displacement,
+        given_reaction: affine.given.norm(),
+        worst_reaction: at(best).norm(),
+        is_open: affine.is_open,
+        loops: affine.loops,
+    })
+}
+
 /// Impulse at a joint as an affine function of the contact point.
 struct AffineReaction {
     joint: JointId,
@@ -142,13 +211,14 @@ impl AffineReaction {
         // The normal stays fixed while the point moves, also for normals along a line.
         let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
         let size = pose.mechanism().characteristic_length();
+        let map = ReactionMap::new(pose);
         let at = |displacement: Vector3<f64>| {
             let moved = Contact {
                 point: contact.point + displacement,
                 normal: Direction::Along(normal, Frame::Link),
                 ..*contact
             };
-            impulse_at_joint(pose, &moved, joint)
+            impulse_at_joint(pose, &map, &moved, joint)
         };
         let first = at(Vector3::zeros())?;
         let mut is_open = first.is_open;
@@ -195,8 +265,13 @@ struct JointImpulse {
 }
 
 /// Impulse at a joint.
-fn impulse_at_joint(pose: &Pose, contact: &Contact, joint: JointId) -> Result<JointImpulse, PercussionError> {
-    let mut reactions = reactions_to_unit_impulse(pose, &pose.respond(contact)?)?;
+fn impulse_at_joint(
+    pose: &Pose,
+    map: &ReactionMap,
+    contact: &Contact,
+    joint: JointId,
+) -> Result<JointImpulse, PercussionError> {
+    let mut reactions = map.reactions(&pose.respond(contact)?, 1.0)?;
     let reaction = reactions.joints.swap_remove(joint.index()).reaction;
     let values = reaction.force.map(|component| component.value());
     if values.iter().all(Option::is_none) {

@@ -4,9 +4,10 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    Component, DriverRate, FrictionLaw, JointRates, RatesError, RestitutionLaw, RigidImpact,
+    Component, DriverRate, FrictionLaw, JointRates, PercussionError, RatesError, RestitutionLaw, RigidImpact,
     centre_of_percussion, centre_of_percussion_in_plane, closing_speed, greatest_closing_speed,
-    held_point_mass, rates_from_drivers, reactions_to_unit_impulse, reflected_inertia,
+    greatest_closing_speed_of_gears, held_point_mass, rates_from_drivers, reactions_to_unit_impulse,
+    reflected_inertia, worst_reaction_within,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -344,4 +345,63 @@ fn friction_of_one_motion_has_the_energetic_restitution() {
 
 fn energetic(coefficient: f64) -> FrictionLaw {
     FrictionLaw { coefficient, restitution: RestitutionLaw::Energetic }
+}
+
+/// A rod of mass m and length l, hit at s from its hinge: the impulse in the hinge per impulse is 1 − s m l/(2 I), I = m l²/3. Off the plane
+/// the hinge bears the whole displacement as a moment, so that the worst point of a circle is on the rod.
+#[test]
+fn the_worst_point_of_a_circle_is_on_the_rod() {
+    let (mass, length) = (2.0, 0.6);
+    let mechanism = hinged_rod(mass, length);
+    let pose = pose_of(&mechanism, &Conditions::new(), &[]);
+    let hinge = mechanism.joint_ids().next().expect("a hinge");
+    let axis = *mechanism.joint(hinge).axis();
+    let link = mechanism.joint(hinge).child();
+    let com = mechanism.link(link).inertia().first_moment / mass;
+    let along = com.normalize();
+    let ratio = |s: f64| 1.0 - 1.5 * s / length;
+    for (s, radius) in [(0.3, 0.05), (0.45, 0.05), (0.4, 0.0), (0.1, 0.3), (0.39, 0.02)] {
+        let point = along * s;
+        let contact =
+            Contact { link, against: None, point, normal: Direction::Along(axis.cross(&along), Frame::Link) };
+        let found = worst_reaction_within(&pose, &contact, hinge, radius).expect("a reaction");
+        let expected = ratio(s - radius).abs().max(ratio(s + radius).abs());
+        assert!((found.given_reaction - ratio(s).abs()).abs() < 1e-12, "{found:?}");
+        assert!((found.worst_reaction - expected).abs() < 1e-12, "{found:?} {expected}");
+        let moved = Contact { point: found.point, ..contact };
+        let response = pose.respond(&moved).expect("a contact");
+        let reactions = reactions_to_unit_impulse(&pose, &response).expect("reactions");
+        let there = reactions.joints[hinge.index()].reaction.force_magnitude().expect("a magnitude");
+        assert!((there - found.worst_reaction).abs() < 1e-12, "{there}");
+    }
+    let contact = Contact::new(link, [0.1, 0.1, 0.1], [1.0, 0.0, 0.0]);
+    let refused = worst_reaction_within(&pose, &contact, hinge, -1.0);
+    assert!(matches!(refused, Err(PercussionError::Radius { .. })), "{refused:?}");
+}
+
+/// The impulse in a gear reaches its limit at the greatest closing speed.
+#[test]
+fn the_greatest_speed_of_gears_reaches_the_limit() {
+    let mechanism = model("planar_2r");
+    let conditions = Conditions::new().armature("shoulder", [0.2]).armature("elbow", [0.05]);
+    let pose = pose_of(&mechanism, &conditions, &[("elbow", 0.7)]);
+    let contact =
+        Contact::new(mechanism.find_link("outer").expect("a link"), [0.4, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let response = pose.respond(&contact).expect("a contact");
+    let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
+    let limits = [(joint("shoulder"), 0, 0.3), (joint("elbow"), 0, 0.4)];
+    let (speed, limiting) = greatest_closing_speed_of_gears(&pose, &response, 0.2, &limits).expect("a limit");
+    let impact = RigidImpact::new(&pose, &response, speed, 0.2, None).expect("an impact");
+    for (joint, k, limit) in limits {
+        let gear = impact.reactions.joints[joint.index()].drives[k].gear.abs();
+        assert!(gear <= limit * (1.0 + 1e-12), "{gear} {limit}");
+        assert_eq!((gear / limit - 1.0).abs() < 1e-12, joint == limiting, "{gear} {limit}");
+    }
+    // A joint without a rotor has no gear.
+    let rod = hinged_rod(2.0, 0.6);
+    let pose = pose_of(&rod, &Conditions::new(), &[]);
+    let hinge = rod.joint_ids().next().expect("a hinge");
+    let contact = Contact::new(rod.joint(hinge).child(), [0.4, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let response = pose.respond(&contact).expect("a contact");
+    assert_eq!(greatest_closing_speed_of_gears(&pose, &response, 0.2, &[(hinge, 0, 0.1)]), None);
 }

@@ -2,12 +2,16 @@
 
 use crate::cases::all;
 use nalgebra::{DVector, Vector3};
-use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, Remark};
+use percuss_dynamics::{
+    Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, Remark, System,
+};
 use percuss_impact::{
-    Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse, reflected_inertia,
+    ImpactWorkspace, Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse,
+    reflected_inertia,
 };
 use percuss_mechanism::JointKind;
 use percuss_oracle::maximal::{Outcome, Question, effective_mass};
+use std::sync::Arc;
 
 /// Limit of balances relative to their terms: rounding 1e-16 times the condition of mass matrix and loops, up to 1e4 here.
 const BALANCED: f64 = 1e-11;
@@ -260,4 +264,117 @@ fn undetermined_rates_are_named() {
         named += usize::from(!impact.undetermined.is_empty());
     }
     println!("{named} with undetermined rates");
+}
+
+/// A workspace has the results of single impacts, at every pose of every system.
+#[test]
+fn workspaces_agree_with_single_impacts() {
+    let mut count = 0;
+    for case in all(48) {
+        let pose = &case.pose;
+        let response = pose.respond(&case.contact).expect("a contact");
+        let single = RigidImpact::new(pose, &response, 0.7, 0.4, None);
+        let workspace = ImpactWorkspace::new(pose).impact(&case.contact, 0.7, 0.4);
+        let (single, workspace) = match (single, workspace) {
+            (Ok(single), Ok(workspace)) => (single, workspace),
+            (Err(a), Err(b)) => {
+                assert_eq!(a, b, "{}", case.name);
+                continue;
+            }
+            (a, b) => panic!("{}: {a:?} {b:?}", case.name),
+        };
+        // The stated error of m̄, kg, bounds the difference of two routes.
+        let mass = response.effective_mass.kilograms().expect("a mass");
+        let error =
+            response.error.and_then(|error| error.known()).map_or(0.0, |error| error / mass).max(BALANCED);
+        assert!((workspace.impulse / single.impulse - 1.0).abs() < error, "{}", case.name);
+        let fast = single.after.joints.iter().flatten().fold(1.0, |most: f64, v| most.max(v.abs()));
+        for (a, b) in single.after.joints.iter().flatten().zip(workspace.after.joints.iter().flatten()) {
+            assert!((a - b).abs() < 1e-9 * fast, "{}: {a} {b}", case.name);
+        }
+        let size = case.mechanism.characteristic_length().max(1.0);
+        for (a, b) in single.reactions.joints.iter().zip(&workspace.reactions.joints) {
+            let pairs = a.reaction.force.iter().zip(&b.reaction.force);
+            for (a, b) in pairs.chain(a.reaction.moment.iter().zip(&b.reaction.moment)) {
+                match (a.value(), b.value()) {
+                    (Some(a), Some(b)) => {
+                        let scale = single.impulse * size * fast;
+                        assert!((a - b).abs() < 1e-9 * scale, "{}: {a} {b}", case.name);
+                    }
+                    (a, b) => assert_eq!(a, b, "{}", case.name),
+                }
+            }
+        }
+        count += 1;
+    }
+    assert!(count > 150, "{count}");
+}
+
+/// A rotor on a joint, and a lock of the joint, cannot make a contact lighter: locked ≥ with a rotor ≥ free, with random linkages and
+/// trees.
+#[test]
+fn locks_and_rotors_make_contacts_heavier() {
+    let (mut compared, mut heavier) = (0, 0);
+    for case in all(160) {
+        let mechanism = &case.mechanism;
+        let movable = |id: &percuss_mechanism::JointId| {
+            let joint = mechanism.joint(*id);
+            joint.kind().dofs() == 1 && joint.mimic().is_none()
+        };
+        let Some(joint) = mechanism.joint_ids().find(movable) else { continue };
+        let name = mechanism.joint(joint).name();
+        let mass = |conditions: Conditions| {
+            let system = System::new(Arc::clone(mechanism), &conditions).ok()?;
+            let positions: Vec<f64> = case.pose.positions().to_vec();
+            let configuration = Configuration::from_positions(mechanism, &positions).ok()?;
+            let pose = system.pose(&configuration).ok()?;
+            let is_clear =
+                pose.rank().clear && pose.constraint_groups().iter().all(|g| g.least_singular_value > 1e-4);
+            let response = pose.respond(&case.contact).ok().filter(|_| is_clear)?;
+            match response.effective_mass {
+                EffectiveMass::Finite(mass) => Some(mass),
+                EffectiveMass::Immovable => Some(f64::INFINITY),
+                EffectiveMass::Massless => Some(0.0),
+            }
+        };
+        let own = mechanism.joint(joint).armature().first().copied().unwrap_or(0.0);
+        let (Some(free), Some(rotor), Some(locked)) = (
+            mass(Conditions::new()),
+            mass(Conditions::new().armature(name, [own + 0.3])),
+            mass(Conditions::new().lock(name)),
+        ) else {
+            continue;
+        };
+        assert!(rotor >= free * (1.0 - 1e-9), "{}: {rotor} {free}", case.name);
+        assert!(locked >= rotor * (1.0 - 1e-9), "{}: {locked} {rotor}", case.name);
+        compared += 1;
+        heavier += usize::from(locked > 1.01 * rotor && rotor > 1.001 * free);
+    }
+    println!("{compared} compared, {heavier} heavier");
+    assert!(compared > 300 && heavier > 60, "{compared} {heavier}");
+}
+
+/// A pose that moves in place and back has its first results, and a refused move changes nothing.
+#[test]
+fn poses_move_in_place() {
+    let mut compared = 0;
+    for case in all(24) {
+        let mass = |pose: &Pose| pose.respond(&case.contact).expect("a contact").effective_mass;
+        let (start, base) = (case.pose.positions().to_vec(), *case.pose.base());
+        let other: Vec<f64> = start.iter().map(|q| q + 0.1).collect();
+        let mut moved = case.pose.clone();
+        moved.move_to(&other, base).expect("positions");
+        let there = case.pose.at_positions(&other, base).expect("positions");
+        assert_eq!(moved.positions(), there.positions(), "{}", case.name);
+        assert!(moved.move_to(&other[1..], base).is_err() || other.is_empty(), "{}", case.name);
+        assert_eq!(moved.positions(), there.positions(), "{}", case.name);
+        moved.move_to(&start, base).expect("positions");
+        assert_eq!(moved.rank().rank, case.pose.rank().rank, "{}", case.name);
+        if let (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) = (mass(&case.pose), mass(&moved)) {
+            // Both are within their stated errors; a quaternion is normalised again.
+            assert!((a / b - 1.0).abs() < 1e-9, "{}: {a} {b}", case.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 50, "{compared}");
 }

@@ -84,7 +84,8 @@ pub use reports::impact::additions::{
     GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
 };
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenNormals, GivenRange, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenNormals, GivenQuantity,
+    GivenRange, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};

@@ -3,6 +3,7 @@
 pub(crate) mod batch;
 pub(crate) mod contact;
 pub(crate) mod derivatives;
+pub(crate) mod impact;
 pub(crate) mod path;
 pub(crate) mod pose;
 pub(crate) mod response;

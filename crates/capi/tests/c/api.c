@@ -104,6 +104,19 @@ static void the_pendulum(void)
   CHECK(shares[0] == 0.0 && near_to(shares[1], 1.0, 1e-14) && rotors[0] == 0.0);
   OK(percuss_response_base_velocity(response, twist));
   CHECK(twist[0] == 0.0 && twist[5] == 0.0);
+  /* m = 0.78125 kg, c = 2 m/s, e = 0.5: p = 1.5 m c, loss 0.75 m c²/2; the hinge turns back with half its rate. */
+  percuss_rigid_impact impact;
+  double before = -2.0 / 0.8, after, reaction[6];
+  OK(percuss_pose_impact(pose, &contact, 2.0, 0.5, NULL, &after, 1, reaction, 6, &impact));
+  CHECK(near_to(impact.impulse, 1.5 * 0.78125 * 2.0, 1e-14) && impact.residual < 1e-13);
+  CHECK(near_to(impact.energy_loss, 0.5 * 0.75 * 0.78125 * 4.0, 1e-14) && near_to(after, 1.0 / 0.8, 1e-14));
+  /* No moment about the axis; all components of a tree are determinate. */
+  CHECK(fabs(reaction[5]) < 1e-14 && reaction[0] == reaction[0] && reaction[3] == reaction[3]);
+  OK(percuss_pose_impact(pose, &contact, 2.0, 0.5, &before, &after, 1, NULL, 0, &impact));
+  CHECK(near_to(after, 1.0 / 0.8, 1e-14));
+  CHECK(percuss_pose_impact(pose, &contact, 1.0, 0.5, &before, NULL, 1, NULL, 0, &impact) == PERCUSS_ERROR_ARGUMENT);
+  CHECK(percuss_pose_impact(pose, &contact, 2.0, 1.5, NULL, NULL, 0, NULL, 0, &impact) == PERCUSS_ERROR_ARGUMENT);
+  CHECK(percuss_pose_impact(pose, &contact, 2.0, 0.5, NULL, NULL, 0, reaction, 5, &impact) == PERCUSS_ERROR_LENGTH);
   OK(percuss_response_against_mass(response, 0.78125, &again));
   CHECK(near_to(again.effective_mass, 0.78125 / 2.0, 1e-14));
   /* Along the rod the mechanism is immovable. */

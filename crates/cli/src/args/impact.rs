@@ -3,7 +3,7 @@
 use super::{CheckFormat, ContactArgs, ModelArgs};
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{ExtremesQuestion, GivenNormals, GivenRange, ImpactTable};
+use percuss_study::{ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, ImpactTable};
 
 /// Flags of `percuss impact`.
 #[derive(Debug, Args)]
@@ -34,6 +34,12 @@ pub struct ExtremesArgs {
     /// Range of a driving joint; default: the limits of all driving joints with limits.
     #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
     pub range: Vec<GivenRange>,
+    /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT.
+    ///
+    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint per closing speed, of a
+    /// plastic impact; an impact has (1+e) times this impulse.
+    #[arg(long, value_name = "QUANTITY", default_value = "mass", help_heading = ANSWER)]
+    pub quantity: GivenQuantity,
     /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
     ///
     /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
@@ -52,6 +58,7 @@ impl ExtremesArgs {
     pub fn question(&self) -> ExtremesQuestion {
         ExtremesQuestion {
             ranges: self.range.clone(),
+            quantity: self.quantity.clone(),
             normals: self.normals,
             starts: usize::from(self.starts),
         }

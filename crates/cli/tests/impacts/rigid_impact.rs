@@ -403,6 +403,124 @@ fn a_centre_of_percussion_names_open_components() {
     assert!(percuss(&command).stdout.contains("determinate components only"));
 }
 
+/// A spring of the joint makes the impact in time shorter, and the equation of one freedom is not compared.
+#[test]
+fn joint_springs_act_in_time() {
+    let door = "impact models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --restitution 0.5 \
+                --speed 1 --stiffness 1e5 --in-time";
+    let duration = |more: &str| {
+        let report = json(&format!("{door} {more} --format json"));
+        (
+            report["in_time"]["duration"].as_f64().expect("a duration"),
+            report["in_time"]["one_freedom"].is_null(),
+        )
+    };
+    let (free, (sprung, is_left_out)) = (duration("").0, duration("--joint-spring hinge=1e4"));
+    // The spring adds k₂/l² to the stiffness of the contact, here 40 %: half a period of 1/√1.4 = 0.845. The damper of the contact, which is
+    // that without the spring, shortens it by some per cent.
+    let ratio = sprung / free;
+    assert!(is_left_out && (0.79..0.845).contains(&ratio), "{ratio}");
+    for (more, words) in [
+        ("--joint-spring hinge=-1", "expected finite numbers"),
+        ("--joint-spring hinge=1,2,3,4", "K,D,FREE"),
+        ("--joint-spring nope=1", "--joint-spring"),
+    ] {
+        let outcome = percuss(&format!("{door} {more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
+/// Limits of rates and gears: the limit that is reached first is named, and an impact with this speed reaches it.
+#[test]
+fn the_first_limit_is_named() {
+    let arm = "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg \
+               --restitution 0.1";
+    let greatest = |limits: &str| {
+        let report = json(&format!("{arm} --speed 1 {limits} --format json"));
+        report["greatest_closing_speed"].clone()
+    };
+    let gear = greatest("--gear-limit elbow=0.1 --rate-limit elbow=180deg/s");
+    assert_eq!((&gear["joint"], &gear["limit"]), (&"elbow".into(), &"gear".into()));
+    let speed = gear["speed"].as_f64().expect("a speed");
+    let report = json(&format!("{arm} --speed {speed} --format json"));
+    let drive = report["reactions"].as_array().expect("reactions").iter().find(|r| r["name"] == "elbow");
+    let impulse = drive.expect("the elbow")["gear"][0].as_f64().expect("an impulse");
+    assert!((impulse.abs() / 0.1 - 1.0).abs() < 1e-9, "{impulse}");
+    let rate = greatest("--gear-limit elbow=100 --rate-limit elbow=180deg/s");
+    assert_eq!(rate["limit"], "rate");
+    for (limits, words) in [
+        ("--gear-limit elbow=-1", "--gear-limit"),
+        ("--gear-limit elbow=1,2", "expected 1"),
+        ("--gear-limit elbow=1 --armature elbow=0", "no armature"),
+        ("--point-error 20mm", "--percussion"),
+        ("--percussion shoulder --point-error=-1", "--point-error"),
+    ] {
+        let outcome = percuss(&format!("{arm} --speed 1 {limits}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{limits}: {}", outcome.stderr);
+    }
+}
+
+/// The worst displaced point: an impact there has this impulse at the joint.
+#[test]
+fn a_displaced_point_has_the_worst_impulse() {
+    let arm = "impact models/planar_2r.urdf --link outer --normal 0,1,0 --set elbow=40deg --restitution 0.1 --speed 1";
+    let report =
+        json(&format!("{arm} --point 0.4,0,0 --percussion shoulder --point-error 20mm --format json"));
+    let centre = &report["percussion"][0];
+    let (ratio, given) = (centre["worst_ratio"].as_f64(), centre["given_ratio"].as_f64());
+    let ratio = ratio.expect("a ratio");
+    assert!(ratio > given.expect("a ratio"));
+    let point = centre["worst_point_link"].as_array().expect("a point");
+    let point: Vec<String> = point.iter().map(|x| x.as_f64().expect("a number").to_string()).collect();
+    let there = json(&format!("{arm} --point={} --percussion shoulder --format json", point.join(",")));
+    let found = there["percussion"][0]["given_ratio"].as_f64().expect("a ratio");
+    assert!((found / ratio - 1.0).abs() < 1e-9, "{found} {ratio}");
+}
+
+/// Extremes of an inertia and of a bearing are those of impacts at their positions.
+#[test]
+fn extremes_of_other_quantities() {
+    let contact = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0";
+    let range = "--range elbow=20deg:160deg --format json";
+    for (quantity, unit) in
+        [("held:shoulder", "kg·m²"), ("reflected:shoulder", "kg·m²"), ("bearing:elbow", "kg")]
+    {
+        let report = json(&format!("extremes {contact} {range} --quantity {quantity}"));
+        assert_eq!(report["unit"], unit);
+        assert!(report["least"]["effective_mass"].is_null());
+        for end in ["least", "most"] {
+            let value = report[end]["value"].as_f64().expect("a value");
+            let elbow = report[end]["positions"][0]["position"].as_f64().expect("a position");
+            let impact = json(&format!(
+                "impact {contact} --set elbow={elbow} --restitution 0 --speed 1 --reflected shoulder --format json"
+            ));
+            let expected = match quantity {
+                "held:shoulder" => impact["reflected_inertia"][0]["held"].as_f64(),
+                "reflected:shoulder" => impact["reflected_inertia"][0]["free"].as_f64(),
+                _ => {
+                    let reactions = impact["reactions"].as_array().expect("reactions");
+                    let elbow = reactions.iter().find(|r| r["name"] == "elbow").expect("the elbow");
+                    let force = elbow["force"].as_array().expect("a force");
+                    Some(force.iter().filter_map(|x| x.as_f64()).map(|x| x * x).sum::<f64>().sqrt())
+                }
+            };
+            let expected = expected.expect("a number");
+            assert!(
+                (value - expected).abs() < 1e-6 * (1.0 + expected),
+                "{quantity} {end}: {value} {expected}"
+            );
+        }
+    }
+    for (more, words) in [
+        ("--quantity held:nothing", "--quantity"),
+        ("--quantity weight", "bearing:JOINT"),
+        ("--quantity held:shoulder --normals any", "effective masses only"),
+    ] {
+        let outcome = percuss(&format!("extremes {contact} --range elbow=20deg:160deg {more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
 #[test]
 fn invalid_motions_are_refused() {
     let pendulum =

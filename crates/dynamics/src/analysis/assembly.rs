@@ -164,22 +164,19 @@ impl Assembly {
 
     /// Decides the rank and the dependent coordinates of each group at the given frames.
     pub(crate) fn decide_mobility(&self, kinematics: &Kinematics) -> Vec<GroupMobility> {
+        let mut groups = vec![GroupMobility::default(); self.model().groups.len()];
+        self.decide_mobility_into(kinematics, &mut groups);
+        groups
+    }
+
+    /// Decisions as by [`decide_mobility`](Self::decide_mobility), in place.
+    pub(crate) fn decide_mobility_into(&self, kinematics: &Kinematics, groups: &mut [GroupMobility]) {
         let model = self.model();
         let mut workspace = MobilityWorkspace::default();
-        let decide = |(number, group): (usize, &Group)| {
-            let mut decided = GroupMobility::default();
-            let expected = Some(self.generic[number].rank);
-            model.decide_mobility(
-                &mut workspace,
-                kinematics,
-                group,
-                self.floors[number],
-                expected,
-                &mut decided,
-            );
-            decided
-        };
-        model.groups.iter().enumerate().map(decide).collect()
+        for (number, (group, decided)) in model.groups.iter().zip(groups).enumerate() {
+            let (floor, expected) = (self.floors[number], Some(self.generic[number].rank));
+            model.decide_mobility(&mut workspace, kinematics, group, floor, expected, decided);
+        }
     }
 
     /// For each group: residual misfit of its loops, relative to the group's size.

@@ -55,6 +55,12 @@ impl Pose {
         Self { assembly, kinematics, base, base_is_given: false, loops, groups, crossings: OnceLock::new() }
     }
 
+    /// Decides rank and dependent coordinates of all groups at the present frames, in place.
+    pub(crate) fn decide_mobility_again(&mut self) {
+        self.assembly.decide_mobility_into(&self.kinematics, &mut self.groups);
+        self.crossings = OnceLock::new();
+    }
+
     /// Decisions about the groups at frames near this pose. Ranks are kept for groups that moved very little, and
     /// decided anew for the others.
     pub(crate) fn groups_near(&self, kinematics: &Kinematics) -> Vec<GroupMobility> {

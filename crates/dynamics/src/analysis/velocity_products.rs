@@ -1,7 +1,6 @@
 //! Terms of the equations of motion that are quadratic in the velocities, and poses at given positions.
 
 use crate::analysis::pose::Pose;
-use crate::kinematics::frames::Kinematics;
 use crate::kinematics::rows::{closure_wrench_rates, closure_wrenches, coupling_scale};
 use crate::model::joint_motion::JointMotion;
 use crate::model::tangent;
@@ -10,6 +9,7 @@ use crate::model::{Constraint, ConstraintRows, ConstraintTerm, Group, Model};
 use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, Twist};
+use std::sync::Arc;
 
 impl Pose {
     /// Ṡ v of a joint at its velocities `v`: acceleration of the child relative to the parent at constant velocities, in the
@@ -26,13 +26,13 @@ impl Pose {
     ///
     /// # Errors
     /// [`StateSizeError`]: velocities that do not fit the mechanism.
-    pub fn position_rates(&self, velocities: &[Vec<f64>]) -> Result<Vec<f64>, StateSizeError> {
+    pub fn position_rates<V: AsRef<[f64]>>(&self, velocities: &[V]) -> Result<Vec<f64>, StateSizeError> {
         let model = self.assembly.pose_model();
         check_velocities(&model.mechanism, velocities)?;
         let mut rates = vec![0.0; self.kinematics.q.len()];
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
             let q = &self.kinematics.q[range.clone()];
-            tangent::position_rates(joint.kind(), q, v, &mut rates[range.clone()]);
+            tangent::position_rates(joint.kind(), q, v.as_ref(), &mut rates[range.clone()]);
         }
         Ok(rates)
     }
@@ -43,21 +43,32 @@ impl Pose {
     /// # Errors
     /// [`StateSizeError`]: another number of positions.
     pub fn at_positions(&self, positions: &[f64], base: Transform<f64>) -> Result<Pose, StateSizeError> {
-        let model = self.assembly.pose_model();
+        let mut pose = self.clone();
+        pose.move_to(positions, base)?;
+        Ok(pose)
+    }
+
+    /// Moves the pose in place, as by [`at_positions`](Self::at_positions). Reuses the memory of the pose.
+    ///
+    /// # Errors
+    /// [`StateSizeError`]: another number of positions. The pose is then unchanged.
+    pub fn move_to(&mut self, positions: &[f64], base: Transform<f64>) -> Result<(), StateSizeError> {
+        let assembly = Arc::clone(&self.assembly);
+        let model = assembly.pose_model();
         check_positions(positions.len(), self.kinematics.q.len())?;
-        let mut kinematics = Kinematics::new(model);
         for (joint, range) in model.mechanism.joints().iter().zip(&model.joint_q) {
-            let q = &mut kinematics.q[range.clone()];
+            let q = &mut self.kinematics.q[range.clone()];
             q.copy_from_slice(&positions[range.clone()]);
             tangent::normalise(joint.kind(), q);
         }
-        kinematics.refill(model);
-        let mut loops = self.loops.clone();
-        if let Some(state) = &mut loops {
-            let residual = |group| model.group_residual(&kinematics, group).0;
+        self.kinematics.refill(model);
+        if let Some(state) = &mut self.loops {
+            let residual = |group| model.group_residual(&self.kinematics, group).0;
             state.residual = model.groups.iter().map(residual).fold(0.0, f64::max);
         }
-        Ok(self.assembly.pose_at(kinematics, base, loops, self))
+        self.base = base;
+        self.decide_mobility_again();
+        Ok(())
     }
 
     /// Ȧ u of each group of constraints at the joint velocities `velocities` (joint order) and the twist `base` of the root link
@@ -69,9 +80,9 @@ impl Pose {
     ///
     /// # Errors
     /// [`StateSizeError`]: velocities that do not fit the mechanism.
-    pub fn constraint_bias(
+    pub fn constraint_bias<V: AsRef<[f64]>>(
         &self,
-        velocities: &[Vec<f64>],
+        velocities: &[V],
         base: &Twist<f64>,
     ) -> Result<Vec<Vec<f64>>, StateSizeError> {
         let model = self.assembly.model();
@@ -88,10 +99,10 @@ impl Pose {
     }
 
     /// Twist of each body, and its rate at constant joint velocities, in root axes about the root origin.
-    fn body_motions(
+    fn body_motions<V: AsRef<[f64]>>(
         &self,
         model: &Model,
-        velocities: &[Vec<f64>],
+        velocities: &[V],
         base: &Twist<f64>,
     ) -> Vec<(Twist<f64>, Twist<f64>)> {
         let kinematics = &self.kinematics;
@@ -101,7 +112,7 @@ impl Pose {
             let (parent, mut rate) = body.parent.map_or((Twist::zero(), Twist::zero()), |p| motions[p]);
             let mut twist = parent;
             if !body.v.is_empty() {
-                let own = body.joint.map_or(&of_base, |id| &velocities[id.index()]);
+                let own = body.joint.map_or(&of_base[..], |id| velocities[id.index()].as_ref());
                 for (k, v) in own.iter().enumerate() {
                     let column = kinematics.column_at(model, i, k, &Vector3::zeros());
                     twist += column * *v;
@@ -116,12 +127,12 @@ impl Pose {
     }
 
     /// Ȧ u of the rows of one constraint of a group.
-    fn row_bias(
+    fn row_bias<V: AsRef<[f64]>>(
         &self,
         model: &Model,
         rows: &ConstraintRows,
         group: &Group,
-        velocities: &[Vec<f64>],
+        velocities: &[V],
         motions: &[(Twist<f64>, Twist<f64>)],
         base: &Twist<f64>,
     ) -> Vec<f64> {
@@ -149,7 +160,7 @@ impl Pose {
                 let [_, curvature] = coupling.curve_derivatives(&self.kinematics.q);
                 let rate = |term: &ConstraintTerm| {
                     let joint = model.bodies[term.body].joint;
-                    joint.map_or(0.0, |id| term.argument * velocities[id.index()][term.component])
+                    joint.map_or(0.0, |id| term.argument * velocities[id.index()].as_ref()[term.component])
                 };
                 let rate: f64 = rows.terms.iter().map(rate).sum();
                 vec![-coupling_scale(coupling.turns, group) * curvature * rate * rate; rows.count]

@@ -14,7 +14,11 @@ pub(crate) struct JointMotion {
 
 impl JointMotion {
     pub fn of(joint: &Joint) -> Self {
-        Self { kind: joint.kind(), axis: *joint.axis(), plane: plane_basis(joint.axis()) }
+        let plane = match joint.kind() {
+            JointKind::Planar => plane_basis(joint.axis()),
+            _ => (Vector3::zeros(), Vector3::zeros()),
+        };
+        Self { kind: joint.kind(), axis: *joint.axis(), plane }
     }
 
     /// Free motion of a floating base.

@@ -37,16 +37,16 @@ pub enum StateSizeError {
 }
 
 /// Checks for one list of velocities per joint, each of the correct length.
-pub(crate) fn check_velocities<T>(
+pub(crate) fn check_velocities<V: AsRef<[f64]>>(
     mechanism: &Mechanism,
-    velocities: &[Vec<T>],
+    velocities: &[V],
 ) -> Result<(), StateSizeError> {
     let (got, expected) = (velocities.len(), mechanism.joints().len());
     if got != expected {
         return Err(StateSizeError::Joints { got, expected });
     }
     for (joint, v) in mechanism.joints().iter().zip(velocities) {
-        let (got, expected) = (v.len(), joint.kind().dofs());
+        let (got, expected) = (v.as_ref().len(), joint.kind().dofs());
         if got != expected {
             return Err(StateSizeError::VelocityCount { joint: joint.name().to_owned(), got, expected });
         }

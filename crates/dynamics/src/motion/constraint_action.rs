@@ -90,6 +90,17 @@ impl Pose {
         model.groups.iter().zip(&self.groups).map(of_group).collect()
     }
 
+    /// Rows A of group `number` of [`constraint_groups`](Self::constraint_groups) at the pose, row by row, in `rows`. Returns their
+    /// rank. Does not describe the constraints, so that the same memory serves many poses.
+    ///
+    /// # Panics
+    /// If the group does not exist.
+    pub fn constraint_rows(&self, number: usize, rows: &mut Vec<f64>) -> usize {
+        let (group, decided) = (&self.assembly.model().groups[number], &self.groups[number]);
+        decided.rows.dense_into(group, rows);
+        decided.rank.rank
+    }
+
     /// Wrenches of the rows of one constraint; `size` is the length of its group.
     fn constraint_action(&self, rows: &ConstraintRows, size: f64) -> ConstraintAction {
         let model = self.assembly.model();

@@ -31,10 +31,20 @@ impl Pose {
     /// # Panics
     /// If the joint belongs to another mechanism.
     pub fn motion_subspace(&self, joint: JointId) -> Vec<Twist<f64>> {
+        let mut columns = Vec::new();
+        self.add_motion_subspace(joint, &mut columns);
+        columns
+    }
+
+    /// Appends the columns of [`motion_subspace`](Self::motion_subspace) to `columns`.
+    ///
+    /// # Panics
+    /// If the joint belongs to another mechanism.
+    pub fn add_motion_subspace(&self, joint: JointId, columns: &mut Vec<Twist<f64>>) {
         let q = self.joint(joint);
         let joint = self.mechanism().joint(joint);
         let motion = JointMotion::of(joint);
-        (0..joint.kind().dofs()).map(|k| motion.column(k, q)).collect()
+        columns.extend((0..joint.kind().dofs()).map(|k| motion.column(k, q)));
     }
 
     /// Armature of each velocity of a joint under the conditions of the pose, kg·m² or kg; empty for a fixed joint.

@@ -1,7 +1,7 @@
 //! Frictional impact of a contact that slides in changing directions: integration over the normal impulse.
 
-use crate::extrapolation::{controlled_step, step};
 use crate::friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw, add_phase};
+use crate::numerics::extrapolation::{controlled_step, step};
 use crate::tolerances::{MOST_STEPS, SLIDING_ENDS, STEP_ERROR, WEDGED};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 

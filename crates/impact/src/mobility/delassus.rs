@@ -1,6 +1,7 @@
 //! Delassus matrix of a list of contacts.
 
 use crate::group_rows::GroupRows;
+use crate::mobility::semidefinite::unit_diagonal_scale;
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
 use crate::tolerances::{MASSLESS_ENERGY, MASSLESS_RESPONSE};
@@ -186,9 +187,7 @@ fn inverse_response(reduced: &Mat<f64>, moved: &Mat<f64>) -> Result<Mat<f64>, De
     if d == 0 {
         return Ok(Mat::zeros(0, moved.nrows()));
     }
-    // A unit diagonal lowers the condition of mechanisms with light and heavy parts.
-    let scale: Vec<f64> =
-        (0..d).map(|k| if reduced[(k, k)] > 0.0 { 1.0 / reduced[(k, k)].sqrt() } else { 1.0 }).collect();
+    let scale = unit_diagonal_scale(&(0..d).map(|k| reduced[(k, k)]).collect::<Vec<f64>>());
     let even = Mat::from_fn(d, d, |r, c| scale[r] * scale[c] * 0.5 * (reduced[(r, c)] + reduced[(c, r)]));
     let right = Mat::from_fn(d, moved.nrows(), |k, r| scale[k] * moved[(r, k)]);
     let eigen = even.self_adjoint_eigen(Side::Lower).map_err(|_| DelassusError::Eigenvalues)?;

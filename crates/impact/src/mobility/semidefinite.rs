@@ -1,6 +1,6 @@
 //! Linear equations with a symmetric positive semi-definite matrix.
 
-use crate::tolerances::{MASSLESS_RESPONSE, OPEN_COMPONENT};
+use crate::tolerances::{MASSLESS_ENERGY, MASSLESS_RESPONSE, OPEN_COMPONENT};
 use nalgebra::{DMatrix, DVector};
 
 /// Eigenvalue decomposition of a symmetric positive semi-definite matrix.
@@ -33,4 +33,15 @@ impl SemidefiniteSolver {
         };
         (0..self.values.len()).map(|k| part(k) * part(k)).sum::<f64>().sqrt() > OPEN_COMPONENT
     }
+}
+
+/// Factors that scale a positive semi-definite matrix with this diagonal to a unit diagonal, which lowers the condition of mechanisms
+/// with light and heavy parts. Entries that are rounding of zero stay small: a motion without mass has no unit of its own.
+pub(crate) fn unit_diagonal_scale(diagonal: &[f64]) -> Vec<f64> {
+    let largest = diagonal.iter().copied().fold(0.0, f64::max);
+    let scale = |&entry: &f64| {
+        let size = if entry > MASSLESS_ENERGY * largest { entry } else { largest };
+        if size > 0.0 { size.sqrt().recip() } else { 1.0 }
+    };
+    diagonal.iter().map(scale).collect()
 }

@@ -22,11 +22,19 @@ impl JointRates {
 
     /// Rates `self` + `factor` · `other`.
     pub fn plus_scaled(&self, other: &Self, factor: f64) -> Self {
+        self.plus_scaled_motion(&other.joints, other.base, factor)
+    }
+
+    /// Rates `self` + `factor` · (`joints`, `base`).
+    pub(crate) fn plus_scaled_motion(&self, joints: &[Vec<f64>], base: Twist<f64>, factor: f64) -> Self {
         let joint = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a + factor * b).collect();
-        Self {
-            joints: self.joints.iter().zip(&other.joints).map(joint).collect(),
-            base: self.base + other.base * factor,
-        }
+        Self { joints: self.joints.iter().zip(joints).map(joint).collect(), base: self.base + base * factor }
+    }
+
+    /// Rates `factor` · (`joints`, `base`).
+    pub(crate) fn scaled(joints: &[Vec<f64>], base: Twist<f64>, factor: f64) -> Self {
+        let joint = |rates: &Vec<f64>| rates.iter().map(|rate| factor * rate).collect();
+        Self { joints: joints.iter().map(joint).collect(), base: base * factor }
     }
 
     /// Velocities of a joint.

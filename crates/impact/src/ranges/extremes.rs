@@ -2,7 +2,9 @@
 
 use crate::mobility::delassus::Delassus;
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
-use crate::ranges::reflected::driving_velocities;
+use crate::ranges::reflected::{driving_velocities, reflected_inertia};
+use crate::reactions::reaction_map::ReactionMap;
+use crate::tolerances::DIFFERENCE_STEP;
 use nalgebra::{Matrix3xX, Vector3};
 use percuss_dynamics::{
     AssemblyError, Configuration, ConfigurationError, Contact, Direction, EffectiveMass, Frame, LowestPoint,
@@ -41,6 +43,9 @@ pub enum ExtremesError {
     /// The axis of a range of normals has no direction.
     #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
     NoAxis,
+    /// A range of normals for a quantity that is no effective mass.
+    #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
+    NormalsOfMass,
     /// No joint varies.
     #[error("no joint varies; give the range of at least one driving joint")]
     NoJoint,
@@ -50,8 +55,8 @@ pub enum ExtremesError {
         /// The joint.
         joint: String,
     },
-    /// No start has a pose with a finite effective mass.
-    #[error("no start of the search has a pose with a finite effective mass")]
+    /// No start has a pose with a finite value.
+    #[error("no start of the search has a pose with a finite value")]
     NoStart,
     /// The configuration cannot be set.
     #[error(transparent)]
@@ -81,9 +86,9 @@ pub struct JointRange {
 /// Extreme to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExtremeKind {
-    /// Smallest effective mass.
+    /// Smallest value.
     Least,
-    /// Largest effective mass; immovable if a pose has no motion that closes the gap.
+    /// Largest value; an effective mass or inertia is immovable if a pose has no motion along it.
     Most,
 }
 
@@ -97,6 +102,28 @@ pub enum NormalRange {
     Any,
     /// All normals across an axis (world axes).
     Across(Vector3<f64>),
+}
+
+/// Quantity whose extremes are searched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum SearchedQuantity {
+    /// Effective mass of the contact, kg.
+    #[default]
+    EffectiveMass,
+    /// Inertia reflected to a joint with one velocity, kg·m² or kg. With `held` the other drivers are at rest; otherwise they are free.
+    ReflectedInertia {
+        /// The joint.
+        joint: JointId,
+        /// True if the other drivers are at rest.
+        held: bool,
+    },
+    /// Impulse in a bearing per closing speed, of a plastic impact at the contact (e = 0): m̄ |R|, kg, with the determinate components
+    /// R of the reaction per impulse. An impact with c and e has (1+e) c times this impulse; a contact of stiffness k has about the peak
+    /// force m̄ |R| c √(k/m̄).
+    BearingImpulse {
+        /// The joint.
+        joint: JointId,
+    },
 }
 
 /// Contact of a search for extremes.
@@ -116,10 +143,10 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
     }
 }
 
-/// Extreme effective mass over ranges of positions.
+/// Extreme effective mass, or other quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Effective mass at the extreme; immovable is a valid largest value.
+    /// Value of the quantity at the extreme; immovable is a valid largest value of a mass or an inertia.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
@@ -128,7 +155,8 @@ pub struct ExtremeMass {
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient of m̄, times its range, relative to m̄; 0 at an exact
-    /// stationary point of the constrained problem. Zero for an immovable contact.
+    /// stationary point of the constrained problem. Zero for an immovable contact. For an impulse of zero: relative to the largest
+    /// squared impulse of the starts.
     pub residual: f64,
     /// Number of starts.
     pub starts: usize,
@@ -156,6 +184,36 @@ pub fn extreme_effective_mass(
     extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
+    let quantity = SearchedQuantity::EffectiveMass;
+    extreme_quantity(system, configuration, contact, quantity, ranges, extreme, starts)
+}
+
+/// Extreme of a quantity over ranges of driving joints, by the searches of [`extreme_effective_mass`].
+///
+/// The gradient of an effective mass has a closed form. That of the other quantities is a difference quotient of fourth order, with a
+/// relative error of about 1e-12. A reflected inertia does not depend on the contact. A range of normals applies to effective masses
+/// only.
+///
+/// # Errors
+/// [`ExtremesError`].
+pub fn extreme_quantity(
+    system: &System,
+    configuration: &Configuration,
+    contact: SearchedContact,
+    quantity: SearchedQuantity,
+    ranges: &[JointRange],
+    extreme: ExtremeKind,
+    starts: usize,
+) -> Result<ExtremeMass, ExtremesError> {
+    let of_mass = quantity == SearchedQuantity::EffectiveMass;
+    if !of_mass && contact.normals != NormalRange::Given {
+        return Err(ExtremesError::NormalsOfMass);
+    }
+    if let SearchedQuantity::ReflectedInertia { joint, .. } = quantity
+        && system.mechanism().joint(joint).kind().dofs() != 1
+    {
+        return Err(ExtremesError::NoDriver { joint: system.mechanism().joint(joint).name().to_owned() });
+    }
     if ranges.is_empty() {
         return Err(ExtremesError::NoJoint);
     }
@@ -177,20 +235,25 @@ pub fn extreme_effective_mass(
     {
         return Err(ExtremesError::NoAxis);
     }
-    let search = Search { system, configuration, contact, wheel, ranges, normals, extreme };
-    let mut found: Vec<Point> = Vec::new();
+    let search = Search { system, configuration, contact, wheel, quantity, ranges, normals, extreme };
+    let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
     for start in 0..starts.max(1) {
         let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
-        found.extend(search.run(unit)?);
+        if let Some((point, at_start)) = search.run(unit)? {
+            largest = largest.max(at_start).max(point.inverse_mass);
+            found.push(point);
+        }
     }
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
-    let largest = found.iter().map(|point| point.inverse_mass).fold(0.0, f64::max);
     let largest = largest.max(search.typical()?);
-    let is_immovable = extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
-    let same = |point: &&Point| {
-        (point.inverse_mass - best.inverse_mass).abs()
-            <= SAME_VALUE * best.inverse_mass.max(IMMOVABLE * largest)
-    };
+    let is_immovable =
+        search.is_reciprocal() && extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
+    // A square that is rounding of zero has no relative accuracy: the residual is then relative to the largest square.
+    let vanishes = !search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
+    let size = best.inverse_mass.max(IMMOVABLE * largest);
+    let close =
+        if search.is_reciprocal() { SAME_VALUE * size } else { (SAME_VALUE * size).max(IMMOVABLE * largest) };
+    let same = |point: &&Point| (point.inverse_mass - best.inverse_mass).abs() <= close;
     let at_limit = |k: usize| match best.unit[k] {
         x if x <= AT_LIMIT => Some((ranges[k].joint, false)),
         x if x >= 1.0 - AT_LIMIT => Some((ranges[k].joint, true)),
@@ -200,15 +263,25 @@ pub fn extreme_effective_mass(
         effective_mass: if is_immovable {
             EffectiveMass::Immovable
         } else {
-            EffectiveMass::Finite(1.0 / best.inverse_mass)
+            let value = best.inverse_mass;
+            EffectiveMass::Finite(if search.is_reciprocal() { 1.0 / value } else { value.sqrt() })
         },
         positions: search.positions(&best.unit),
         normal_world: best.normal_world,
         active_limits: (0..ranges.len()).filter_map(at_limit).collect(),
-        residual: if is_immovable { 0.0 } else { best.residual() / best.inverse_mass },
+        residual: if is_immovable { 0.0 } else { best.residual() / if vanishes { largest } else { size } },
         starts: starts.max(1),
         agreeing: found.iter().filter(same).count(),
     })
+}
+
+/// Reciprocal value of a mass or an inertia; `None` for a massless motion.
+fn reciprocal(mass: EffectiveMass) -> Option<f64> {
+    match mass {
+        EffectiveMass::Finite(mass) => Some(1.0 / mass),
+        EffectiveMass::Immovable => Some(0.0),
+        EffectiveMass::Massless => None,
+    }
 }
 
 const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
@@ -229,9 +302,9 @@ fn halton(mut index: usize, base: usize) -> f64 {
 struct Point {
     /// Positions as parts of their ranges.
     unit: Vec<f64>,
-    /// 1/m̄, 1/kg.
+    /// 1/m̄, 1/kg; for a bearing the square of the impulse, kg².
     inverse_mass: f64,
-    /// Function to be minimised: ±1/m̄.
+    /// Function to be minimised: plus or minus this number.
     value: f64,
     /// Its gradient over the ranges.
     gradient: Vec<f64>,
@@ -265,12 +338,59 @@ struct Search<'a> {
     configuration: &'a Configuration,
     contact: &'a Contact,
     wheel: Option<&'a LowestPoint>,
+    quantity: SearchedQuantity,
     ranges: &'a [JointRange],
     normals: NormalRange,
     extreme: ExtremeKind,
 }
 
 impl Search<'_> {
+    /// True if the extreme is that of the reciprocal value, which is smooth where a mass or an inertia is infinite.
+    fn is_reciprocal(&self) -> bool {
+        !matches!(self.quantity, SearchedQuantity::BearingImpulse { .. })
+    }
+
+    /// Reciprocal value of an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth where
+    /// the impulse vanishes.
+    fn measure(&self, pose: &Pose) -> Option<f64> {
+        match self.quantity {
+            SearchedQuantity::EffectiveMass => {
+                reciprocal(pose.respond(&self.contact_at(pose)?.0).ok()?.effective_mass)
+            }
+            SearchedQuantity::ReflectedInertia { joint, held } => {
+                let found = reflected_inertia(pose, joint, 0).ok()?;
+                reciprocal(if held { found.held? } else { found.free })
+            }
+            SearchedQuantity::BearingImpulse { joint } => {
+                let response = pose.respond(&self.contact_at(pose)?.0).ok()?;
+                let mass = response.effective_mass.kilograms()?;
+                let reactions = ReactionMap::new(pose).reactions(&response, mass).ok()?;
+                let force = reactions.joints[joint.index()].reaction.force;
+                let known: Vec<f64> = force.iter().filter_map(|component| component.value()).collect();
+                (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum())
+            }
+        }
+    }
+
+    /// Value and gradient by difference quotients of fourth order. `None`: a pose that is not reachable, or no finite value.
+    fn point_by_differences(&self, unit: Vec<f64>, from: Option<&Pose>) -> Option<(Point, Pose)> {
+        let pose = self.pose(&unit, from).ok()?;
+        let inverse_mass = self.measure(&pose)?;
+        let increases = (self.extreme == ExtremeKind::Most) == self.is_reciprocal();
+        let sign = if increases { 1.0 } else { -1.0 };
+        let at = |k: usize, step: f64| {
+            let mut moved = unit.clone();
+            moved[k] += step;
+            self.measure(&self.pose(&moved, Some(&pose)).ok()?)
+        };
+        let h = DIFFERENCE_STEP;
+        let slope = |k: usize| {
+            Some((8.0 * (at(k, h)? - at(k, -h)?) - (at(k, 2.0 * h)? - at(k, -2.0 * h)?)) / (12.0 * h))
+        };
+        let gradient = (0..unit.len()).map(|k| Some(sign * slope(k)?)).collect::<Option<Vec<f64>>>()?;
+        Some((Point { unit, inverse_mass, value: sign * inverse_mass, gradient, normal_world: None }, pose))
+    }
+
     fn positions(&self, unit: &[f64]) -> Vec<f64> {
         self.ranges.iter().zip(unit).map(|(r, x)| r.lower + x * (r.upper - r.lower)).collect()
     }
@@ -314,6 +434,9 @@ impl Search<'_> {
     /// 1/m̄ at the middle of the ranges: a size for comparisons.
     fn typical(&self) -> Result<f64, ExtremesError> {
         let pose = self.pose(&vec![0.5; self.ranges.len()], None)?;
+        if self.quantity != SearchedQuantity::EffectiveMass {
+            return Ok(self.measure(&pose).unwrap_or(0.0));
+        }
         let Some((contact, _)) = self.contact_at(&pose) else { return Ok(0.0) };
         let response = pose.respond(&contact)?;
         Ok(response.effective_mass.kilograms().map_or(0.0, |mass| 1.0 / mass))
@@ -321,6 +444,9 @@ impl Search<'_> {
 
     /// Value and gradient. `None`: a pose that is not reachable, or a massless contact.
     fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
+        if self.quantity != SearchedQuantity::EffectiveMass {
+            return Ok(self.point_by_differences(unit, from));
+        }
         let Ok(pose) = self.pose(&unit, from) else { return Ok(None) };
         let sign = if self.extreme == ExtremeKind::Most { 1.0 } else { -1.0 };
         let Some((contact, normal_world)) = self.contact_at(&pose) else { return Ok(None) };
@@ -361,8 +487,8 @@ impl Search<'_> {
         Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
     }
 
-    /// Local search from one start; `None` if the start has no finite mass.
-    fn run(&self, unit: Vec<f64>) -> Result<Option<Point>, ExtremesError> {
+    /// Local search from one start: its end, and the number at the start; `None` if the start has no finite value.
+    fn run(&self, unit: Vec<f64>) -> Result<Option<(Point, f64)>, ExtremesError> {
         let n = unit.len();
         let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
         let scale = at.inverse_mass;
@@ -418,7 +544,7 @@ impl Search<'_> {
                 break;
             }
         }
-        Ok(Some(at))
+        Ok(Some((at, scale)))
     }
 }
 

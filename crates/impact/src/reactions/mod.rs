@@ -1,5 +1,6 @@
 //! Reactions in joints, closures and held contacts.
 
-pub(crate) mod link_loads;
 pub(crate) mod reaction;
+pub(crate) mod reaction_map;
+pub(crate) mod tree_frames;
 pub(crate) mod unit_impulse;

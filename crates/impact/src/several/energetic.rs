@@ -1,7 +1,7 @@
 //! Energetic law of several simultaneous contacts.
 
 use crate::error::ImpactError;
-use crate::extrapolation::{controlled_step, step};
+use crate::numerics::extrapolation::{controlled_step, step};
 use crate::tolerances::{LEAST_ENERGETIC, MOST_STEPS, STEP_ERROR};
 use nalgebra::{DMatrix, DVector};
 

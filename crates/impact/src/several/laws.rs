@@ -100,21 +100,21 @@ pub fn simultaneous_impact_of_matrix(
     if !(closing.is_finite() && closing > 0.0) {
         return Err(ImpactError::ClosingSpeed { got: closing });
     }
-    let no_end = ImpactError::NoEnd { law: law.name() };
+    let no_end = || ImpactError::NoEnd { law: law.name() };
     let (solution, is_open) = match law {
         SimultaneousLaw::Newton => {
             let q = DVector::from_fn(k, |i, _| before[i] * (1.0 + restitution[i]));
-            let found = complementarity(matrix, &q).ok_or(no_end)?;
+            let found = complementarity(matrix, &q).ok_or_else(no_end)?;
             (found.z, found.is_open)
         }
         SimultaneousLaw::Poisson => {
-            let compression = complementarity(matrix, before).ok_or(no_end)?;
+            let compression = complementarity(matrix, before).ok_or_else(no_end)?;
             let least = DVector::from_fn(k, |i, _| restitution[i] * compression.z[i]);
             let at_least = &compression.z + &least;
             let q = before + matrix * &at_least;
             // Rounding of a vanishing opening speed is no further impulse.
             let q = q.map(|u| if u.abs() <= COMPLEMENTARY * closing { 0.0 } else { u });
-            let more = complementarity(matrix, &q).ok_or(no_end)?;
+            let more = complementarity(matrix, &q).ok_or_else(no_end)?;
             let is_open = compression.is_open.iter().zip(&more.is_open).map(|(a, b)| *a || *b).collect();
             (at_least + more.z, is_open)
         }

@@ -9,45 +9,164 @@
 //! Source: Featherstone 2008, §3.2 and §8.
 
 use crate::group_rows::GroupRows;
-use crate::mobility::semidefinite::SemidefiniteSolver;
+use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
-use crate::reactions::link_loads::LinkLoads;
-use crate::reactions::unit_impulse::generalised_loads;
+use crate::numerics::pivoted_qr::PivotedQr;
+use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames};
 use crate::tolerances::MASSLESS_ENERGY;
 use nalgebra::{DMatrix, DVector, Vector3};
-use percuss_dynamics::{LocatedContact, Pose};
+use percuss_dynamics::{ConstraintGroup, LocatedContact, Pose};
+use percuss_spatial::Twist;
 
-/// Accelerations u̇ of the coordinates at the rates `u`, under the force `force` (N, −n̂ on the contact link) and the gravity
-/// `gravity` (m/s², root axes). `None` if the rates do not fit the pose.
-pub(crate) fn accelerations(
-    pose: &Pose,
-    contact: &LocatedContact,
-    u: &[f64],
-    force: f64,
-    gravity: &Vector3<f64>,
-) -> Option<Vec<f64>> {
-    let n = u.len();
-    let rates = rates_of(pose, u);
-    let still = JointRates::at_rest(pose.mechanism());
-    let loads = LinkLoads::of_motion(pose, contact, force, &rates, &still, gravity);
-    let forces = generalised_loads(pose, loads, still);
-    let lengths = lengths(pose, &pose.coordinate_joints());
-    let bias = pose.constraint_bias(&rates.joints, &rates.base).ok()?;
-    let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
-    let mut particular = vec![0.0; n];
-    for (group, bias) in groups.iter().zip(&bias) {
-        let right: Vec<f64> = bias.iter().map(|b| -b).collect();
-        group.particular_rates(&right).into_iter().for_each(|(c, rate)| particular[c] = rate);
+/// Equations of motion of a system at many poses, with reused memory.
+pub(crate) struct MotionEquations {
+    tree: TreeFrames,
+    /// Displacement, m, of a point at the characteristic length at unit rate, for every coordinate.
+    lengths: Vec<f64>,
+    groups: Vec<EquationGroup>,
+    /// Coordinates without constraints.
+    unbound: Vec<usize>,
+    /// Basis of ker A, coordinate by coordinate, of one motion after the other.
+    basis: Vec<f64>,
+    /// Velocities and bias accelerations of all joints.
+    velocities: Vec<f64>,
+    bias: Vec<f64>,
+    springs: Vec<SpringAtJoint>,
+}
+
+/// Rows of a group of constraints.
+struct EquationGroup {
+    coordinates: Vec<usize>,
+    lengths: Vec<f64>,
+    rows: Vec<f64>,
+    qr: PivotedQr,
+}
+
+impl MotionEquations {
+    /// Equations for the system of a pose, with springs and dampers of joints.
+    pub fn new(pose: &Pose, springs: Vec<SpringAtJoint>) -> Self {
+        let of_group = |group: ConstraintGroup| EquationGroup {
+            coordinates: group.coordinates,
+            lengths: group.lengths,
+            rows: Vec::new(),
+            qr: PivotedQr::default(),
+        };
+        let groups: Vec<EquationGroup> = pose.constraint_groups().into_iter().map(of_group).collect();
+        let lengths = lengths(pose, &pose.coordinate_joints());
+        let is_unbound = |c: &usize| !groups.iter().any(|group| group.coordinates.contains(c));
+        Self {
+            tree: TreeFrames::new(pose),
+            unbound: (0..lengths.len()).filter(is_unbound).collect(),
+            lengths,
+            groups,
+            basis: Vec::new(),
+            velocities: Vec::new(),
+            bias: Vec::new(),
+            springs,
+        }
     }
-    let basis = kernel(&groups, &lengths);
-    let basis = DMatrix::from_fn(n, basis.ncols(), |c, k| basis[(c, k)] / lengths[c]);
-    let mass = pose.mass_matrix();
-    let mut accelerations = DVector::from_vec(particular);
-    let loads = DVector::from_vec(forces) + &mass * &accelerations;
-    let reduced = basis.transpose() * &mass * &basis;
-    accelerations += &basis * solve(reduced, -(basis.transpose() * loads));
-    Some(accelerations.as_slice().to_vec())
+
+    /// Accelerations u̇ of the coordinates at the rates `u`, under the force `force` (N, −n̂ on the contact link) and the gravity
+    /// `gravity` (m/s², root axes). `None` if the rates do not fit the pose.
+    pub fn accelerations(
+        &mut self,
+        pose: &Pose,
+        contact: &LocatedContact,
+        u: &[f64],
+        force: f64,
+        gravity: &Vector3<f64>,
+    ) -> Option<Vec<f64>> {
+        let n = u.len();
+        self.tree.update(pose);
+        self.tree.joint_velocities(u, &mut self.velocities);
+        self.tree.apply_springs(pose, &self.springs, &self.velocities);
+        let base = self.tree.base_twist(u);
+        let mut accelerations = vec![0.0; n];
+        self.solve_constraints(pose, &base, &mut accelerations)?;
+        self.tree.joint_velocities(&accelerations, &mut self.bias);
+        let (rates, bias) =
+            ((&self.velocities[..], base), (&self.bias[..], self.tree.base_twist(&accelerations)));
+        let loads = self.tree.motion_loads(pose, contact, force, rates, bias, gravity);
+        let forces = self.tree.generalised_loads(&loads, &self.bias);
+        let mass = pose.mass_matrix();
+        let d = self.basis.len().checked_div(n).unwrap_or(0);
+        let basis = DMatrix::from_column_slice(n, d, &self.basis);
+        let reduced = basis.tr_mul(&(&mass * &basis));
+        let right = -basis.tr_mul(&DVector::from_vec(forces.clone()));
+        let motion = match solve_definite(&reduced, &right) {
+            Some(weights) => basis * weights,
+            None => least_motion(pose, &mass, &self.lengths, forces),
+        };
+        accelerations.iter_mut().zip(motion.iter()).for_each(|(sum, a)| *sum += a);
+        Some(accelerations)
+    }
+
+    /// Rates of the positions of all joints (layout of [`Pose::positions`]) and twist of the root link, at the rates `u` and the pose of
+    /// the last accelerations.
+    pub fn position_rates(&self, pose: &Pose, u: &[f64]) -> Option<(Vec<f64>, Twist<f64>)> {
+        let of_joints: Vec<&[f64]> = self.of_joints();
+        Some((pose.position_rates(&of_joints).ok()?, self.tree.base_twist(u)))
+    }
+
+    /// Velocities of each joint.
+    fn of_joints(&self) -> Vec<&[f64]> {
+        self.tree.mechanism.joint_ids().map(|joint| self.tree.of_joint(joint, &self.velocities)).collect()
+    }
+
+    /// Solves A u̇ = −Ȧ u by the first pivots, and computes the basis of ker A by the others.
+    fn solve_constraints(&mut self, pose: &Pose, base: &Twist<f64>, particular: &mut [f64]) -> Option<()> {
+        let n = particular.len();
+        self.basis.clear();
+        for &c in &self.unbound {
+            let first = self.basis.len();
+            self.basis.resize(first + n, 0.0);
+            self.basis[first + c] = 1.0 / self.lengths[c];
+        }
+        if self.groups.is_empty() {
+            return Some(());
+        }
+        let bias = pose.constraint_bias(&self.of_joints(), base).ok()?;
+        let mut z = Vec::new();
+        for (number, group) in self.groups.iter_mut().enumerate() {
+            let columns = group.coordinates.len();
+            let rank = pose.constraint_rows(number, &mut group.rows);
+            let rows = group.rows.len().checked_div(columns).unwrap_or(0);
+            let (values, lengths) = (&group.rows, &group.lengths);
+            group.qr.decompose(rows, columns, |r, c| values[r * columns + c] / lengths[c]);
+            let qr = &group.qr;
+            let rank = if rank > 0 && qr.r(0, 0) == 0.0 { 0 } else { rank };
+            // R₁ z = right, from the last pivot to the first.
+            let back = |z: &mut [f64]| {
+                for k in (0..rank).rev() {
+                    let known: f64 = (k + 1..rank).map(|i| qr.r(k, i) * z[i]).sum();
+                    z[k] = (z[k] - known) / qr.r(k, k);
+                }
+            };
+            let coordinate = |k: usize| (group.coordinates[qr.order()[k]], lengths[qr.order()[k]]);
+            z.clear();
+            z.extend(
+                (0..rank).map(|k| -qr.q_column(k).iter().zip(&bias[number]).map(|(q, b)| q * b).sum::<f64>()),
+            );
+            back(&mut z);
+            for (k, z) in z.iter().enumerate() {
+                let (c, length) = coordinate(k);
+                particular[c] = z / length;
+            }
+            for free in rank..columns {
+                z.clear();
+                z.extend((0..rank).map(|k| -qr.r(k, free)));
+                back(&mut z);
+                let first = self.basis.len();
+                self.basis.resize(first + n, 0.0);
+                for (k, z) in z.iter().copied().enumerate().chain([(free, 1.0)]) {
+                    let (c, length) = coordinate(k);
+                    self.basis[first + c] = z / length;
+                }
+            }
+        }
+        Some(())
+    }
 }
 
 /// Rates of all joints at the rates of the coordinates.
@@ -56,17 +175,36 @@ pub(crate) fn rates_of(pose: &Pose, u: &[f64]) -> JointRates {
     JointRates { joints, base }
 }
 
-/// Solution of K a = b for a symmetric positive semi-definite K; of least norm if a motion has no mass.
-fn solve(matrix: DMatrix<f64>, right: DVector<f64>) -> DVector<f64> {
+/// Motion N a of least norm over scaled coordinates with NᵀMN a = −Nᵀ forces: for mechanisms in which a motion has no mass.
+fn least_motion(pose: &Pose, mass: &DMatrix<f64>, lengths: &[f64], forces: Vec<f64>) -> DVector<f64> {
+    let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
+    let basis = kernel(&groups, lengths);
+    let basis = DMatrix::from_fn(lengths.len(), basis.ncols(), |c, k| basis[(c, k)] / lengths[c]);
+    let reduced = basis.tr_mul(&(mass * &basis));
+    let weights = solve(reduced, -basis.tr_mul(&DVector::from_vec(forces)));
+    basis * weights
+}
+
+/// Solution of K a = b for a positive definite K, by Cholesky's decomposition of K with unit diagonal; `None` if a pivot is rounding.
+fn solve_definite(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     let d = right.len();
-    let scale: Vec<f64> = (0..d).map(|k| matrix[(k, k)].max(f64::MIN_POSITIVE).sqrt().recip()).collect();
+    let scale = unit_diagonal_scale(matrix.diagonal().as_slice());
     let even = DMatrix::from_fn(d, d, |r, c| scale[r] * scale[c] * 0.5 * (matrix[(r, c)] + matrix[(c, r)]));
     let scaled = DVector::from_fn(d, |k, _| scale[k] * right[k]);
-    let solution = match even.clone().cholesky() {
-        Some(factor) if (0..d).all(|k| factor.l_dirty()[(k, k)].powi(2) > MASSLESS_ENERGY) => {
-            factor.solve(&scaled)
-        }
-        _ => SemidefiniteSolver::new(even).solve(&scaled),
-    };
+    let factor = even.cholesky()?;
+    if !(0..d).all(|k| factor.l_dirty()[(k, k)].powi(2) > MASSLESS_ENERGY) {
+        return None;
+    }
+    let solution = factor.solve(&scaled);
+    Some(DVector::from_fn(d, |k, _| scale[k] * solution[k]))
+}
+
+/// Solution of K a = b for a symmetric positive semi-definite K, of least norm.
+fn solve(matrix: DMatrix<f64>, right: DVector<f64>) -> DVector<f64> {
+    let d = right.len();
+    let scale = unit_diagonal_scale(matrix.diagonal().as_slice());
+    let even = DMatrix::from_fn(d, d, |r, c| scale[r] * scale[c] * 0.5 * (matrix[(r, c)] + matrix[(c, r)]));
+    let scaled = DVector::from_fn(d, |k, _| scale[k] * right[k]);
+    let solution = SemidefiniteSolver::new(even).solve(&scaled);
     DVector::from_fn(d, |k, _| scale[k] * solution[k])
 }

@@ -1,28 +1,44 @@
 //! Impact in time against a compliant contact.
 
 use crate::error::ImpactError;
-use crate::extrapolation::{controlled_step, step};
 use crate::motion::driver_rates::lengths;
 use crate::motion::joint_rates::JointRates;
-use crate::reactions::link_loads::LinkLoads;
+use crate::numerics::extrapolation::step;
+use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
-use crate::reactions::unit_impulse::reactions_to_loads;
-use crate::time::equations::{accelerations, rates_of};
+use crate::reactions::reaction_map::ReactionMap;
+use crate::reactions::tree_frames::SpringAtJoint;
+use crate::time::equations::{MotionEquations, rates_of};
 use crate::tolerances::{
     CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
     WORK_INTERVALS,
 };
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, interruption,
+    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
+use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
+use std::cell::{Cell, RefCell};
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
 
+/// Spring and damper of a joint with one velocity during an impact in time: the force or moment −k (q − q₀) − d q̇ on the joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointSpring {
+    /// The joint.
+    pub joint: JointId,
+    /// Stiffness k, N·m/rad or N/m.
+    pub stiffness: f64,
+    /// Damping d, N·m·s/rad or N·s/m.
+    pub damping: f64,
+    /// Position without force q₀, rad or m; `None`: that at the touch, so that the spring has only the change of its force.
+    pub free_position: Option<f64>,
+}
+
 /// Conditions of an impact in time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeConditions {
     /// Gravity in world axes, m/s².
     pub gravity: Vector3<f64>,
@@ -30,6 +46,8 @@ pub struct TimeConditions {
     pub other_mass: Option<f64>,
     /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
     pub ends_without_force: bool,
+    /// Springs and dampers of joints.
+    pub springs: Vec<JointSpring>,
 }
 
 /// State of an impact at one time.
@@ -80,12 +98,12 @@ pub struct ImpactInTime {
 /// difference of both speeds. `force`: F over penetration (m) and closing speed (m/s), N. Trees and loops, redundant constraints,
 /// fixed and floating bases; m̄, normal and contact row follow the pose. Without friction.
 ///
-/// The accelerations have a closed form at each pose; the loops are followed by the integration (extrapolated midpoint rule, error
-/// 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
-/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9.
+/// The accelerations have a closed form at each pose; the loops are followed by the integration (predictor and corrector of order 10 with
+/// starting steps by extrapolation, error 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
+/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9 and §III.1.
 ///
 /// # Errors
-/// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact.
+/// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact; an invalid spring.
 pub fn impact_in_time(
     pose: &Pose,
     contact: &Contact,
@@ -98,6 +116,7 @@ pub fn impact_in_time(
         return Err(ImpactError::ClosingSpeed { got: closing_speed });
     }
     refuse_grounded_base(pose)?;
+    let springs = springs_at_joints(pose, &conditions.springs)?;
     let mass = match pose.respond(contact).map(|response| response.effective_mass) {
         Ok(EffectiveMass::Finite(mass)) => mass,
         Ok(EffectiveMass::Massless) => return Err(crate::ReactionError::Massless.into()),
@@ -105,7 +124,26 @@ pub fn impact_in_time(
     };
     let mass = conditions.other_mass.map_or(mass, |other| mass * other / (mass + other));
     let depth = stopping_depth(force, 0.5 * mass * closing_speed * closing_speed)?;
-    Motion::new(pose, contact, closing_speed, before, force, conditions, depth).run()
+    Motion::new(pose, contact, closing_speed, before, force, conditions, depth, springs).run()
+}
+
+/// Springs with their free positions; refuses values out of range and joints without exactly one velocity.
+fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringAtJoint>, ImpactError> {
+    let at_joint = |spring: &JointSpring| {
+        let JointSpring { joint, stiffness, damping, free_position } = *spring;
+        let declared = pose.mechanism().joint(joint);
+        if declared.kind().dofs() != 1 {
+            return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
+        }
+        let free_position = free_position.unwrap_or_else(|| pose.joint(joint)[0]);
+        let is_valid = |x: f64| x.is_finite() && x >= 0.0;
+        if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite()) {
+            let joint = declared.name().to_owned();
+            return Err(ImpactError::Spring { joint, stiffness, damping, free_position });
+        }
+        Ok(SpringAtJoint { joint, stiffness, damping, free_position })
+    };
+    springs.iter().map(at_joint).collect()
 }
 
 /// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
@@ -156,11 +194,15 @@ struct Motion<'a> {
     lengths: Vec<f64>,
     /// State at the touch.
     initial: Vec<f64>,
+    /// Pose and equations of the last evaluation.
+    evaluation: RefCell<(Pose, MotionEquations)>,
+    /// True if the last evaluation is beyond the end of the contact.
+    is_over: Cell<bool>,
+    springs: Vec<SpringAtJoint>,
 }
 
-/// Values at one state.
+/// Values at one state, at the pose of the state.
 struct Instant {
-    pose: Pose,
     contact: LocatedContact,
     rates: Vec<f64>,
     penetration: f64,
@@ -169,6 +211,7 @@ struct Instant {
 }
 
 impl<'a> Motion<'a> {
+    #[allow(clippy::too_many_arguments, reason = "parts of one question")]
     fn new(
         start: &'a Pose,
         contact: &'a Contact,
@@ -177,6 +220,7 @@ impl<'a> Motion<'a> {
         force: &'a dyn Fn(f64, f64) -> f64,
         conditions: &'a TimeConditions,
         depth: f64,
+        springs: Vec<SpringAtJoint>,
     ) -> Self {
         let lengths = lengths(start, &start.coordinate_joints());
         let u = before.coordinates(start);
@@ -187,7 +231,21 @@ impl<'a> Motion<'a> {
         let mut initial = vec![0.0; start.positions().len() + BASE];
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
         initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
-        Self { start, contact, force, conditions, speed, depth, rate, lengths, initial }
+        let evaluation = RefCell::new((start.clone(), MotionEquations::new(start, springs.clone())));
+        Self {
+            start,
+            contact,
+            force,
+            conditions,
+            speed,
+            depth,
+            rate,
+            lengths,
+            initial,
+            evaluation,
+            is_over: Cell::new(false),
+            springs,
+        }
     }
 
     /// Displacement of positions, rad or m, per unit of a scaled position.
@@ -195,20 +253,21 @@ impl<'a> Motion<'a> {
         self.depth * self.rate / self.speed
     }
 
-    fn instant(&self, y: &[f64]) -> Option<Instant> {
+    /// Values at a state; moves `pose` there.
+    fn instant(&self, y: &[f64], pose: &mut Pose) -> Option<Instant> {
         interruption::check();
         let (positions, rest) = y.split_at(self.start.positions().len());
         let (base, rest) = rest.split_at(BASE);
         let (rates, rest) = rest.split_at(self.lengths.len());
         let size = self.displacement();
         let q: Vec<f64> = self.start.positions().iter().zip(positions).map(|(q, x)| q + size * x).collect();
-        let pose = self.start.at_positions(&q, *self.start.base() * base_motion(base, size)).ok()?;
+        pose.move_to(&q, *self.start.base() * base_motion(base, size)).ok()?;
         let contact = pose.locate(self.contact).ok()?;
         let rates: Vec<f64> = rates.iter().zip(&self.lengths).map(|(x, l)| x * self.rate / l).collect();
         let own: f64 = pose.contact_row(&contact).iter().zip(&rates).map(|(j, u)| j * u).sum();
         let (penetration, closing) = (self.depth * rest[0], own + self.speed * rest[1]);
         let force = (self.force)(penetration, closing);
-        Some(Instant { pose, contact, rates, penetration, closing, force })
+        Some(Instant { contact, rates, penetration, closing, force })
     }
 
     /// Gravity in root axes.
@@ -224,17 +283,19 @@ impl<'a> Motion<'a> {
     }
 
     fn try_derivative(&self, y: &[f64], out: &mut [f64]) -> Option<()> {
-        let at = self.instant(y)?;
+        let mut evaluation = self.evaluation.borrow_mut();
+        let (pose, equations) = &mut *evaluation;
+        let at = self.instant(y, pose)?;
+        self.is_over.set(self.is_end(&at));
         let time = self.depth / self.speed;
-        let change = accelerations(&at.pose, &at.contact, &at.rates, at.force, &self.gravity(&at.pose))?;
+        let change = equations.accelerations(pose, &at.contact, &at.rates, at.force, &self.gravity(pose))?;
         let (n, m) = (self.start.positions().len(), self.lengths.len());
-        let rates = rates_of(&at.pose, &at.rates);
         let size = self.displacement();
-        let of_positions = at.pose.position_rates(&rates.joints).ok()?;
+        let (of_positions, twist) = equations.position_rates(pose, &at.rates)?;
         out[..n].iter_mut().zip(&of_positions).for_each(|(out, rate)| *out = rate * time / size);
         let base = &y[n..n + BASE];
-        let spin = rates.base.angular * 0.5;
-        let slide = base_motion(base, size).vector(&rates.base.linear);
+        let spin = twist.angular * 0.5;
+        let slide = base_motion(base, size).vector(&twist.linear);
         let quaternion = [1.0 + size * base[3], size * base[4], size * base[5], size * base[6]];
         let turn = quaternion_product(quaternion, [0.0, spin.x, spin.y, spin.z]);
         for (out, rate) in out[n..n + BASE].iter_mut().zip(slide.iter().chain(&turn)) {
@@ -261,57 +322,110 @@ impl<'a> Motion<'a> {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
         let lost = || ImpactError::LostContact;
         let (mut y, mut time) = (self.initial.clone(), 0.0);
-        let mut at = self.instant(&y).ok_or_else(lost)?;
-        let mut samples = vec![self.sample(time, &at)];
+        let mut sampler = Sampler::new(self);
+        let mut rate = vec![0.0; y.len()];
+        f(&y, &mut rate);
+        let at = self.instant(&y, &mut sampler.pose).ok_or_else(lost)?;
+        sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
-        let mut h = LARGEST_TIME_STEP;
+        let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
-            let (mut next, mut taken, proposal) =
-                controlled_step(&f, &y, h.min(LARGEST_TIME_STEP), TIME_STEP_ERROR);
-            let mut then = self.instant(&next).filter(|at| at.closing.is_finite()).ok_or_else(lost)?;
+            let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
+            let Some(next) = next else {
+                // The contact ends within the step after y. The polynomial of the rates is checked by one step.
+                let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+                let dense = |h: f64| integrator.state_after(&y, h);
+                let locate = |states: &dyn Fn(f64) -> Vec<f64>, pose: &mut Pose| {
+                    self.locate(&y, taken, states, &|at| self.remaining(at), pose).ok_or_else(lost)
+                };
+                let mut end = locate(&dense, &mut sampler.pose)?;
+                let is_exact = are_close(&end.0, &single(end.2));
+                if !is_exact {
+                    end = locate(&single, &mut sampler.pose)?;
+                }
+                if deepest.is_none() {
+                    let states: &dyn Fn(f64) -> Vec<f64> = if is_exact { &dense } else { &single };
+                    deepest = self.turning_point(&y, taken, states);
+                }
+                return self.finish(sampler, time, end, deepest);
+            };
+            let then = self.instant(&next, &mut sampler.pose).filter(|at| at.closing.is_finite());
+            let then = then.ok_or_else(lost)?;
+            let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+            let dense = |h: f64| integrator.state_before(&y, h);
+            let states: &dyn Fn(f64) -> Vec<f64> = if integrator.is_dense() { &dense } else { &single };
             if deepest.is_none() && then.closing <= 0.0 {
-                let (_, turn, _) =
-                    self.locate_end(&y, taken, &|at| at.closing / self.speed).ok_or_else(lost)?;
-                deepest = Some((turn.penetration, finite_mass(&turn.pose, self.contact)));
+                deepest = Some(self.turning_point(&y, taken, states).ok_or_else(lost)?);
             }
-            let ends = then.closing < 0.0 && self.remaining(&then) <= 0.0;
-            if ends {
-                (next, then, taken) =
-                    self.locate_end(&y, taken, &|at| self.remaining(at)).ok_or_else(lost)?;
+            if self.is_end(&then) {
+                let end = self.locate(&y, taken, &single, &|at| self.remaining(at), &mut sampler.pose);
+                return self.finish(sampler, time, end.ok_or_else(lost)?, deepest);
             }
             time += taken;
-            (y, at, h) = (next, then, proposal);
-            samples.push(self.sample(time, &at));
-            if ends {
-                let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
-                return Ok(ImpactInTime {
-                    restitution: -at.closing / self.speed,
-                    duration: time * self.depth / self.speed,
-                    max_penetration,
-                    peak_force: peak(&samples),
-                    mass_at_max_penetration: mass,
-                    samples,
-                });
-            }
+            y = next;
+            sampler.add(self, time, &then, integrator.rate());
         }
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
     }
 
-    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method.
-    fn locate_end(
+    /// True beyond the end of the contact.
+    fn is_end(&self, at: &Instant) -> bool {
+        at.closing < 0.0 && self.remaining(at) <= 0.0
+    }
+
+    /// Result at the end of the contact, which is after the last sample by the length of `end`.
+    fn finish(
+        &self,
+        mut sampler: Sampler,
+        time: f64,
+        (end, at, taken): (Vec<f64>, Instant, f64),
+        deepest: Option<(f64, Option<f64>)>,
+    ) -> Result<ImpactInTime, ImpactError> {
+        let time = time + taken;
+        let mut rate = vec![0.0; end.len()];
+        self.derivative(&end, &mut rate);
+        sampler.add(self, time, &at, &rate);
+        let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
+        Ok(ImpactInTime {
+            restitution: -at.closing / self.speed,
+            duration: time * self.depth / self.speed,
+            max_penetration,
+            peak_force: sampler.peak_force(),
+            mass_at_max_penetration: mass,
+            samples: sampler.samples,
+        })
+    }
+
+    /// Largest penetration, and m̄ there, within a step of length `h` from `y`.
+    fn turning_point(
         &self,
         y: &[f64],
         h: f64,
+        states: &dyn Fn(f64) -> Vec<f64>,
+    ) -> Option<(f64, Option<f64>)> {
+        let mut pose = self.start.clone();
+        let (_, turn, _) = self.locate(y, h, states, &|at| at.closing / self.speed, &mut pose)?;
+        Some((turn.penetration, finite_mass(&pose, self.contact)))
+    }
+
+    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method. `states`: states after y. Moves
+    /// `pose` there.
+    fn locate(
+        &self,
+        y: &[f64],
+        h: f64,
+        states: &dyn Fn(f64) -> Vec<f64>,
         value: &dyn Fn(&Instant) -> f64,
+        pose: &mut Pose,
     ) -> Option<(Vec<f64>, Instant, f64)> {
-        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let state = |h: f64| {
-            let next = step(&f, y, h, TIME_STEP_ERROR).0;
-            self.instant(&next).map(|at| (next, at, h))
+        let mut above = value(&self.instant(y, pose)?);
+        let mut state = |h: f64| {
+            let next = states(h);
+            self.instant(&next, pose).map(|at| (next, at, h))
         };
         let (mut low, mut high) = (0.0, h);
-        let (mut above, mut below) = (value(&self.instant(y)?), value(&state(h)?.1));
         let mut found = state(h)?;
+        let mut below = value(&found.1);
         let mut side = 0;
         for _ in 0..END_ITERATIONS {
             if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
@@ -335,26 +449,79 @@ impl<'a> Motion<'a> {
         }
         Some(found)
     }
+}
 
-    fn sample(&self, time: f64, at: &Instant) -> ImpactSample {
-        let pose = &at.pose;
-        let rates = rates_of(pose, &at.rates);
-        let gravity = self.gravity(pose);
-        let change = accelerations(pose, &at.contact, &at.rates, at.force, &gravity).unwrap_or_default();
-        let change =
-            if change.is_empty() { JointRates::at_rest(pose.mechanism()) } else { rates_of(pose, &change) };
-        let loads = LinkLoads::of_motion(pose, &at.contact, at.force, &rates, &change, &gravity);
-        ImpactSample {
-            time: time * self.depth / self.speed,
+/// True if two scaled states agree within the error of a step.
+fn are_close(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= TIME_STEP_ERROR * (1.0 + b.abs()))
+}
+
+/// Samples of an impact, with the memory of their computation.
+struct Sampler {
+    /// Pose of the sample.
+    pose: Pose,
+    map: ReactionMap,
+    masses: Workspace,
+    samples: Vec<ImpactSample>,
+}
+
+impl Sampler {
+    fn new(motion: &Motion) -> Self {
+        let pose = motion.start.clone();
+        let (map, masses) = (ReactionMap::new(&pose), pose.assembly().workspace());
+        Self { pose, map, masses, samples: Vec::new() }
+    }
+
+    /// Adds the state of the pose at a time, with the rates of the scaled state.
+    fn add(&mut self, motion: &Motion, time: f64, at: &Instant, rate: &[f64]) {
+        let pose = &self.pose;
+        let gravity = motion.gravity(pose);
+        let unit = motion.rate * motion.speed / motion.depth;
+        let first = motion.start.positions().len() + BASE;
+        let scaled = rate[first..].iter().zip(&motion.lengths);
+        let change: Vec<f64> = scaled.map(|(scaled, length)| scaled * unit / length).collect();
+        self.map.update(pose);
+        let tree = self.map.tree();
+        let (mut velocities, mut accelerations) = (Vec::new(), Vec::new());
+        tree.joint_velocities(&at.rates, &mut velocities);
+        tree.joint_velocities(&change, &mut accelerations);
+        self.map.apply_springs(pose, &motion.springs, &velocities);
+        let tree = self.map.tree();
+        let rates = (&velocities[..], tree.base_twist(&at.rates));
+        let changes = (&accelerations[..], tree.base_twist(&change));
+        let loads = tree.motion_loads(pose, &at.contact, at.force, rates, changes, &gravity);
+        let reactions = self.map.reactions_to_loads(loads, &accelerations, 1.0);
+        let effective_mass = self.effective_mass(motion.contact);
+        let pose = &self.pose;
+        self.samples.push(ImpactSample {
+            time: time * motion.depth / motion.speed,
             penetration: at.penetration,
             rate: at.closing,
             force: at.force,
-            effective_mass: finite_mass(pose, self.contact),
+            effective_mass,
             loop_gap: pose.loops().map_or(0.0, |loops| loops.residual),
-            reactions: reactions_to_loads(pose, loads, change),
+            reactions,
             positions: pose.positions().to_vec(),
             base: *pose.base(),
-            rates,
+            rates: rates_of(pose, &at.rates),
+        });
+    }
+
+    /// Largest force of the contact.
+    fn peak_force(&self) -> f64 {
+        let times: Vec<f64> = self.samples.iter().map(|sample| sample.time).collect();
+        let forces: Vec<f64> = self.samples.iter().map(|sample| sample.force).collect();
+        peak_over_time(&times, &forces).map_or(0.0, |(force, _)| force)
+    }
+
+    /// m̄ at the pose; `None` if it is not finite.
+    fn effective_mass(&mut self, contact: &Contact) -> Option<f64> {
+        let masses = &mut self.masses;
+        let is_set =
+            masses.set_positions(self.pose.positions()).is_ok() && masses.set_base(self.pose.base()).is_ok();
+        match masses.effective_mass(contact) {
+            Ok(mass) if is_set => mass.kilograms(),
+            _ => finite_mass(&self.pose, contact),
         }
     }
 }
@@ -373,17 +540,21 @@ fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
     Transform::new(rotation_from_quaternion(q), slide)
 }
 
-/// Largest force: vertex of the parabola through the largest sample and its neighbours.
-fn peak(samples: &[ImpactSample]) -> f64 {
-    let best = (0..samples.len()).max_by(|&a, &b| samples[a].force.total_cmp(&samples[b].force)).unwrap_or(0);
-    let largest = samples[best].force;
-    if best == 0 || best + 1 >= samples.len() {
-        return largest;
+/// Largest value of a smooth quantity over time, with its time: vertex of the parabola through the largest sample and its neighbours.
+/// `None` without samples.
+///
+/// # Panics
+/// If there are fewer times than values.
+pub fn peak_over_time(times: &[f64], values: &[f64]) -> Option<(f64, f64)> {
+    let best = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+    let (time, largest) = (times[best], values[best]);
+    if best == 0 || best + 1 >= values.len() {
+        return Some((largest, time));
     }
-    let point = |k: usize| (samples[k].time - samples[best].time, samples[k].force - largest);
+    let point = |k: usize| (times[k] - time, values[k] - largest);
     let ((a, fa), (b, fb)) = (point(best - 1), point(best + 1));
     // f = s t + c t² through both neighbours.
     let c = (fa / a - fb / b) / (a - b);
     let s = fa / a - c * a;
-    if c < 0.0 { largest - s * s / (4.0 * c) } else { largest }
+    Some(if c < 0.0 { (largest - s * s / (4.0 * c), time - s / (2.0 * c)) } else { (largest, time) })
 }

@@ -553,7 +553,13 @@ def impact(
     model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
 ) -> str: ...
 def extremes(
-    model: Model, contact: Contact | str, conditions: Conditions, ranges: Sequence[str], normals: str, starts: int
+    model: Model,
+    contact: Contact | str,
+    conditions: Conditions,
+    ranges: Sequence[str],
+    quantity: str,
+    normals: str,
+    starts: int,
 ) -> str: ...
 def safe_speed(
     model: Model,

@@ -109,7 +109,10 @@ class _Impact:
     law: Damping | None
     in_time: bool
     gravity: Sequence[float] | None
+    joint_springs: Mapping[str, float | Sequence[float]]
     rate_limits: Mapping[str, Position]
+    gear_limits: Mapping[str, float | Sequence[float]]
+    point_error: float | None
     reflected: Sequence[str]
     percussion: Sequence[str]
 
@@ -370,6 +373,9 @@ def impact(
     in_time: bool = False,
     gravity: Sequence[float] | None = None,
     also_restitution: Sequence[float] = (),
+    gear_limit: Mapping[str, float | Sequence[float]] | None = None,
+    point_error: float | None = None,
+    joint_spring: Mapping[str, float | Sequence[float]] | None = None,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -382,7 +388,10 @@ def impact(
     contacts that touch at the same time, the name of a contact or "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame,
     normal in world axes); stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
     their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
-    points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. As ``percuss impact``."""
+    points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
+    gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
+    impulse at the joints of percussion. joint_spring: stiffness of joints during the impact in time, or stiffness, damping and the
+    position without force. As ``percuss impact``."""
     if in_time and stiffness is None:
         raise ValueError("in_time: the impact in time requires stiffness, that of the contact")
     if in_time and friction is not None:
@@ -390,7 +399,8 @@ def impact(
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
     asked = _Impact(
         restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
-        rates or {}, base_twist, damping, in_time, gravity, rate_limit or {}, reflected, percussion,
+        rates or {}, base_twist, damping, in_time, gravity, joint_spring or {}, rate_limit or {}, gear_limit or {}, point_error, reflected,
+        percussion,
     )
     return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
@@ -403,13 +413,15 @@ def extremes(
     ranges: Mapping[str, tuple[float, float]] | None = None,
     normals: str = "given",
     starts: int = 32,
+    quantity: str = "mass",
 ) -> records.ExtremesReport:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
-    limits of all driving joints with limits. normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes):
+    limits of all driving joints with limits. quantity: "mass", "reflected:JOINT" or "held:JOINT" (inertia at a joint with the other
+    drivers free or at rest), "bearing:JOINT" (impulse in the joint per closing speed of a plastic impact). normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes):
     the extremes are those over positions and normals. Local searches from a number of starts; the report has the positions, the active
     limits, the optimality residual and the number of agreeing starts. As ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
-    return records.ExtremesReport.of(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, normals, starts)))
+    return records.ExtremesReport.of(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, quantity, normals, starts)))
 
 
 def safe_speed(

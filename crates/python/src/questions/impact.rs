@@ -29,7 +29,10 @@ pub struct Impact<'py> {
     law: Option<Damping>,
     in_time: bool,
     gravity: Option<[f64; 3]>,
+    joint_springs: Bound<'py, PyDict>,
     rate_limits: Bound<'py, PyDict>,
+    gear_limits: Bound<'py, PyDict>,
+    point_error: Option<f64>,
     reflected: Vec<String>,
     percussion: Vec<String>,
 }
@@ -44,6 +47,16 @@ fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRa
         };
         let rates = rates.map_err(|error| input(format_args!("{what} of \"{joint}\": {error}")))?;
         Ok((joint, rates))
+    };
+    given.iter().map(one).collect()
+}
+
+/// Numbers by joint.
+fn numbers(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, Vec<f64>)>> {
+    let one = |(joint, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let joint: String = joint.extract()?;
+        let values = list(&value, &format!("{what} of \"{joint}\""))?;
+        Ok((joint, values))
     };
     given.iter().map(one).collect()
 }
@@ -81,30 +94,37 @@ impl Impact<'_> {
             law: self.law.as_ref().map(Damping::question).transpose()?,
             in_time: self.in_time,
             gravity: self.gravity,
+            joint_springs: numbers(&self.joint_springs, "joint_spring")?,
             rate_limits: rates(&self.rate_limits, "rate_limit")?,
+            gear_limits: numbers(&self.gear_limits, "gear_limit")?,
+            point_error: self.point_error,
             reflected: self.reflected.clone(),
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,
         })
     }
 }
 
-/// Smallest and largest effective mass over ranges of driving joints, "JOINT=FROM:TO".
+/// Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO".
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "arguments of the Python function")]
 pub fn extremes(
     py: Python<'_>,
     model: &Model,
     contact: GivenContact<'_>,
     conditions: Conditions<'_>,
     ranges: Vec<String>,
+    quantity: &str,
     normals: &str,
     starts: usize,
 ) -> PyResult<String> {
     let range = |text: &String| {
         text.parse::<GivenRange>().map_err(|error| input(format_args!("ranges: \"{text}\": {error}")))
     };
+    let quantity =
+        quantity.parse().map_err(|error| input(format_args!("quantity: \"{quantity}\": {error}")))?;
     let normals = normals.parse().map_err(|error| input(format_args!("normals: \"{normals}\": {error}")))?;
     let ranges = ranges.iter().map(range).collect::<PyResult<_>>()?;
-    let requested = ExtremesQuestion { ranges, normals, starts };
+    let requested = ExtremesQuestion { ranges, quantity, normals, starts };
     contact_report(py, model, contact, &conditions, |model, question| {
         study::extremes(model, question, &requested)
     })

@@ -101,6 +101,14 @@ pub enum Field {
     BaseTwist,
     /// Largest jump of a joint rate.
     RateLimit,
+    /// Spring of a joint during an impact in time.
+    JointSpring,
+    /// Largest impulse in a gear.
+    GearLimit,
+    /// Largest displacement of the contact point.
+    PointError,
+    /// Quantity of a search for extremes.
+    Quantity,
     /// Range of a joint in a search for extremes.
     Range,
     /// Joint of a reflected inertia.
@@ -155,6 +163,10 @@ impl Field {
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),
             Field::RateLimit => ("--rate-limit", "impact.rate_limit"),
+            Field::JointSpring => ("--joint-spring", "impact.joint_spring"),
+            Field::GearLimit => ("--gear-limit", "impact.gear_limit"),
+            Field::PointError => ("--point-error", "impact.point_error"),
+            Field::Quantity => ("--quantity", "quantity"),
             Field::Range => ("--range", "range"),
             Field::Reflected => ("--reflected", "impact.reflected"),
             Field::Percussion => ("--percussion", "impact.percussion"),

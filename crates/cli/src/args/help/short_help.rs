@@ -140,19 +140,7 @@ const EXPLAINED: [(&str, &[&str]); 21] = [
     ),
     (
         "impact",
-        &[
-            "at",
-            "link",
-            "point",
-            "normal",
-            "set",
-            "restitution",
-            "speed",
-            "rates",
-            "friction",
-            "stiffness",
-            "format",
-        ],
+        &["at", "link", "point", "normal", "set", "restitution", "speed", "rates", "friction", "format"],
     ),
     ("convert", &["output", "to"]),
     (

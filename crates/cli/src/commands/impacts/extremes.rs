@@ -23,7 +23,7 @@ pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
 fn text(report: &ExtremesReport) -> String {
     let mut out = String::new();
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
-        out += &fact_line(name, &line(&value(record)));
+        out += &fact_line(name, &line(&value(report, record)));
         out += &fact_line("  at", &line(&positions(record)));
         if let Some(normal) = &record.normal_world {
             out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
@@ -48,10 +48,16 @@ fn text(report: &ExtremesReport) -> String {
     )
 }
 
-/// Effective mass as text.
-fn value(record: &ExtremeRecord) -> String {
-    match (record.status, record.effective_mass) {
-        (Status::Finite, Some(mass)) => format!("{} kg", number(mass)),
+/// Value as text.
+fn value(report: &ExtremesReport, record: &ExtremeRecord) -> String {
+    let what = match (report.quantity, &report.joint) {
+        ("held_inertia", Some(joint)) => format!(" at {joint}, the other drivers at rest"),
+        ("bearing_impulse", Some(joint)) => format!(" (N·s in {joint} per m/s of a plastic impact)"),
+        (_, Some(joint)) => format!(" at {joint}"),
+        _ => String::new(),
+    };
+    match (record.status, record.value) {
+        (Status::Finite, Some(value)) => format!("{} {}{what}", number(value), report.unit),
         (status, _) => status.name().to_owned(),
     }
 }

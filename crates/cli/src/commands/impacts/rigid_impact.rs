@@ -139,7 +139,8 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     }
     facts.extend(in_time::facts(report));
     if let Some(greatest) = &report.greatest_closing_speed {
-        let by = format!("{} m/s, limited by {}", number(greatest.speed), greatest.joint);
+        let gear = if greatest.limit == "gear" { "the gear of " } else { "" };
+        let by = format!("{} m/s, limited by {gear}{}", number(greatest.speed), greatest.joint);
         facts.push(("greatest speed", by));
     }
     facts.extend(report.reflected_inertia.iter().map(|record| ("reflected", reflected(record))));
@@ -163,6 +164,15 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 short_number(centre.given_ratio),
             ),
         ));
+        if let (Some(ratio), Some(point)) = (centre.worst_ratio, &centre.worst_point_link) {
+            let worst = format!(
+                "{} of the impulse at {} for the worst displaced contact point {} m",
+                short_number(ratio),
+                centre.joint,
+                triple(point)
+            );
+            facts.push(("displaced point", worst));
+        }
     }
     facts
 }

@@ -316,12 +316,14 @@ class ImpactTimeRecord(Record):
 
 
 class GreatestSpeedRecord(Record):
-    """Greatest closing speed by the limits of joint rates."""
+    """Greatest closing speed by the limits of joint rates and gears."""
 
     speed: float
     """Speed, m/s."""
     joint: str
     """Joint that limits it."""
+    limit: str
+    """Limit that is reached: "rate" or "gear"."""
 
 
 class ReflectedRecord(Record):
@@ -387,6 +389,11 @@ class PercussionRecord(Record):
     open."""
     open_by: list[str]
     """Loops that leave these components open."""
+    worst_ratio: float | None
+    """Largest impulse at the joint, per impulse at the contact, for contact points displaced by at most the given distance in
+    the tangent plane; None without a distance."""
+    worst_point_link: list[float] | None
+    """Contact point with this impulse, frame of the contact link, m."""
 
 
 class ImpactReport(Record):
@@ -435,7 +442,7 @@ class ImpactReport(Record):
     in_time: ImpactTimeRecord | None
     """Impact in time with the contact law, if requested."""
     greatest_closing_speed: GreatestSpeedRecord | None
-    """Greatest closing speed by limits of joint rates, if requested."""
+    """Greatest closing speed by limits of joint rates and gears, if requested."""
     reflected_inertia: list[ReflectedRecord]
     """Reflected inertias, if requested."""
     reflected_over: list[ReflectedRangeRecord]
@@ -463,9 +470,11 @@ class ExtremeRecord(Record):
     _answer = {"effective_mass": "kg", "status": ""}
 
     effective_mass: float | None
-    """Effective mass, kg; None if not finite."""
+    """Effective mass, kg; None if not finite, and for another quantity."""
+    value: float | None
+    """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
-    """Kind of the effective mass; "immovable" is a valid largest value."""
+    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia."""
     positions: list[ExtremePosition]
     """Positions of the varied joints."""
     normal_world: list[float] | None
@@ -485,6 +494,13 @@ class ExtremesReport(Record):
     """"percuss.extremes/1"."""
     percuss: str
     """Version of percuss."""
+    quantity: str
+    """Quantity: "effective_mass", "reflected_inertia", "held_inertia" or "bearing_impulse" (impulse in the bearing per closing
+    speed, of a plastic impact)."""
+    joint: str | None
+    """Joint of the quantity; None for the effective mass."""
+    unit: str
+    """Unit of the values: "kg" or "kg·m²"."""
     ranges: list[list[float | str]]
     """Ranges of the varied joints: joint, lower and upper end, rad or m."""
     starts: int

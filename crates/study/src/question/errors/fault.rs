@@ -130,6 +130,32 @@ pub enum Fault {
         /// Given limit.
         value: f64,
     },
+    /// Wrong number of limits of a joint.
+    #[error("joint \"{joint}\": {got} limits are given; expected {expected}")]
+    LimitCount {
+        /// Joint.
+        joint: String,
+        /// Number of given limits.
+        got: usize,
+        /// Number of velocities of the joint.
+        expected: usize,
+    },
+    /// Wrong number of values of a spring.
+    #[error("joint \"{joint}\": {got} numbers are given; expected K, K,D or K,D,FREE")]
+    SpringCount {
+        /// Joint.
+        joint: String,
+        /// Number of given values.
+        got: usize,
+    },
+    /// Limits of gears at joints without a rotor.
+    #[error(
+        "joint \"{joint}\" has no armature, so its gear receives no impulse; give --armature {joint}=VALUE"
+    )]
+    NoGear {
+        /// Joint.
+        joint: String,
+    },
     /// Joint without motion.
     #[error("joint \"{joint}\" is fixed; expected a joint that moves")]
     NoMotion {

@@ -9,8 +9,8 @@ use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
 use crate::values::rates::GivenRates;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
-    centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed, reflected_inertia,
-    reflected_inertia_over,
+    centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed,
+    greatest_closing_speed_of_gears, reflected_inertia, reflected_inertia_over, worst_reaction_within,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
@@ -78,15 +78,22 @@ pub struct PercussionRecord {
     pub open_components: [bool; 3],
     /// Loops that leave these components open.
     pub open_by: Vec<String>,
+    /// Largest impulse at the joint, per impulse at the contact, for contact points displaced by at most the given distance in the
+    /// tangent plane; null without a distance.
+    pub worst_ratio: Option<f64>,
+    /// Contact point with this impulse, frame of the contact link, m.
+    pub worst_point_link: Option<[f64; 3]>,
 }
 
-/// Greatest closing speed by the limits of joint rates.
+/// Greatest closing speed by the limits of joint rates and gears.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GreatestSpeedRecord {
     /// Speed, m/s.
     pub speed: f64,
     /// Joint that limits it.
     pub joint: String,
+    /// Limit that is reached: `rate` or `gear`.
+    pub limit: &'static str,
 }
 
 /// Joint by name.
@@ -200,7 +207,11 @@ pub(crate) fn percussion(
             None => centre_of_percussion_in_plane(pose, contact, joint),
         };
         let found = found.map_err(|error| StudyError::input(Field::Percussion, error))?;
+        let worst = question.point_error.map(|radius| worst_reaction_within(pose, contact, joint, radius));
+        let worst = worst.transpose().map_err(|error| StudyError::input(Field::PointError, error))?;
         Ok(PercussionRecord {
+            worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),
+            worst_point_link: worst.as_ref().map(|worst| worst.point.into()),
             joint: request.joint.clone(),
             direction: request.direction,
             point_link: found.point.into(),
@@ -214,7 +225,7 @@ pub(crate) fn percussion(
     question.percussion.iter().map(centre).collect()
 }
 
-/// Greatest closing speed by the limits of joint rates; `None` without limits, and if the impact changes no limited rate.
+/// Greatest closing speed by the limits of joint rates and gears; `None` without limits, and if the impact changes no limited rate.
 pub(crate) fn greatest_speed(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
@@ -236,7 +247,37 @@ pub(crate) fn greatest_speed(
         }
         limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
     }
-    let found = greatest_closing_speed(&evaluated.result.response, question.restitution, &limits);
-    Ok(found
-        .map(|(speed, joint)| GreatestSpeedRecord { speed, joint: mechanism.joint(joint).name().to_owned() }))
+    let (response, e) = (&evaluated.result.response, question.restitution);
+    let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
+    let gears = gear_limits(evaluated, question)?;
+    let by_gears = greatest_closing_speed_of_gears(&evaluated.pose, response, e, &gears);
+    let found = by_rates.into_iter().chain(by_gears.map(|found| (found, "gear")));
+    let least = found.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b));
+    let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+    Ok(least.map(|((speed, joint), limit)| GreatestSpeedRecord { speed, joint: name(joint), limit }))
+}
+
+/// Limits of the impulses in gears: joint, velocity, impulse.
+fn gear_limits(
+    evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
+) -> Result<Vec<(JointId, usize, f64)>, StudyError> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let mut limits = Vec::new();
+    for (name, values) in &question.gear_limits {
+        let refuse = |fault| StudyError::input(Field::GearLimit, fault);
+        let joint = find_joint(mechanism, Field::GearLimit, name)?;
+        let (got, expected) = (values.len(), mechanism.joint(joint).kind().dofs());
+        if got != expected {
+            return Err(refuse(Fault::LimitCount { joint: name.clone(), got, expected }));
+        }
+        if let Some(&value) = values.iter().find(|value| !(value.is_finite() && **value > 0.0)) {
+            return Err(refuse(Fault::RateLimit { joint: name.clone(), value }));
+        }
+        if evaluated.pose.armature(joint).iter().all(|armature| *armature == 0.0) {
+            return Err(refuse(Fault::NoGear { joint: name.clone() }));
+        }
+        limits.extend(values.iter().enumerate().map(|(k, value)| (joint, k, *value)));
+    }
+    Ok(limits)
 }

@@ -16,6 +16,9 @@ pub(crate) fn impact_error(error: ImpactError, impact: &ImpactQuestion) -> Study
         ImpactError::ClosingSpeed { .. } if impact.speed.is_some() => {
             StudyError::input(Field::ClosingSpeed, error)
         }
+        ImpactError::Spring { .. } | ImpactError::SpringJoint { .. } => {
+            StudyError::input(Field::JointSpring, error)
+        }
         _ => StudyError::NoImpact(error),
     }
 }

@@ -8,9 +8,10 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, extreme_effective_mass,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    extreme_quantity,
 };
-use percuss_mechanism::JointKind;
+use percuss_mechanism::{JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
 
@@ -24,6 +25,8 @@ pub const MOST_STARTS: usize = 10_000;
 pub struct ExtremesQuestion {
     /// Ranges of joints; empty for the limits of all driving joints with limits.
     pub ranges: Vec<GivenRange>,
+    /// Quantity whose extremes are searched.
+    pub quantity: GivenQuantity,
     /// Normals among which the extremes are searched.
     pub normals: GivenNormals,
     /// Number of starts of the search; 0 for the default.
@@ -48,6 +51,68 @@ impl std::str::FromStr for GivenNormals {
         let axis = percuss_units::parse_triple(axis, Dimension::Plain)
             .map_err(|error| format!("across:X,Y,Z is expected: {error}"))?;
         Ok(Self(NormalRange::Across(axis.into())))
+    }
+}
+
+/// Quantity whose extremes are searched.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum GivenQuantity {
+    /// Effective mass of the contact.
+    #[default]
+    Mass,
+    /// Inertia reflected to a joint, with the other drivers free.
+    Reflected(String),
+    /// Inertia reflected to a joint, with the other drivers at rest.
+    Held(String),
+    /// Impulse in the bearing of a joint per closing speed, of a plastic impact.
+    Bearing(String),
+}
+
+impl std::str::FromStr for GivenQuantity {
+    type Err = String;
+    /// Reads `mass`, `reflected:JOINT`, `held:JOINT` or `bearing:JOINT`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "mass" {
+            return Ok(Self::Mass);
+        }
+        match text.split_once(':') {
+            Some(("reflected", joint)) => Ok(Self::Reflected(joint.to_owned())),
+            Some(("held", joint)) => Ok(Self::Held(joint.to_owned())),
+            Some(("bearing", joint)) => Ok(Self::Bearing(joint.to_owned())),
+            _ => Err("expected mass, reflected:JOINT, held:JOINT or bearing:JOINT".to_owned()),
+        }
+    }
+}
+
+impl GivenQuantity {
+    /// Name of the quantity in reports: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Mass => "effective_mass",
+            Self::Reflected(_) => "reflected_inertia",
+            Self::Held(_) => "held_inertia",
+            Self::Bearing(_) => "bearing_impulse",
+        }
+    }
+
+    /// Joint of the quantity; `None` for the effective mass.
+    pub fn joint(&self) -> Option<&str> {
+        match self {
+            Self::Mass => None,
+            Self::Reflected(joint) | Self::Held(joint) | Self::Bearing(joint) => Some(joint),
+        }
+    }
+
+    /// Quantity of the search, and its unit.
+    fn searched(&self, mechanism: &Mechanism) -> Result<(SearchedQuantity, &'static str), StudyError> {
+        let Some(name) = self.joint() else { return Ok((SearchedQuantity::EffectiveMass, "kg")) };
+        let joint = find_joint(mechanism, Field::Quantity, name)?;
+        let held = matches!(self, Self::Held(_));
+        Ok(match (self, mechanism.joint(joint).kind()) {
+            (Self::Bearing(_), _) => (SearchedQuantity::BearingImpulse { joint }, "kg"),
+            (_, JointKind::Prismatic) => (SearchedQuantity::ReflectedInertia { joint, held }, "kg"),
+            _ => (SearchedQuantity::ReflectedInertia { joint, held }, "kg·m²"),
+        })
     }
 }
 
@@ -89,9 +154,11 @@ pub struct ExtremePosition {
 /// Extreme effective mass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExtremeRecord {
-    /// Effective mass, kg; null if not finite.
+    /// Effective mass, kg; null if not finite, and for another quantity.
     pub effective_mass: Option<f64>,
-    /// Kind of the effective mass; `immovable` is a valid largest value.
+    /// Value of the quantity in the unit of the report; null if not finite.
+    pub value: Option<f64>,
+    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia.
     pub status: Status,
     /// Positions of the varied joints.
     pub positions: Vec<ExtremePosition>,
@@ -110,6 +177,13 @@ pub struct ExtremesReport {
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
+    /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse` (impulse in the bearing per closing speed, of
+    /// a plastic impact).
+    pub quantity: &'static str,
+    /// Joint of the quantity; null for the effective mass.
+    pub joint: Option<String>,
+    /// Unit of the values: `kg` or `kg·m²`.
+    pub unit: &'static str,
     /// Ranges of the varied joints: joint, lower and upper end, rad or m.
     pub ranges: Vec<(String, f64, f64)>,
     /// Number of starts.
@@ -120,7 +194,7 @@ pub struct ExtremesReport {
     pub most: ExtremeRecord,
 }
 
-/// Smallest and largest effective mass of a contact over ranges of its driving joints.
+/// Smallest and largest effective mass of a contact, or another quantity, over ranges of its driving joints.
 ///
 /// # Errors
 /// [`StudyError`], as for [`mass`](crate::mass()); an invalid range; a joint that does not drive.
@@ -134,23 +208,24 @@ pub fn extremes(
     let contact = prepared.contact_at(&pose);
     let ranges = ranges(&prepared, extremes)?;
     let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
+    let (quantity, unit) = extremes.quantity.searched(&model.mechanism)?;
     let search = |extreme| {
         let (system, start) = (&prepared.system, &prepared.configuration);
         let contact =
             SearchedContact { contact: &contact, wheel: prepared.wheel(), normals: extremes.normals.0 };
-        extreme_effective_mass(system, start, contact, &ranges, extreme, starts).map_err(
-            |error| match error {
+        extreme_quantity(system, start, contact, quantity, &ranges, extreme, starts).map_err(|error| {
+            match error {
                 ExtremesError::Assembly(error) => StudyError::from(error),
                 ExtremesError::Contact(error) => StudyError::from(error),
                 error => StudyError::input(Field::Range, error),
-            },
-        )
+            }
+        })
     };
     let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
     let mechanism = &model.mechanism;
     let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
     let record = |found: &ExtremeMass| {
-        let (status, effective_mass) = Status::classify(found.effective_mass);
+        let (status, value) = Status::classify(found.effective_mass);
         let position = |(range, position): (&JointRange, &f64)| {
             let limit = found.active_limits.iter().find(|(joint, _)| *joint == range.joint);
             ExtremePosition {
@@ -160,7 +235,8 @@ pub fn extremes(
             }
         };
         ExtremeRecord {
-            effective_mass,
+            effective_mass: value.filter(|_| quantity == SearchedQuantity::EffectiveMass),
+            value,
             status,
             positions: ranges.iter().zip(&found.positions).map(position).collect(),
             normal_world: found.normal_world.map(Into::into),
@@ -171,6 +247,9 @@ pub fn extremes(
     Ok(ExtremesReport {
         schema: "percuss.extremes/1",
         percuss: env!("CARGO_PKG_VERSION"),
+        quantity: extremes.quantity.name(),
+        joint: extremes.quantity.joint().map(str::to_owned),
+        unit,
         ranges: ranges.iter().map(|range| (name(range), range.lower, range.upper)).collect(),
         starts,
         least: record(&least),

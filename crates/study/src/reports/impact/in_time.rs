@@ -4,14 +4,18 @@ use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::errors::question_error::StudyError;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::STROKES;
 use percuss_contact::{Damper, Separation, VaryingMassImpact};
 use percuss_dynamics::Pose;
-use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time};
+use percuss_impact::{
+    ImpactInTime, JointSpring, RigidImpact, TimeConditions, impact_in_time, peak_over_time,
+};
 use percuss_spatial::Vector3;
 use serde::Serialize;
 
@@ -103,12 +107,13 @@ pub(crate) fn in_time(
             damper,
             Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. }
         ),
+        springs: springs(pose, impact)?,
     };
     let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
     let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)
         .map_err(|error| impact_error(error, impact))?;
     let is_single = pose.degrees_of_freedom() == 1 && prepared.other_mass().is_none();
-    let one_freedom = if is_single && impact.gravity.is_none() {
+    let one_freedom = if is_single && impact.gravity.is_none() && impact.joint_springs.is_empty() {
         let path = PenetrationPath { prepared, contact: touched };
         STROKES.into_iter().find_map(|factor| {
             let depth = factor * found.max_penetration;
@@ -136,6 +141,24 @@ pub(crate) fn in_time(
         joints: joints(pose, &found),
         bearings: bearings(pose, &found, rigid, held),
     }))
+}
+
+/// Springs of the joints.
+fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
+    let spring = |(name, values): &(String, Vec<f64>)| {
+        let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
+        let (stiffness, damping, free_position) = match **values {
+            [stiffness] => (stiffness, 0.0, None),
+            [stiffness, damping] => (stiffness, damping, None),
+            [stiffness, damping, free] => (stiffness, damping, Some(free)),
+            _ => {
+                let fault = Fault::SpringCount { joint: name.clone(), got: values.len() };
+                return Err(StudyError::input(Field::JointSpring, fault));
+            }
+        };
+        Ok(JointSpring { joint, stiffness, damping, free_position })
+    };
+    impact.joint_springs.iter().map(spring).collect()
 }
 
 /// Velocities of the movable joints.
@@ -171,12 +194,13 @@ fn bearings(
     let mut bearings: Vec<BearingForceRecord> = estimates.iter().map(start).collect();
     for sample in &found.samples {
         for (bearing, record) in bearings.iter_mut().zip(records(pose, &sample.reactions, held, None)) {
-            let force = size(&record);
-            bearing.force.push(force);
-            if force > bearing.peak_force {
-                (bearing.peak_force, bearing.peak_time) = (force, sample.time);
-            }
+            bearing.force.push(size(&record));
         }
+    }
+    let times: Vec<f64> = found.samples.iter().map(|sample| sample.time).collect();
+    for bearing in &mut bearings {
+        let peak = peak_over_time(&times, &bearing.force);
+        (bearing.peak_force, bearing.peak_time) = peak.filter(|(force, _)| *force > 0.0).unwrap_or_default();
     }
     bearings
 }

@@ -36,8 +36,14 @@ pub struct ImpactQuestion {
     pub in_time: bool,
     /// Gravity during the impact in time, world axes, m/s²; `None` for none.
     pub gravity: Option<[f64; 3]>,
+    /// Springs and dampers of joints during the impact in time: stiffness, then damping and the position without force if given.
+    pub joint_springs: Vec<(String, Vec<f64>)>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,
+    /// Largest permitted impulses in gears, N·m·s or N·s, one for each velocity of the joint.
+    pub gear_limits: Vec<(String, Vec<f64>)>,
+    /// Largest displacement of the contact point in the tangent plane, m: adds the worst impulse at the joints of `percussion`.
+    pub point_error: Option<f64>,
     /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.
     pub reflected: Vec<String>,
     /// Joints whose centre of percussion is requested, along a line (axes of the contact link) or in the tangent plane.

@@ -129,7 +129,7 @@ pub struct ImpactReport {
     pub contact_law: Option<ImpactLawRecord>,
     /// Impact in time with the contact law, if requested.
     pub in_time: Option<ImpactTimeRecord>,
-    /// Greatest closing speed by limits of joint rates, if requested.
+    /// Greatest closing speed by limits of joint rates and gears, if requested.
     pub greatest_closing_speed: Option<GreatestSpeedRecord>,
     /// Reflected inertias, if requested.
     pub reflected_inertia: Vec<ReflectedRecord>,

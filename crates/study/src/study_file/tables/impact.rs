@@ -8,7 +8,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
 #[cfg(feature = "flags")]
 use crate::values::named;
-use crate::values::quantities::{Plain, Ratio, Speed, Stiffness};
+use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, PositionText, Words};
 use percuss_contact::Law;
@@ -166,6 +166,22 @@ pub struct ImpactTable {
         )
     )]
     pub gravity: Vec<f64>,
+    /// Spring and damper of a joint during the impact in time: K, K,D or K,D,FREE.
+    ///
+    /// Stiffness (N·m/rad, N/m), damping (N·m·s/rad, N·s/m), and the position without force (rad, m); default: that at the touch.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "JOINT=K,D",
+            value_parser = named::joint_armature,
+            requires = "in_time",
+            help_heading = IMPACT
+        )
+    )]
+    #[serde(deserialize_with = "value::armatures")]
+    #[schemars(with = "BTreeMap<String, value::OneOrMany<f64>>")]
+    pub joint_spring: Vec<(String, Vec<f64>)>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
@@ -194,6 +210,24 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "rates")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub rate_limit: Vec<(String, GivenRates)>,
+    /// Largest impulse in a gear (N·m·s, N·s): greatest closing speed.
+    ///
+    /// The gear transmits armature · jump of the rate. One value, or one value per velocity, separated by commas.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=IMPULSE", value_parser = named::joint_armature, help_heading = ADDITIONAL)
+    )]
+    #[serde(deserialize_with = "value::armatures")]
+    #[schemars(with = "BTreeMap<String, value::OneOrMany<f64>>")]
+    pub gear_limit: Vec<(String, Vec<f64>)>,
+    /// Largest displacement of the contact point: worst impulse at the joints of --percussion.
+    ///
+    /// The point is displaced in the tangent plane, in the worst direction (m; 5mm).
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "DISTANCE", requires = "percussion", help_heading = ADDITIONAL)
+    )]
+    pub point_error: Option<Length>,
 }
 
 /// Reads rates by joint.
@@ -248,6 +282,12 @@ impl ImpactTable {
         if self.in_time && self.friction.is_some() {
             return refuse("impact.in_time", "the impact in time has no friction; expected no `friction`");
         }
+        if !self.joint_spring.is_empty() && !self.in_time {
+            return refuse("impact.joint_spring", "it requires `in_time`: a rigid impact is instantaneous");
+        }
+        if self.point_error.is_some() && self.percussion.is_empty() {
+            return refuse("impact.point_error", "it requires `percussion`, the joints");
+        }
         Ok(ImpactQuestion {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
@@ -263,7 +303,10 @@ impl ImpactTable {
             law: self.law(restitution)?,
             in_time: self.in_time,
             gravity,
+            joint_springs: self.joint_spring.clone(),
             rate_limits: self.rate_limit.clone(),
+            gear_limits: self.gear_limit.clone(),
+            point_error: self.point_error.map(|length| length.0),
             reflected: self.reflected.clone(),
             percussion: self.percussion.clone(),
         })

@@ -5,7 +5,7 @@ use crate::friction::impulse::{Friction, FrictionLaw, frictional_impulse};
 use crate::motion::joint_rates::JointRates;
 use crate::motion::undetermined::undetermined_joints;
 use crate::reactions::reaction::Reactions;
-use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use percuss_dynamics::{ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::JointId;
 
@@ -55,23 +55,27 @@ impl RigidImpact {
         restitution: f64,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
-        if !(0.0..=1.0).contains(&restitution) {
-            return Err(ImpactError::Restitution { got: restitution });
-        }
-        if !(closing_speed.is_finite() && closing_speed > 0.0) {
-            return Err(ImpactError::ClosingSpeed { got: closing_speed });
-        }
-        let mass = match response.effective_mass {
-            EffectiveMass::Finite(mass) => mass,
-            EffectiveMass::Immovable => return Err(ImpactError::Immovable),
-            EffectiveMass::Massless => return Err(ReactionError::Massless.into()),
-        };
-        let reactions = reactions_to_unit_impulse(pose, response)?;
+        Self::with_reaction_map(pose, &ReactionMap::new(pose), response, closing_speed, restitution, before)
+    }
+
+    /// Impact as by [`new`](Self::new), with the reaction map of the pose: for several contacts or speeds at one pose.
+    ///
+    /// # Errors
+    /// [`ImpactError`]: as for [`new`](Self::new).
+    pub fn with_reaction_map(
+        pose: &Pose,
+        map: &ReactionMap,
+        response: &ContactResponse,
+        closing_speed: f64,
+        restitution: f64,
+        before: Option<JointRates>,
+    ) -> Result<Self, ImpactError> {
+        let mass = checked_mass(response.effective_mass, closing_speed, restitution)?;
         let impulse = (1.0 + restitution) * mass * closing_speed;
-        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
-        let rest = JointRates::at_rest(pose.mechanism());
-        let before = before.unwrap_or_else(|| rest.plus_scaled(&star, closing_speed));
-        let after = before.plus_scaled(&star, -(1.0 + restitution) * closing_speed);
+        let reactions = map.reactions(response, impulse)?;
+        let (star, base) = (&response.joint_velocities, response.base_velocity);
+        let before = before.unwrap_or_else(|| JointRates::scaled(star, base, closing_speed));
+        let after = before.plus_scaled_motion(star, base, -(1.0 + restitution) * closing_speed);
         Ok(Self {
             restitution,
             closing_speed,
@@ -81,7 +85,7 @@ impl RigidImpact {
             after,
             undetermined: undetermined_joints(pose, response),
             friction: None,
-            reactions: reactions.scaled(impulse),
+            reactions,
         })
     }
 }
@@ -100,16 +104,36 @@ impl RigidImpact {
         friction: FrictionLaw,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
-        let smooth = Self::new(pose, response, closing_speed, restitution, before)?;
+        let map = ReactionMap::new(pose);
+        let smooth = Self::with_reaction_map(pose, &map, response, closing_speed, restitution, before)?;
         let found = frictional_impulse(pose, response, closing_speed, restitution, friction, &smooth.before)?;
         Ok(Self {
             impulse: found.normal,
             energy_loss: found.energy_loss,
             after: smooth.before.plus_scaled(&found.change, 1.0),
             friction: Some(found.friction),
-            reactions: reactions_to_unit_impulse(pose, &found.response)?.scaled(found.total),
+            reactions: map.reactions(&found.response, found.total)?,
             ..smooth
         })
+    }
+}
+
+/// Mass of a contact with an impact; refuses values out of range.
+pub(crate) fn checked_mass(
+    mass: EffectiveMass,
+    closing_speed: f64,
+    restitution: f64,
+) -> Result<f64, ImpactError> {
+    if !(0.0..=1.0).contains(&restitution) {
+        return Err(ImpactError::Restitution { got: restitution });
+    }
+    if !(closing_speed.is_finite() && closing_speed > 0.0) {
+        return Err(ImpactError::ClosingSpeed { got: closing_speed });
+    }
+    match mass {
+        EffectiveMass::Finite(mass) => Ok(mass),
+        EffectiveMass::Immovable => Err(ImpactError::Immovable),
+        EffectiveMass::Massless => Err(ReactionError::Massless.into()),
     }
 }
 
@@ -133,4 +157,22 @@ pub fn greatest_closing_speed(
         (rate > 0.0).then_some((limit / ((1.0 + restitution) * rate), joint))
     };
     limits.iter().filter_map(speed).min_by(|(a, _), (b, _)| a.total_cmp(b))
+}
+
+/// Greatest closing speed, m/s, at which the impulse in no gear exceeds its limit, min limit / ((1+e) armature |v*|), with the joint
+/// that limits it. `None` if the impact changes the rate of no limited rotor.
+///
+/// `limits`: joint, velocity index within the joint, and largest permitted impulse between rotor and joint, N·m·s or N·s. Source: Walker
+/// 1994, for impulses in place of rates.
+pub fn greatest_closing_speed_of_gears(
+    pose: &Pose,
+    response: &ContactResponse,
+    restitution: f64,
+    limits: &[(JointId, usize, f64)],
+) -> Option<(f64, JointId)> {
+    let armature = |joint, k: usize| pose.armature(joint).get(k).copied().unwrap_or(0.0);
+    // A limit of the rate for each limit of an impulse. A joint without armature has no gear.
+    let with_gear = limits.iter().filter(|&&(joint, k, _)| armature(joint, k) > 0.0);
+    let rates: Vec<_> = with_gear.map(|&(joint, k, limit)| (joint, k, limit / armature(joint, k))).collect();
+    greatest_closing_speed(response, restitution, &rates)
 }

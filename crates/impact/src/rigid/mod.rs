@@ -1,0 +1,4 @@
+//! Rigid impact at one contact.
+
+pub(crate) mod impact;
+pub(crate) mod workspace;
