@@ -46,10 +46,10 @@ fn shipped_models() {
 
 #[test]
 fn contacts_between_links() {
-    for base in [Base::Fixed, Base::Floating] {
+    for (base, regular, least) in [(Base::Fixed, 1206, 1190), (Base::Floating, 1009, 945)] {
         let all = sum(base, OtherSide::Link);
-        assert_eq!(all.wrong, 0);
-        assert!(all.per_cent() >= 95.0, "{all:?}");
+        assert_eq!((all.regular, all.wrong), (regular, 0));
+        assert!(all.by_kernel >= least, "{all:?}");
     }
 }
 

@@ -234,8 +234,19 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
 fn contact_on(rng: &mut StdRng, mechanism: &Mechanism) -> Contact {
     let links: Vec<_> = mechanism.link_ids().collect();
     let link = links[rng.random_range(1..links.len())];
-    let frame = if rng.random_bool(0.5) { Frame::Link } else { Frame::World };
-    Contact::new(link, any(rng) * 0.3, Vector3::x()).normal(Direction::Along(any(rng), frame))
+    let contact = Contact::new(link, any(rng) * 0.3, Vector3::x());
+    let direction = any(rng);
+    let normal = |frame| Direction::Along(direction, frame);
+    match rng.random_range(0..5) {
+        0 => contact.normal(normal(Frame::Link)),
+        1 => contact.normal(normal(Frame::World)),
+        kind => {
+            let frame = [Frame::Link, Frame::Against, Frame::World][kind - 2];
+            let contact = contact.normal(normal(frame));
+            let others: Vec<_> = links.iter().filter(|other| **other != link).collect();
+            contact.against(*others[rng.random_range(0..others.len())])
+        }
+    }
 }
 
 fn family(decades: f64, seed: u64, mimics: f64) -> Seen {
@@ -282,7 +293,8 @@ fn lanes_state_their_error_for_masses_over_many_decades() {
 
 #[test]
 fn lanes_with_mimics_agree_with_poses() {
-    for (decades, seed, tenths) in [(2.0, 5, 6), (9.0, 6, 2), (18.0, 7, 1)] {
+    // Contacts between links of one cluster are often immovable.
+    for (decades, seed, tenths) in [(2.0, 5, 5), (9.0, 6, 2), (18.0, 7, 1)] {
         let seen = family(decades, seed, 0.4);
         assert!(seen.by_lanes * 10 > seen.answers * tenths, "{seen:?}");
     }

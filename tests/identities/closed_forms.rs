@@ -1,8 +1,10 @@
 //! Effective masses with a closed form, through `Pose::respond` by both routes.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use percuss_dynamics::{Base, Conditions, EffectiveMass, Route};
-use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription};
+use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Frame, Route, System};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder, MimicDescription,
+};
 use percuss_oracle::closed_form::{self, PlanarLink};
 use percuss_oracle::{alter, zoo};
 use percuss_spatial::{Transform, rotation_from_rpy};
@@ -247,4 +249,46 @@ fn geared_masses() {
     // Against each other, the gap closes at the rate 1 + 3.
     let other = pair.system.mechanism().find_link("two").unwrap();
     pair.check_mass_by(&contact.against(other), closed_form::geared(2.0, 0.7, -3.0) / 16.0, &[Route::Dense]);
+}
+
+/// Three fingers of mass m on a palm of mass M, with the travels q, −q and q along the slide of the palm. The palm and q have the mass
+/// matrix [[M + 3m, m], [m, 3m]]; fingers with opposite travels close at 2 q̇, so that m̄ = (3m − m²/(M + 3m)) / 4.
+#[test]
+fn fingers_that_mimic_one_another() {
+    let (palm_mass, m) = (1.7, 0.4);
+    let body = |name: &str, m| LinkDescription::new(name, Inertial::diagonal(m, [0.0; 3], [0.1 * m; 3]));
+    let slide = |name: &str, parent: &str, child: &str| {
+        JointDescription::new(name, JointKind::Prismatic, parent, child)
+    };
+    let mut builder = MechanismBuilder::new("gripper").link(ground()).link(body("palm", palm_mass));
+    builder = builder.joint(slide("palm_slide", "ground", "palm"));
+    for (k, multiplier) in [1.0, -1.0, 1.0].into_iter().enumerate() {
+        let mut joint =
+            slide(&format!("slide_{k}"), "palm", &format!("finger_{k}")).at([0.0, 0.1 * k as f64, 0.0]);
+        if k > 0 {
+            joint.mimic = Some(MimicDescription { joint: "slide_0".into(), multiplier, offset: 0.0 });
+        }
+        builder = builder.link(body(&format!("finger_{k}"), m)).joint(joint);
+    }
+    let system =
+        System::new(builder.build().expect("a gripper").mechanism, &Conditions::new()).expect("fits");
+    let pose = system.pose(&system.configuration()).expect("a pose");
+    let finger = |k: usize| system.mechanism().find_link(&format!("finger_{k}")).expect("a finger");
+    let expected = (3.0 * m - m * m / (palm_mass + 3.0 * m)) / 4.0;
+    for (on, against) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
+        for frame in [Frame::Link, Frame::Against, Frame::World] {
+            let contact =
+                Contact::new(finger(on), [0.02, 0.03, -0.01], [1.0, 0.0, 0.0]).against(finger(against));
+            let contact = contact.normal(Direction::Along(Vector3::x(), frame));
+            let answer = pose
+                .assembly()
+                .batch(&contact)
+                .expect("a contact")
+                .effective_mass(pose.positions())
+                .expect("fits");
+            let Some(EffectiveMass::Finite(mass)) = answer.mass else { panic!("{answer:?}") };
+            assert!(answer.error.is_some(), "{answer:?}");
+            assert_close(mass, expected);
+        }
+    }
 }

@@ -37,7 +37,7 @@ impl GroupRows {
         self.group.rows.nrows()
     }
 
-    /// True if rows depend on others.
+    /// True if some rows are linear combinations of others.
     pub fn is_redundant(&self) -> bool {
         self.group.rank < self.rows()
     }

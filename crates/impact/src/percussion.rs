@@ -137,7 +137,7 @@ pub struct WorstReaction {
     /// Largest magnitude, at [`point`](Self::point).
     pub worst_reaction: f64,
     /// True for each component of the impulse (two transverse directions, the axis of the joint) that redundant loops leave open.
-    /// Such components do not count.
+    /// The magnitudes omit these components.
     pub is_open: [bool; 3],
     /// Loops that leave these components open.
     pub loops: Vec<String>,
@@ -147,7 +147,7 @@ pub struct WorstReaction {
 /// (m).
 ///
 /// The impulse is an affine function of the point, R = R₀ + x R₁ + y R₂, so its magnitude is largest on the circle. |R|² over the angle
-/// is a trigonometric polynomial of degree 2; its largest value is found to rounding by Newton's method from the best of many angles.
+/// is a trigonometric polynomial of degree 2; Newton's method finds its maximum to rounding, starting at the best of 64 angles.
 ///
 /// # Errors
 /// [`PercussionError`]; a radius that is negative or not finite is [`PercussionError::Radius`].

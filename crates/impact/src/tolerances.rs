@@ -92,12 +92,12 @@ pub const MOST_DOUBLINGS: usize = 600;
 /// Intervals of the work of the contact force; only a scale follows from it.
 pub const WORK_INTERVALS: u32 = 64;
 
-/// Angles at which a trigonometric polynomial of degree 2 is compared: its extremes are several of them apart.
+/// Number of angles at which a trigonometric polynomial of degree 2, with at most four extremes, is compared.
 pub const CIRCLE_ANGLES: u32 = 64;
 
-/// Newton iterations from the best angle: the error is squared at each, from a tenth to below rounding.
+/// Newton iterations from the best angle: each squares the error, from about 0.1 rad to rounding.
 pub const CIRCLE_ITERATIONS: usize = 8;
 
-/// Step of a difference quotient, relative to the range of a position. With four points the truncation has its fourth power, below
-/// rounding divided by the step.
+/// Step h of a difference quotient, relative to the range of a position. The truncation of the formula with four points, h⁴/30 times the
+/// fifth derivative, is then similar to the rounding ε/h.
 pub const DIFFERENCE_STEP: f64 = 1e-3;

@@ -347,8 +347,8 @@ fn energetic(coefficient: f64) -> FrictionLaw {
     FrictionLaw { coefficient, restitution: RestitutionLaw::Energetic }
 }
 
-/// A rod of mass m and length l, hit at s from its hinge: the impulse in the hinge per impulse is 1 − s m l/(2 I), I = m l²/3. Off the plane
-/// the hinge bears the whole displacement as a moment, so that the worst point of a circle is on the rod.
+/// A rod of mass m and length l, hit at s from its hinge: the impulse in the hinge per impulse is 1 − s m l/(2 I), I = m l²/3. A
+/// displacement along the hinge axis adds a moment in the hinge and no force, so that the worst point of a circle is on the rod.
 #[test]
 fn the_worst_point_of_a_circle_is_on_the_rod() {
     let (mass, length) = (2.0, 0.6);

@@ -345,8 +345,9 @@ fn a_free_body_on_the_other_side_takes_its_part() {
     assert!((after - (0.25 - 2.0 * reduced * speed / mass)).abs() < 1e-10, "{after}");
 }
 
-/// A block on a slide with a spring and a damper of its own is the oscillator of stiffness k + k₂ and damping d: the contact ends after
-/// half a period, with e^{−ζωπ/ω_d} of its speed. The slide transmits the force of the spring along its axis and no force of a lock.
+/// A block on a slide with a joint spring k₂ and a damper d against a contact of stiffness k is an oscillator of stiffness k + k₂ and
+/// damping d: the contact ends after half a period with the restitution e^{−ζωπ/ω_d}. The reaction of the slide along its axis is the
+/// force of spring and damper; the impulse of a lock is zero.
 #[test]
 fn springs_and_dampers_of_joints_act() {
     let (mass, stiffness, own, damping, speed) = (2.5, 3e5, 1e5, 150.0, 1.3);

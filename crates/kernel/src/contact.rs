@@ -58,7 +58,7 @@ pub struct Contact {
 
 impl Contact {
     /// The bodies in contact; `None` for a contact that a tree does not support: along a line, or of links of one body.
-    pub(crate) fn of_bodies(&self) -> Option<BodyContact> {
+    pub(crate) fn body_contact(&self) -> Option<BodyContact> {
         let Normal::Along(normal, frame) = self.normal else { return None };
         let (body, against) = (self.on.body, self.against.and_then(|other| other.body));
         (body != against).then_some(BodyContact { body, against, normal, frame })
@@ -84,7 +84,7 @@ impl Contact {
     }
 }
 
-/// Contact of a body with another, or with the ground.
+/// Contact between two bodies, one of which may be the ground.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyContact {
     /// Body of the contact link; `None` for the root link.

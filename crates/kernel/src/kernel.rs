@@ -1,4 +1,4 @@
-//! SIMD kernels for many configurations at once. Trees use body-fixed axes. Linkages of
+//! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts along a normal, also between two bodies. Linkages of
 //! few degrees of freedom use their velocities, for all contacts.
 
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};

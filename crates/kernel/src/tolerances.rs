@@ -37,7 +37,7 @@ pub const LIGHT_BODY: f64 = 2.5e4;
 /// Amplification above which the mass matrix in SIMD lanes may be in error by more than 1e-3, relative: twists computed with it are
 /// then not used in bounds.
 pub const LARGEST_AMPLIFICATION: f64 = 5e11;
-/// Largest relative error by the constants of a contact for which the kinetic energy bounds the error: a tenth of
+/// Largest relative error, from the constants of a contact alone, for which the sizes of terms are not computed: a tenth of
 /// [`LANES_TRUSTED_ERROR`].
 pub const LARGEST_ENERGY_ERROR: f64 = 1e-10;
 /// Value of a bound that does not exist, in any unit. Unlike infinity, its product with 0 is a number.

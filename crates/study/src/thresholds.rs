@@ -230,7 +230,7 @@ pub const IMPACT_RADIUS: f64 = 0.01;
 /// Least radius of that sphere over the greatest penetration: the centre remains outside the other geom.
 pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;
 
-/// Places of the pads of stops on the rod of a damper in a drawing, as parts of its length: on the body, where both are visible beside
-/// the symbols of spring and damper.
+/// Positions of the pads of stops on the rod of a damper in a drawing, as fractions of its length from the contact point. At these
+/// positions the symbols of spring and damper do not hide the pads.
 pub(crate) const BUMP_PAD: f64 = 0.55;
 pub(crate) const REBOUND_PAD: f64 = 0.4;

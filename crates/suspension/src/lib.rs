@@ -294,7 +294,7 @@ fn build_mechanism(
     corner.check(findings, facts.places);
     if let Some(middle) = &middle {
         let track = corner.drawing.track();
-        // The parts of both sides are stated as they are.
+        // Parts common to both sides are not mirrored: messages have the coordinates of the file.
         let places = FilePlaces { is_right: false, ..facts.places };
         middle.check_parts(track, &[], findings, places);
         middle.drawing.check_short_links(findings, places);

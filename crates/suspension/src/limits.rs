@@ -86,14 +86,15 @@ pub(crate) const MIN_STOP_GAP: f64 = 2e-4;
 /// trailing arm is 0.7 m away from all other joints.
 pub(crate) const MAX_DISTANCE_FROM_JOINTS: f64 = 0.5;
 
-/// Smallest distance of a centre of mass from the box around the joints of its part, m, for a wrong sign: parts reach less far beyond
-/// their joints, or a wrong sign changes the effective mass by little.
+/// Distance of a centre of mass from the box around the joints of its part, m, above which a wrong sign is considered. Correct centres of
+/// mass are nearer; at smaller distances, a wrong sign changes the effective mass little.
 pub(crate) const LEAST_SIGN_DISTANCE: f64 = 0.1;
-/// Largest ratio of this distance with the other sign to that with the given sign: 0.34 for half of a beam, 0 for arms.
+/// Ratio of this distance with the other sign to the distance with the given sign, below which the sign is reported as wrong: 0.34 for
+/// half of a beam, 0 for arms.
 pub(crate) const MAX_SIGN_DISTANCE_RATIO: f64 = 0.4;
 /// Ratio of a mass in grams to the same mass in kilograms.
 pub(crate) const GRAMS_PER_KILOGRAM: f64 = 1000.0;
-/// Smallest share of the parts that are too heavy for a wrong unit of all masses; fewer have typing errors.
+/// Share of parts that are too heavy, from which all masses are regarded as grams; a smaller share indicates typing errors.
 pub(crate) const LEAST_SHARE_IN_GRAMS: f64 = 0.5;
 /// Resolution of lengths in messages, m.
 pub(crate) const MESSAGE_LENGTH: f64 = 1e-4;

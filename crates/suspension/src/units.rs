@@ -77,7 +77,7 @@ impl Frame {
     }
 }
 
-/// Unit, axes and side in which a file states positions, for messages about positions of the left side in ISO 8855.
+/// Unit, axes and side of the positions in a file. Converts positions of the left side (ISO 8855, m) for messages.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FilePlaces {
     pub frame: Frame,
@@ -99,7 +99,7 @@ impl FilePlaces {
         format!("{} {}", self.number(length), self.frame.unit.name())
     }
 
-    /// Coordinates as the file states them, m.
+    /// Coordinates (m) in the axes and on the side of the file, from the left side in ISO 8855.
     pub fn coordinates(self, at: Vector3<f64>) -> Vector3<f64> {
         let at = Vector3::new(at.x, if self.is_right { 0.0 - at.y } else { at.y }, at.z);
         // The conversion of the axes is its own inverse.

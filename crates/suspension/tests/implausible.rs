@@ -49,7 +49,7 @@ fn a_centre_of_mass_with_a_wrong_sign_is_named() {
                 let text = template_sheet(template, &TemplateOptions { unit, axes }).expect("a template");
                 assert_eq!(findings(&text, &ImportOptions::default()).len(), 0, "{template}");
                 for (at, section, com) in lines_of(&text, "com") {
-                    // Parts of both sides have no side.
+                    // Parts common to both sides belong to no side.
                     if unit.to_metres(com[1].abs()) < 0.1 {
                         continue;
                     }

@@ -12,10 +12,10 @@ use crate::evaluation::pose::percuss_pose;
 use percuss::impact::{ImpactError, JointRates, JointReaction, RigidImpact, closing_speed};
 use percuss::spatial::Twist;
 
-/// Numbers of the reaction in one joint: three of the force, three of the moment.
+/// Numbers of the reaction in one joint: three of the impulse, three of its moment.
 const REACTION: usize = 6;
 
-/// Relative difference up to which the speed and the velocities agree: numbers with six digits.
+/// Largest relative difference of the given speed from the closing speed of the velocities: both may have six digits.
 const SAME_SPEED: f64 = 1e-5;
 
 /// Result of a rigid impact.
@@ -33,14 +33,14 @@ pub struct percuss_rigid_impact {
 /// Rigid impact without friction at a contact, with the closing speed (m/s) and the coefficient of restitution (0 to 1).
 ///
 /// before (count numbers, or null): the velocities of all joints before the impact, concatenated in joint order, as for
-/// percuss_response_velocities, with this closing speed; null: the motion of least energy with this closing speed, v* times the speed. The base is at rest
-/// before the impact if before is given. after (count numbers, or null): the velocities after the impact.
+/// percuss_response_velocities; they must have this closing speed, and the base is then at rest. null: the motion of least energy with
+/// this closing speed, v* times the speed. after (count numbers, or null): the velocities after the impact.
 /// reactions (6 joint_count numbers, or null): for each joint the impulse of the parent on the child, N·s, along two transverse
 /// directions and the axis of the joint, then its moment about the child's origin, N·m·s; NaN for a component that redundant loops leave
 /// open.
 ///
-/// Errors: PERCUSS_ERROR_ARGUMENT: speed or restitution out of range, or a speed that before does not have. PERCUSS_ERROR_CONTACT: an invalid contact, or one without
-/// finite m̄.
+/// Errors: PERCUSS_ERROR_ARGUMENT: speed or restitution out of range, or velocities in before with another closing speed.
+/// PERCUSS_ERROR_CONTACT: an invalid contact, or a contact without finite m̄.
 ///
 /// # Safety
 /// pose is a handle; contact and impact are null or point to their types; before, after and reactions are null or have space for the

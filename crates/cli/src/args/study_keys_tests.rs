@@ -20,10 +20,11 @@ const WITHOUT_KEY: [(&str, &str); 12] = [
 ];
 
 /// Keys that have no flag, and why.
-const WITHOUT_FLAG: [(&str, &str); 4] = [
+const WITHOUT_FLAG: [(&str, &str); 5] = [
     ("closure.", "a flag for a loop would be a file"),
     ("variant.", "percuss compare uses files in place of variants"),
     ("contact.name", "the command evaluates one contact, or lists those of the model by their names"),
+    ("kinematics.", "flags of the command kinematics, which also has the data of the vehicle"),
     ("report.", "text of the report, which only a study has"),
 ];
 

@@ -1,4 +1,4 @@
-//! Picture of kinematics over a travel: a panel per quantity, one for all motion ratios and one for all forces.
+//! Figure of kinematics over a travel: one panel per quantity; all motion ratios share a panel, and all forces.
 
 use crate::terminal::failure::Failure;
 use percuss_render::{Figure, Panel, Series, Style};
@@ -10,7 +10,7 @@ const USUAL: [&str; 6] =
     ["camber", "toe", "half_track_change", "motion_ratio_", "wheel_rate", "roll_centre_height"];
 /// Quantities of springs, dampers and stops, which share a panel.
 const SHARED: [&str; 2] = ["motion_ratio_", "force_"];
-/// Largest number of panels of one figure: a page in height.
+/// Largest number of panels of one figure: its height is then about one page.
 const MOST_PANELS: usize = 8;
 
 /// Title of the panel of a column, and the name of its curve.

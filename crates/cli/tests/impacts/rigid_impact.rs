@@ -403,7 +403,7 @@ fn a_centre_of_percussion_names_open_components() {
     assert!(percuss(&command).stdout.contains("determinate components only"));
 }
 
-/// A spring of the joint makes the impact in time shorter, and the equation of one freedom is not compared.
+/// A joint spring makes the impact in time shorter; the check by the equation for one degree of freedom is then omitted.
 #[test]
 fn joint_springs_act_in_time() {
     let door = "impact models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --restitution 0.5 \
@@ -460,7 +460,7 @@ fn the_first_limit_is_named() {
     }
 }
 
-/// The worst displaced point: an impact there has this impulse at the joint.
+/// Worst displaced contact point: an impact at this point has the reported impulse at the joint.
 #[test]
 fn a_displaced_point_has_the_worst_impulse() {
     let arm = "impact models/planar_2r.urdf --link outer --normal 0,1,0 --set elbow=40deg --restitution 0.1 --speed 1";
@@ -477,7 +477,7 @@ fn a_displaced_point_has_the_worst_impulse() {
     assert!((found / ratio - 1.0).abs() < 1e-9, "{found} {ratio}");
 }
 
-/// Extremes of an inertia and of a bearing are those of impacts at their positions.
+/// The extremes of an inertia and of a bearing impulse agree with impacts at the reported positions.
 #[test]
 fn extremes_of_other_quantities() {
     let contact = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0";

@@ -193,7 +193,7 @@ fn the_report_of_several_contacts_has_each_figure_and_finding_once() {
         dampers.contains("rebound_stop") && !dampers.contains(">spring<") && !dampers.contains(">damper<"),
         "{dampers}"
     );
-    // The key of the drawing has every name once.
+    // The legend of the drawing has every name once.
     for name in ["strut_bottom on strut", "strut_bottom on upright", "strut_top"] {
         assert!(page.contains(name), "{name}");
     }

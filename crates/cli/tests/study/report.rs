@@ -482,7 +482,7 @@ fn a_warning_is_beside_its_number() {
     }
 }
 
-/// Files that the study names are written beside the page, and are the same as without a page.
+/// The files that the study names are written in addition to the page, and are the same as without a page.
 #[test]
 fn outputs_of_the_study_are_written_beside_the_page() {
     let folder = Scratch::new("report-outputs");
@@ -511,7 +511,7 @@ fn outputs_of_the_study_are_written_beside_the_page() {
             assert!(printed.contains(file.as_str()), "{}", outcome.stdout);
         }
     }
-    // The table beside the page has a name of its own.
+    // The table that accompanies the page has another name.
     let same = folder.path("rows.html");
     let outcome = percuss(&format!("run {} --report {same}", folder.path("rows.toml")));
     assert_eq!(outcome.code, 2, "{}", outcome.stdout);

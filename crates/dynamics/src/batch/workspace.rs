@@ -180,7 +180,7 @@ impl Workspace {
     }
 
     /// m̄ of a contact at the current positions. Equal within rounding to [`Pose::respond`](crate::Pose::respond).
-    /// Bitwise equal, except for mechanisms with a SIMD kernel (trees against the ground, linkages of
+    /// Bitwise equal, except for mechanisms with a SIMD kernel (trees, linkages of
     /// few degrees of freedom). If the recursion is inaccurate, the dense route runs and allocates. For normals given
     /// in the world, the root link is at the pose of [`set_base`](Self::set_base), by default at the world's origin.
     /// No error estimate is returned; use [`Pose::respond`](crate::Pose::respond). The findings are in [`remarks`](Self::remarks).

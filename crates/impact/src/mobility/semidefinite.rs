@@ -36,7 +36,8 @@ impl SemidefiniteSolver {
 }
 
 /// Factors that scale a positive semi-definite matrix with this diagonal to a unit diagonal, which lowers the condition of mechanisms
-/// with light and heavy parts. Entries that are rounding of zero stay small: a motion without mass has no unit of its own.
+/// with light and heavy parts. An entry that is rounding of zero (a motion without mass) has the factor of the largest entry, so that it
+/// stays small.
 pub(crate) fn unit_diagonal_scale(diagonal: &[f64]) -> Vec<f64> {
     let largest = diagonal.iter().copied().fold(0.0, f64::max);
     let scale = |&entry: &f64| {

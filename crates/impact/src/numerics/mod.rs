@@ -1,4 +1,4 @@
-//! Ordinary differential equations, and the decomposition of small matrices.
+//! Integration of ordinary differential equations, and the QR decomposition of small matrices.
 
 pub(crate) mod extrapolation;
 pub(crate) mod multistep;

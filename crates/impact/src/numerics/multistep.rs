@@ -6,11 +6,12 @@ use std::collections::VecDeque;
 /// Number of rates in the formulas, which is their order.
 const ORDER: usize = 10;
 
-/// Error of the corrector per difference of both results, from the error constants 26842253/95800320 of the predictor and
-/// 3250433/479001600 of the corrector.
+/// Error of the corrector divided by the difference of predictor and corrector, from the error constants 26842253/95800320 of the
+/// predictor and 3250433/479001600 of the corrector.
 const ERROR_PER_DIFFERENCE: f64 = 3_250_433.0 / (5.0 * 26_842_253.0 + 3_250_433.0);
 
-/// Points of the quadrature of Gauss and Legendre on −1 to 1 with their weights, without the opposite points: exact up to degree 15.
+/// Positive points of the Gauss–Legendre quadrature on −1 to 1, with their weights; the opposite points have the same weights. The
+/// quadrature is exact up to degree 15.
 const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -18,14 +19,15 @@ const GAUSS: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_3),
 ];
 
-/// Outcome of a step of both formulas.
+/// Outcome of a step with predictor and corrector: the next state; the predicted state is beyond the end; too few rates, or an error
+/// above the tolerance.
 enum AdamsStep {
     Taken(Vec<f64>),
     Ends,
     Refused,
 }
 
-/// Integrals from 0 to `end` of the polynomials of Lagrange through `newest`, `newest` − 1, … in all nodes.
+/// Integrals from 0 to `end` of the Lagrange basis polynomials of the nodes `newest`, `newest` − 1, …; lengths in steps.
 fn lagrange_integrals(end: f64, newest: f64) -> [f64; ORDER] {
     let points = GAUSS.iter().flat_map(|&(x, w)| [(-x, w), (x, w)]);
     let mut integrals = [0.0; ORDER];
@@ -41,22 +43,23 @@ fn lagrange_integrals(end: f64, newest: f64) -> [f64; ORDER] {
 
 /// Integrator of y′ = f(y) with steps of at most `largest`.
 ///
-/// Extrapolation takes the first steps, and all steps near a force that is not smooth. Once ten rates at the distance `largest` are
-/// known, a step takes two evaluations of f instead of more than ten. Source: Hairer, Nørsett and Wanner 1993, §III.1.
+/// Extrapolation takes the first steps, and all steps near a point at which f is not smooth. After ten rates at equal distances
+/// `largest`, a step of predictor and corrector takes two evaluations of f instead of more than ten. Source: Hairer, Nørsett and
+/// Wanner 1993, §III.1.
 pub(crate) struct MultistepIntegrator {
     largest: f64,
     tolerance: f64,
     proposal: f64,
-    /// Weights of the rates at 0, −1, …
+    /// Weights of the rates at 0, −1, … steps from the state.
     predictor: [f64; ORDER],
-    /// Weights of the rates at 1, 0, …
+    /// Weights of the rates at 1, 0, −1, … steps from the state.
     corrector: [f64; ORDER],
-    /// Rates at the state and at the states before, the newest first; at distances `largest`.
+    /// Rates y′ at the last states, the newest first, at equal distances `largest`.
     rates: VecDeque<Vec<f64>>,
 }
 
 impl MultistepIntegrator {
-    /// Integrator from a state, with the rates there. `tolerance`: error of a step relative to `1 + |y|`.
+    /// Integrator from a state with the rates `rate`. `tolerance`: largest error of a step, relative to `1 + |y|`.
     pub fn new(rate: Vec<f64>, largest: f64, tolerance: f64) -> Self {
         Self {
             largest,
@@ -73,9 +76,9 @@ impl MultistepIntegrator {
         self.rates.front().map_or(&[], Vec::as_slice)
     }
 
-    /// Next state, and the length of the step. `ends`: true if the last state at which f was evaluated is beyond the end of the
-    /// integration; a step of both formulas then returns no state, so that f is not used beyond its end. See
-    /// [`state_before`](Self::state_before).
+    /// Next state, and the length of the step. `ends` is true if the last state at which f was evaluated is beyond the end of the
+    /// integration. If the predicted state is beyond the end, no state is returned, because f need not be smooth there; the end is then
+    /// within `largest` of `y` (see [`state_after`](Self::state_after)).
     pub fn advance(
         &mut self,
         f: &impl Fn(&[f64], &mut [f64]),
@@ -113,14 +116,14 @@ impl MultistepIntegrator {
         self.integrated(y, h, 1.0)
     }
 
-    /// y + ∫ of the polynomial through the rates over a length `h`; the newest rate is at `newest` steps from y.
+    /// y + ∫ of the polynomial through the rates over the length `h`; the newest rate is `newest` steps after y.
     fn integrated(&self, y: &[f64], h: f64, newest: f64) -> Vec<f64> {
         let weights = lagrange_integrals(h / self.largest, newest);
         let sum = |i: usize| weights.iter().zip(&self.rates).map(|(w, rate)| w * rate[i]).sum::<f64>();
         y.iter().enumerate().map(|(i, y)| y + self.largest * sum(i)).collect()
     }
 
-    /// Step of both formulas; refused with too few rates or above the tolerance.
+    /// Step of predictor and corrector.
     fn adams_step(
         &mut self,
         f: &impl Fn(&[f64], &mut [f64]),
@@ -145,7 +148,7 @@ impl MultistepIntegrator {
         };
         let next: Vec<f64> = y.iter().enumerate().map(corrected).collect();
         let error = |(a, b): (&f64, &f64)| ERROR_PER_DIFFERENCE * (a - b).abs() / (1.0 + a.abs());
-        // A rate that is not finite gives no step.
+        // The comparison also refuses a step with NaN.
         if !next.iter().zip(&predicted).map(error).all(|error| error <= self.tolerance) {
             return AdamsStep::Refused;
         }
@@ -165,7 +168,7 @@ impl MultistepIntegrator {
 mod tests {
     use super::MultistepIntegrator;
 
-    /// Steps of 0.05 have errors of 0.007 · 0.05¹¹, and there are 400 of them.
+    /// 400 steps of 0.05, each with an error of 0.007 · 0.05¹¹.
     #[test]
     fn an_oscillator_keeps_its_circle_with_two_evaluations_per_step() {
         let count = std::cell::Cell::new(0);
@@ -193,7 +196,7 @@ mod tests {
         assert!(count.get() < 2 * steps + 250, "{} for {steps}", count.get());
     }
 
-    /// A force with a corner: the steps across it are shortened.
+    /// f with a kink: the steps across the kink are shortened.
     #[test]
     fn a_corner_is_resolved() {
         let f = |y: &[f64], r: &mut [f64]| {

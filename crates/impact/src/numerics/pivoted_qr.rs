@@ -119,7 +119,7 @@ fn reflect(x: &mut [f64], v: &[f64], factor: f64) {
 mod tests {
     use super::PivotedQr;
 
-    /// Rounding of some ten products of numbers up to one.
+    /// Rounding error of a sum of about ten products of numbers up to one.
     const ROUNDING: f64 = 1e-14;
 
     #[test]

@@ -88,7 +88,7 @@ pub struct JointRange {
 pub enum ExtremeKind {
     /// Smallest value.
     Least,
-    /// Largest value; an effective mass or inertia is immovable if a pose has no motion along it.
+    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint.
     Most,
 }
 
@@ -117,9 +117,9 @@ pub enum SearchedQuantity {
         /// True if the other drivers are at rest.
         held: bool,
     },
-    /// Impulse in a bearing per closing speed, of a plastic impact at the contact (e = 0): m̄ |R|, kg, with the determinate components
-    /// R of the reaction per impulse. An impact with c and e has (1+e) c times this impulse; a contact of stiffness k has about the peak
-    /// force m̄ |R| c √(k/m̄).
+    /// Impulse in a bearing per closing speed of a plastic impact at the contact (e = 0): m̄ |R|, kg. R has the determinate components of
+    /// the reaction force in the joint per impulse at the contact, without its moment. An impact with the closing speed c and the
+    /// coefficient of restitution e has (1+e) c times this impulse; a contact of stiffness k has about the peak force m̄ |R| c √(k/m̄).
     BearingImpulse {
         /// The joint.
         joint: JointId,
@@ -143,10 +143,10 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
     }
 }
 
-/// Extreme effective mass, or other quantity, over ranges of positions.
+/// Extreme of an effective mass, or of another quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Value of the quantity at the extreme; immovable is a valid largest value of a mass or an inertia.
+    /// Value of the quantity at the extreme, kg or kg·m²; `Immovable` is a valid largest value of a mass or an inertia.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
@@ -154,9 +154,9 @@ pub struct ExtremeMass {
     pub normal_world: Option<Vector3<f64>>,
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
-    /// Optimality: largest component of the projected gradient of m̄, times its range, relative to m̄; 0 at an exact
-    /// stationary point of the constrained problem. Zero for an immovable contact. For an impulse of zero: relative to the largest
-    /// squared impulse of the starts.
+    /// Optimality: largest component of the projected gradient, times its range, relative to the value; 0 at an exact stationary point
+    /// of the constrained problem. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared impulse. Zero for an immovable
+    /// contact. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
     pub residual: f64,
     /// Number of starts.
     pub starts: usize,
@@ -248,7 +248,7 @@ pub fn extreme_quantity(
     let largest = largest.max(search.typical()?);
     let is_immovable =
         search.is_reciprocal() && extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
-    // A square that is rounding of zero has no relative accuracy: the residual is then relative to the largest square.
+    // A squared impulse that is rounding of zero has no relative accuracy: the residual is then relative to the largest one.
     let vanishes = !search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
     let size = best.inverse_mass.max(IMMOVABLE * largest);
     let close =
@@ -275,7 +275,7 @@ pub fn extreme_quantity(
     })
 }
 
-/// Reciprocal value of a mass or an inertia; `None` for a massless motion.
+/// Reciprocal of a mass or an inertia; `None` for a massless motion.
 fn reciprocal(mass: EffectiveMass) -> Option<f64> {
     match mass {
         EffectiveMass::Finite(mass) => Some(1.0 / mass),
@@ -302,9 +302,9 @@ fn halton(mut index: usize, base: usize) -> f64 {
 struct Point {
     /// Positions as parts of their ranges.
     unit: Vec<f64>,
-    /// 1/m̄, 1/kg; for a bearing the square of the impulse, kg².
+    /// 1/m̄, 1/kg; for an inertia its reciprocal; for a bearing the square of the impulse per closing speed, kg².
     inverse_mass: f64,
-    /// Function to be minimised: plus or minus this number.
+    /// Function to be minimised: plus or minus `inverse_mass`.
     value: f64,
     /// Its gradient over the ranges.
     gradient: Vec<f64>,
@@ -345,13 +345,13 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// True if the extreme is that of the reciprocal value, which is smooth where a mass or an inertia is infinite.
+    /// True if the search uses the reciprocal of the quantity, which is smooth where a mass or an inertia is infinite.
     fn is_reciprocal(&self) -> bool {
         !matches!(self.quantity, SearchedQuantity::BearingImpulse { .. })
     }
 
-    /// Reciprocal value of an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth where
-    /// the impulse vanishes.
+    /// Reciprocal of a mass or an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth
+    /// where the impulse vanishes.
     fn measure(&self, pose: &Pose) -> Option<f64> {
         match self.quantity {
             SearchedQuantity::EffectiveMass => {
@@ -372,7 +372,7 @@ impl Search<'_> {
         }
     }
 
-    /// Value and gradient by difference quotients of fourth order. `None`: a pose that is not reachable, or no finite value.
+    /// Value and gradient by difference quotients of fourth order. `None` if a pose is not reachable or has no finite value.
     fn point_by_differences(&self, unit: Vec<f64>, from: Option<&Pose>) -> Option<(Point, Pose)> {
         let pose = self.pose(&unit, from).ok()?;
         let inverse_mass = self.measure(&pose)?;
@@ -487,7 +487,7 @@ impl Search<'_> {
         Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
     }
 
-    /// Local search from one start: its end, and the number at the start; `None` if the start has no finite value.
+    /// Local search from one start: the point at its end, and `inverse_mass` at the start; `None` if the start has no finite value.
     fn run(&self, unit: Vec<f64>) -> Result<Option<(Point, f64)>, ExtremesError> {
         let n = unit.len();
         let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };

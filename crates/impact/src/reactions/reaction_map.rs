@@ -43,7 +43,7 @@ pub struct ReactionMap {
     sensitivities: Vec<Vec<(usize, Vec<Wrench<f64>>)>>,
     ground: Option<ReactionLayout>,
     joints: Vec<ReactionLayout>,
-    /// True for the velocities of joints whose constraint impulse is open.
+    /// For each velocity of all joints: true if redundant rows leave the constraint impulse of the drive open.
     open_drives: Vec<bool>,
     closures: Vec<ConstraintLayout>,
     holds: Vec<ConstraintLayout>,
@@ -56,7 +56,7 @@ struct ReactionLayout {
     frame: Transform<f64>,
     /// Axes of the components in the axes of the wrench.
     axes: Matrix3<f64>,
-    /// True for open components: force, then moment.
+    /// True for components that redundant rows leave open: force, then moment.
     open: [bool; 6],
     loops: Vec<String>,
 }
@@ -110,8 +110,8 @@ impl ReactionMap {
 
     /// Reactions to a unit impulse (1 N·s) at the contact of a response at this pose, times `scale`.
     ///
-    /// The impulse −n̂ acts on the contact link, and n̂ on the other link. It changes the velocities by Δq̇ = −v*/m̄ (by
-    /// nothing if the mechanism is immovable).
+    /// The impulse −n̂ acts on the contact link, and n̂ on the other link. It changes the velocities by Δq̇ = −v*/m̄ (zero if the
+    /// mechanism is immovable).
     ///
     /// # Errors
     /// [`ReactionError`]: a massless contact; a response of another mechanism.
@@ -124,8 +124,8 @@ impl ReactionMap {
         self.reactions_of_motion(&response.contact, response.effective_mass, star, base, scale)
     }
 
-    /// Reactions as by [`reactions`](Self::reactions), for a contact with the effective mass and the motion v*: velocities of all joints
-    /// and twist of the root.
+    /// Reactions as by [`reactions`](Self::reactions). `mass`: m̄ of the contact; `star`, `base`: v* of all joints, and of the root (root
+    /// axes, root origin).
     pub(crate) fn reactions_of_motion(
         &self,
         contact: &LocatedContact,
@@ -144,8 +144,8 @@ impl ReactionMap {
         Ok(self.reactions_to_loads(loads, &change, scale))
     }
 
-    /// Reactions, times `scale`, to the loads of the links in a motion, with the accelerations (or changes of the velocities) of all
-    /// joints.
+    /// Reactions with the multipliers that balance `loads`, times `scale`. `loads`: wrenches of the parent joints without loops and holds
+    /// ([`TreeFrames::impulse_loads`], [`TreeFrames::motion_loads`]); `change`: changes of the velocities, or accelerations, of all joints.
     pub(crate) fn reactions_to_loads(
         &self,
         mut loads: Vec<Wrench<f64>>,
@@ -162,7 +162,7 @@ impl ReactionMap {
         }
         let size = self.tree.mechanism.characteristic_length();
         for (force, _) in forces.iter().zip(&self.bound).filter(|(_, bound)| !**bound) {
-            // Impulses on rotations are moments: they are compared with the unit impulse at the characteristic length.
+            // For a rotation the unbalanced value is a moment: its scale is a unit impulse at the characteristic length.
             residual = residual.max(force.abs() / size.max(1.0));
         }
         for (load, sensitivities) in loads.iter_mut().zip(&self.sensitivities) {
@@ -202,7 +202,7 @@ impl ReactionMap {
             residual,
         }
     }
-    /// Sets the forces of springs and dampers at the pose of the map.
+    /// Sets the forces of springs and dampers at `pose`, with the velocities of all joints.
     pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
         self.tree.apply_springs(pose, springs, velocities);
     }
@@ -234,7 +234,7 @@ impl ReactionMap {
                         }
                         let Some((_, wrenches)) = of_link.last_mut() else { continue };
                         for (row, wrench) in action.wrenches.iter().enumerate() {
-                            // The joint carries what the constraint does not.
+                            // A wrench of the constraint on the subtree reduces the wrench of the parent joint.
                             let in_link = tree.in_link(link, wrench, &action.point);
                             wrenches[action.first + row] -= in_link * sign;
                         }
@@ -244,7 +244,7 @@ impl ReactionMap {
         }
     }
 
-    /// Frames and open components of all reactions.
+    /// Computes the frames and the open components of all reactions.
     fn lay_out(&mut self) {
         let mechanism = Arc::clone(&self.tree.mechanism);
         self.ground =
@@ -326,7 +326,7 @@ impl ReactionMap {
                 let of_link = end.link.map_or(Matrix3::identity(), |l| self.tree.frames[l.index()].rotation);
                 let frame = of_link * end.frame.rotation;
                 match closure.kind() {
-                    // The direction of a rod is that of its only force.
+                    // The force of a rod acts along the rod.
                     ClosureKind::Distance => axes_along(&action.wrenches[0].force),
                     kind if kind.has_axis() => frame * axes_along(closure.axis()),
                     _ => frame,
@@ -387,7 +387,8 @@ fn component(value: f64, is_open: bool) -> Component {
     if is_open { Component::Indeterminate } else { Component::Determinate(value) }
 }
 
-/// Components along the axes, force first, for which `is_open` of a component and its size at a unit multiplier is true.
+/// Open components along the axes: force, then moment. The arguments of `is_open` are the component as a function of the wrench, and its
+/// size at a unit multiplier (`None` for a moment).
 fn open_components(
     axes: &Matrix3<f64>,
     mut is_open: impl FnMut(&dyn Fn(&Wrench<f64>) -> f64, Option<f64>) -> bool,

@@ -1,4 +1,4 @@
-//! Wrenches transmitted by the joints of the tree: one sweep over the links, from the tips to the root.
+//! Wrenches transmitted by the joints of the tree: motions from the root to the tips, then wrenches from the tips to the root.
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{LocatedContact, Pose};
@@ -12,7 +12,7 @@ pub(crate) struct TreeFrames {
     pub mechanism: Arc<Mechanism>,
     /// X_rl of each link.
     pub frames: Vec<Transform<f64>>,
-    /// For each joint: two transverse directions and the axis as columns, or the axes of the child, in the axes of the child.
+    /// For each joint, in the axes of the child: two transverse directions and the axis as columns; the identity without an axis.
     pub axes: Vec<Matrix3<f64>>,
     /// True if the root link moves: its twist is the first six coordinates.
     pub is_floating: bool,
@@ -20,9 +20,9 @@ pub(crate) struct TreeFrames {
     pub coordinate_count: usize,
     /// For each joint: its first coordinate and its multiplier as a mimic; `None` for a locked joint.
     coordinates: Vec<Option<(usize, f64)>>,
-    /// Armature of the velocities of all joints.
+    /// Armature for each velocity of all joints, kg·m² or kg.
     pub armature: Vec<f64>,
-    /// Force or moment of springs and dampers against the velocities of all joints.
+    /// For each velocity of all joints: force (N) or moment (N·m) of springs and dampers, positive if it resists a positive velocity.
     applied: Vec<f64>,
     /// X_pc of each joint: child link in the parent link.
     steps: Vec<Transform<f64>>,
@@ -96,7 +96,7 @@ impl TreeFrames {
         }
     }
 
-    /// Force or moment of springs and dampers against velocity `k` of a joint.
+    /// Force (N) or moment (N·m) of springs and dampers at velocity `k` of a joint, positive if it resists a positive velocity.
     pub fn applied(&self, joint: JointId, k: usize) -> f64 {
         self.applied[self.first_column(joint) + k]
     }
@@ -121,14 +121,14 @@ impl TreeFrames {
         Twist::new(Vector3::new(u[0], u[1], u[2]), Vector3::new(u[3], u[4], u[5]))
     }
 
-    /// Velocities of a joint among those of all joints.
+    /// Part of `velocities` (all joints one after another) that belongs to a joint.
     pub fn of_joint<'a>(&self, joint: JointId, velocities: &'a [f64]) -> &'a [f64] {
         &velocities[self.first_column[joint.index()]..self.first_column[joint.index() + 1]]
     }
 
-    /// Generalised forces of loads over the coordinates, with the gears: M Δq̇ + jᵀ for the loads of an impulse, and
-    /// h + jᵀF − Q + M u̇ for those of a motion. The joints would have to transmit them along their free motions without the
-    /// constraints. `change`: accelerations (or changes of the velocities) of all joints.
+    /// Generalised forces that the constraints must supply, over the coordinates, with gears, springs and dampers: M Δq̇ + jᵀ for
+    /// [`impulse_loads`](Self::impulse_loads), h + jᵀF − Q + M u̇ for [`motion_loads`](Self::motion_loads). `change`: changes of the
+    /// velocities, or accelerations, of all joints.
     pub fn generalised_loads(&self, loads: &[Wrench<f64>], change: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; self.coordinate_count];
         if self.is_floating {
@@ -158,8 +158,8 @@ impl TreeFrames {
     }
 
     /// Wrench on each link from its parent joint (from the ground, for the root), in the link's axes at its origin, without the
-    /// constraints of loops and holds: for the changes `change` of the velocities of all joints and `base` of the twist
-    /// of the root (root axes, root origin), and a unit impulse at the contact: −n̂ on the contact link, n̂ on the other link.
+    /// constraints of loops and holds. `change`: changes of the velocities of all joints; `base`: change of the twist of the root (root
+    /// axes, root origin). A unit impulse acts at the contact: −n̂ on the contact link, n̂ on the other link.
     pub fn impulse_loads(
         &self,
         contact: &LocatedContact,
@@ -187,9 +187,9 @@ impl TreeFrames {
         loads
     }
 
-    /// Wrenches (N, N·m) as by [`impulse_loads`](Self::impulse_loads) of a motion with the rates and accelerations of all joints and of
-    /// the root, the gravity `gravity` (m/s², root axes) and the force `force` at the contact: −F n̂ on the contact link, F n̂ on
-    /// the other link.
+    /// Wrenches (N, N·m) on each link from its parent joint, as by [`impulse_loads`](Self::impulse_loads), in a motion. `rates`,
+    /// `accelerations`: of all joints, and of the root; `gravity`: m/s², root axes; `force`: contact force F, N, −F n̂ on the contact link
+    /// and F n̂ on the other link.
     ///
     /// a_i = X a_p + S q̈ + Ṡ q̇ + V × S q̇, f_i = I a + V ×* I V, with a = −g for the ground. Featherstone 2008, table 5.1.
     pub fn motion_loads(

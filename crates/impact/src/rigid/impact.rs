@@ -118,7 +118,7 @@ impl RigidImpact {
     }
 }
 
-/// Mass of a contact with an impact; refuses values out of range.
+/// Mass of a finite m̄, kg. Refuses an immovable or massless contact, and a closing speed or a restitution out of range.
 pub(crate) fn checked_mass(
     mass: EffectiveMass,
     closing_speed: f64,
@@ -163,7 +163,7 @@ pub fn greatest_closing_speed(
 /// that limits it. `None` if the impact changes the rate of no limited rotor.
 ///
 /// `limits`: joint, velocity index within the joint, and largest permitted impulse between rotor and joint, N·m·s or N·s. Source: Walker
-/// 1994, for impulses in place of rates.
+/// 1994 for rates, applied to the impulses armature · Δq̇.
 pub fn greatest_closing_speed_of_gears(
     pose: &Pose,
     response: &ContactResponse,
@@ -171,7 +171,7 @@ pub fn greatest_closing_speed_of_gears(
     limits: &[(JointId, usize, f64)],
 ) -> Option<(f64, JointId)> {
     let armature = |joint, k: usize| pose.armature(joint).get(k).copied().unwrap_or(0.0);
-    // A limit of the rate for each limit of an impulse. A joint without armature has no gear.
+    // An impulse limit divided by the armature is a limit of the jump of the rate. A joint without armature has no gear.
     let with_gear = limits.iter().filter(|&&(joint, k, _)| armature(joint, k) > 0.0);
     let rates: Vec<_> = with_gear.map(|&(joint, k, limit)| (joint, k, limit / armature(joint, k))).collect();
     greatest_closing_speed(response, restitution, &rates)

@@ -8,15 +8,14 @@ use percuss_dynamics::{Contact, Pose, RemarkFlags, ResponseError, Workspace};
 
 /// Rigid impacts without friction at the contacts of one system, for many poses, contacts or speeds.
 ///
-/// The results are those of [`RigidImpact::new`] for the motion v* c before the impact. The recursion gives m̄ and v* without the
-/// additional results of [`Pose::respond`] (contributions of the links, errors by the file), and the factorised constraints of a pose
-/// serve all of its contacts.
+/// The results are those of [`RigidImpact::new`] for the motion v* c before the impact. The recursion computes m̄ and v* without the
+/// additional results of [`Pose::respond`] (contributions of the links, error budget). The constraints are factorised once per pose.
 #[derive(Clone, Debug)]
 pub struct ImpactWorkspace {
     pose: Pose,
     map: ReactionMap,
     responses: Workspace,
-    /// True if `responses` is at the pose.
+    /// True if `responses` is at `pose`; otherwise [`Pose::respond`] is used.
     is_set: bool,
     /// v* of all joints.
     star: Vec<f64>,

@@ -4,9 +4,9 @@
 //! M u̇ + h + jᵀF = Q + Aᵀλ,   A u̇ = −Ȧ u
 //! ```
 //!
-//! h has the terms that are quadratic in the rates u, Q is the weight. With the basis N of ker A and any u_p with
-//! A u_p = −Ȧ u, the accelerations are u̇ = u_p + N a with NᵀMN a = −Nᵀ(h + jᵀF − Q + M u_p). Redundant rows do not matter.
-//! Source: Featherstone 2008, §3.2 and §8.
+//! h has the terms that are quadratic in the rates u; Q has the weight and the forces of springs and dampers at joints. With the basis N of
+//! ker A and any u_p with A u_p = −Ȧ u, the accelerations are u̇ = u_p + N a with NᵀMN a = −Nᵀ(h + jᵀF − Q + M u_p). Redundant rows do not
+//! matter. Source: Featherstone 2008, §3.2 and §8.
 
 use crate::group_rows::GroupRows;
 use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
@@ -19,17 +19,17 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{ConstraintGroup, LocatedContact, Pose};
 use percuss_spatial::Twist;
 
-/// Equations of motion of a system at many poses, with reused memory.
+/// Equations of motion of a system at many poses; the buffers are reused.
 pub(crate) struct MotionEquations {
     tree: TreeFrames,
-    /// Displacement, m, of a point at the characteristic length at unit rate, for every coordinate.
+    /// Length scale of every coordinate: speed (m/s) of a point at the characteristic length at unit rate.
     lengths: Vec<f64>,
     groups: Vec<EquationGroup>,
     /// Coordinates without constraints.
     unbound: Vec<usize>,
-    /// Basis of ker A, coordinate by coordinate, of one motion after the other.
+    /// Basis of ker A, column by column: all coordinate rates of the first motion, then of the next.
     basis: Vec<f64>,
-    /// Velocities and bias accelerations of all joints.
+    /// Velocities of all joints, and their accelerations of the particular solution u_p.
     velocities: Vec<f64>,
     bias: Vec<f64>,
     springs: Vec<SpringAtJoint>,
@@ -109,12 +109,13 @@ impl MotionEquations {
         Some((pose.position_rates(&of_joints).ok()?, self.tree.base_twist(u)))
     }
 
-    /// Velocities of each joint.
+    /// Velocities, joint by joint.
     fn of_joints(&self) -> Vec<&[f64]> {
         self.tree.mechanism.joint_ids().map(|joint| self.tree.of_joint(joint, &self.velocities)).collect()
     }
 
-    /// Solves A u̇ = −Ȧ u by the first pivots, and computes the basis of ker A by the others.
+    /// Computes u_p with A u_p = −Ȧ u, which is zero except at the pivot coordinates, and the basis of ker A, one motion per other
+    /// coordinate. `None` if the rates do not fit the pose.
     fn solve_constraints(&mut self, pose: &Pose, base: &Twist<f64>, particular: &mut [f64]) -> Option<()> {
         let n = particular.len();
         self.basis.clear();
@@ -136,7 +137,7 @@ impl MotionEquations {
             group.qr.decompose(rows, columns, |r, c| values[r * columns + c] / lengths[c]);
             let qr = &group.qr;
             let rank = if rank > 0 && qr.r(0, 0) == 0.0 { 0 } else { rank };
-            // R₁ z = right, from the last pivot to the first.
+            // Back substitution: R₁ z = right, from the last pivot to the first.
             let back = |z: &mut [f64]| {
                 for k in (0..rank).rev() {
                     let known: f64 = (k + 1..rank).map(|i| qr.r(k, i) * z[i]).sum();
@@ -175,7 +176,7 @@ pub(crate) fn rates_of(pose: &Pose, u: &[f64]) -> JointRates {
     JointRates { joints, base }
 }
 
-/// Motion N a of least norm over scaled coordinates with NᵀMN a = −Nᵀ forces: for mechanisms in which a motion has no mass.
+/// Acceleration N a of least norm over scaled coordinates with NᵀMN a = −Nᵀ forces, for a singular NᵀMN: some motion has no mass.
 fn least_motion(pose: &Pose, mass: &DMatrix<f64>, lengths: &[f64], forces: Vec<f64>) -> DVector<f64> {
     let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
     let basis = kernel(&groups, lengths);
@@ -185,7 +186,8 @@ fn least_motion(pose: &Pose, mass: &DMatrix<f64>, lengths: &[f64], forces: Vec<f
     basis * weights
 }
 
-/// Solution of K a = b for a positive definite K, by Cholesky's decomposition of K with unit diagonal; `None` if a pivot is rounding.
+/// Solution of K a = b for a positive definite K, by a Cholesky decomposition after scaling to a unit diagonal; `None` if a pivot
+/// is rounding of zero.
 fn solve_definite(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     let d = right.len();
     let scale = unit_diagonal_scale(matrix.diagonal().as_slice());

@@ -33,7 +33,7 @@ pub struct JointSpring {
     pub stiffness: f64,
     /// Damping d, N·m·s/rad or N·s/m.
     pub damping: f64,
-    /// Position without force q₀, rad or m; `None`: that at the touch, so that the spring has only the change of its force.
+    /// Position without force q₀, rad or m; `None`: the position at the touch, so that only the change of the spring force acts.
     pub free_position: Option<f64>,
 }
 
@@ -98,9 +98,10 @@ pub struct ImpactInTime {
 /// difference of both speeds. `force`: F over penetration (m) and closing speed (m/s), N. Trees and loops, redundant constraints,
 /// fixed and floating bases; m̄, normal and contact row follow the pose. Without friction.
 ///
-/// The accelerations have a closed form at each pose; the loops are followed by the integration (predictor and corrector of order 10 with
-/// starting steps by extrapolation, error 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
-/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9 and §III.1.
+/// The accelerations have a closed form at each pose. The integration uses a predictor and corrector of order 10, started by
+/// extrapolation, with an error of 1e-12 per step, relative to the penetration and the largest rate. The gaps of the loops are not
+/// corrected, so that [`loop_gap`](ImpactSample::loop_gap) shows the error of the integration. Sources: Featherstone 2008,
+/// §8; Hairer, Nørsett and Wanner 1993, §II.9 and §III.1.
 ///
 /// # Errors
 /// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact; an invalid spring.
@@ -201,7 +202,7 @@ struct Motion<'a> {
     springs: Vec<SpringAtJoint>,
 }
 
-/// Values at one state, at the pose of the state.
+/// Contact, rates and contact force at one state (SI units).
 struct Instant {
     contact: LocatedContact,
     rates: Vec<f64>,
@@ -253,7 +254,7 @@ impl<'a> Motion<'a> {
         self.depth * self.rate / self.speed
     }
 
-    /// Values at a state; moves `pose` there.
+    /// Contact, rates and force at a scaled state. Moves `pose` to the state; `None` if the contact does not exist there.
     fn instant(&self, y: &[f64], pose: &mut Pose) -> Option<Instant> {
         interruption::check();
         let (positions, rest) = y.split_at(self.start.positions().len());
@@ -332,7 +333,7 @@ impl<'a> Motion<'a> {
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
             let Some(next) = next else {
-                // The contact ends within the step after y. The polynomial of the rates is checked by one step.
+                // The contact ends within one step after y. The state by the polynomial is checked against a step of extrapolation.
                 let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
                 let dense = |h: f64| integrator.state_after(&y, h);
                 let locate = |states: &dyn Fn(f64) -> Vec<f64>, pose: &mut Pose| {
@@ -368,12 +369,13 @@ impl<'a> Motion<'a> {
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
     }
 
-    /// True beyond the end of the contact.
+    /// True if a state is at or beyond the end of the contact: the sides separate, and the force or the penetration is not positive.
     fn is_end(&self, at: &Instant) -> bool {
         at.closing < 0.0 && self.remaining(at) <= 0.0
     }
 
-    /// Result at the end of the contact, which is after the last sample by the length of `end`.
+    /// Result at the end of the contact. `time`: scaled time of the last sample; the tuple: scaled state at the end, its values, and the
+    /// scaled time since the last sample.
     fn finish(
         &self,
         mut sampler: Sampler,
@@ -396,7 +398,7 @@ impl<'a> Motion<'a> {
         })
     }
 
-    /// Largest penetration, and m̄ there, within a step of length `h` from `y`.
+    /// Largest penetration (m) within a step of length `h` from `y`, and m̄ (kg) there.
     fn turning_point(
         &self,
         y: &[f64],
@@ -408,8 +410,8 @@ impl<'a> Motion<'a> {
         Some((turn.penetration, finite_mass(&pose, self.contact)))
     }
 
-    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method. `states`: states after y. Moves
-    /// `pose` there.
+    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method, with its values and its distance
+    /// from `y`. `states`: state at a distance from `y`. Moves `pose` to the state.
     fn locate(
         &self,
         y: &[f64],
@@ -451,12 +453,12 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// True if two scaled states agree within the error of a step.
+/// True if two scaled states differ by at most the error of a step.
 fn are_close(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= TIME_STEP_ERROR * (1.0 + b.abs()))
 }
 
-/// Samples of an impact, with the memory of their computation.
+/// Samples of an impact, with reused buffers.
 struct Sampler {
     /// Pose of the sample.
     pose: Pose,
@@ -472,7 +474,7 @@ impl Sampler {
         Self { pose, map, masses, samples: Vec::new() }
     }
 
-    /// Adds the state of the pose at a time, with the rates of the scaled state.
+    /// Adds a sample at the current pose. `time`: scaled time; `rate`: derivative of the scaled state by scaled time.
     fn add(&mut self, motion: &Motion, time: f64, at: &Instant, rate: &[f64]) {
         let pose = &self.pose;
         let gravity = motion.gravity(pose);
@@ -540,7 +542,7 @@ fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
     Transform::new(rotation_from_quaternion(q), slide)
 }
 
-/// Largest value of a smooth quantity over time, with its time: vertex of the parabola through the largest sample and its neighbours.
+/// Largest value of a smooth quantity and its time: vertex of the parabola through the largest sample and its neighbours.
 /// `None` without samples.
 ///
 /// # Panics

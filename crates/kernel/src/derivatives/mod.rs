@@ -53,7 +53,7 @@ impl DerivativeKernel {
     /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts.
     pub fn compile(mechanism: &Mechanism, contact: &Contact) -> Option<Self> {
         let plan = Plan::of(mechanism)?;
-        let ground_contact = contact.of_bodies().filter(|contact| contact.against.is_none());
+        let ground_contact = contact.body_contact().filter(|contact| contact.against.is_none());
         let BodyContact { body: Some(body), normal, frame, .. } = ground_contact? else { return None };
         let conversion = contact.conversion(&plan.frames[body], None, frame);
         let root = plan.steps[body].subtree_root;

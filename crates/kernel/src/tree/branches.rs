@@ -13,10 +13,10 @@ pub(super) enum TreeNormalFrame {
     Root,
 }
 
-/// Part of a step in the evaluation of a contact.
+/// Use of a step in the evaluation of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum StepRole {
-    /// None.
+    /// It does not affect the result.
     Unused,
     /// Its position rotates the normal, or moves the contact point relative to the other link.
     Route,
@@ -40,12 +40,12 @@ impl StepRole {
     }
 }
 
-/// Change before a step, for a contact between two bodies: their forces are propagated apart.
+/// Change of the propagated force before a step, for a contact between two bodies: their forces are propagated separately.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change {
-    /// From now on, the force on the other body is propagated.
+    /// The propagated force is exchanged with the stored one.
     Exchange,
-    /// Both forces act on the body of the step.
+    /// The stored force is added, because both act on the body of the step.
     Merge,
 }
 
@@ -54,7 +54,7 @@ pub(super) enum Change {
 pub(super) struct Branches {
     /// Indices of the steps from the ground to the contact link's body; empty for the root link.
     pub path: Vec<usize>,
-    /// The same for the body on the other side; empty for the ground.
+    /// Indices of the steps from the ground to the body on the other side; empty for the ground.
     pub other: Vec<usize>,
     /// Number of the first steps that both paths share.
     pub shared: usize,

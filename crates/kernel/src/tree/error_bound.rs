@@ -1,9 +1,9 @@
 //! Bound of the rounding error by the kinetic energy, for a contact of a tree.
 //!
-//! The contact force on its way to the ground loses U t/D at each velocity, with |U_k| ≤ √(I_kk D) for each component k and
+//! At each velocity the recursion subtracts U t/D from the propagated force, with |U_k| ≤ √(I_kk D) for each component k and
 //! Σ t²/D = 1/m̄. The sizes of its terms are therefore at most `a + b √(1/m̄)`, with constants of the contact and the tree.
 
-use super::branches::{Branches, StepRole, TreeNormalFrame};
+use super::branches::{Branches, TreeNormalFrame};
 use super::cluster::MimicCluster;
 use super::plan::ScheduledStep;
 use super::propagation::smaller;
@@ -13,7 +13,7 @@ use crate::tolerances::{
 };
 use percuss_spatial::lanes::Lanes;
 
-/// Sizes of the terms of a transmitted force and its moment: moment ≤ arms·arm + moment + moment_per_root·√(1/m̄) and
+/// Sizes of the terms of a transmitted force, per unit of the contact force (lengths in m): moment ≤ arms·arm + moment + moment_per_root·√(1/m̄) and
 /// force ≤ force + force_per_root·√(1/m̄), for a contact point at the distance `arm` (m) from the origin of its body.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WrenchSize {
@@ -38,9 +38,9 @@ impl WrenchSize {
         self.force_per_root += other.force_per_root;
     }
 
-    /// Subtracts the parts of `velocities` velocities of a body with the given bounds of its articulated inertia: three components
-    /// each, whose diagonal entries have a sum of twice the moment (kg·m²), or are at most the mass (kg).
-    fn subtract_velocities(&mut self, velocities: usize, moment: f64, mass: f64) {
+    /// Adds bounds of the terms U t/D of some velocities of a body. The entries of U are bounded by the diagonal of the articulated inertia:
+    /// three moments with a sum of twice `moment` (kg·m²), and three times `mass` (kg).
+    fn add_velocities(&mut self, velocities: usize, moment: f64, mass: f64) {
         let count = velocities as f64;
         self.moment_per_root += (6.0 * moment * count).sqrt();
         self.force_per_root = self.force_per_root.hypot(3.0 * (mass * count).sqrt());
@@ -69,24 +69,27 @@ pub(super) struct LightStep {
     pub at: usize,
     /// Sizes of the transmitted forces, for a light body on a contact path.
     pub size: WrenchSize,
+    /// Error of the contact force on this body by rotations, relative to that of a transmitted force.
+    pub contact_error: f64,
 }
 
 /// Bound of the rounding error for a contact.
 #[derive(Clone, Debug)]
 pub(super) struct ErrorBound {
-    /// True if the constants below are too large, or do not exist: the sizes of terms are computed at each configuration.
+    /// True if the constants below are too large or missing. Then the sizes of terms are computed at each configuration.
     pub tracks_sizes: bool,
     /// Largest [`amplification`](EnergyShare::amplification) of the bodies that affect the result, except light ones.
     amplification: f64,
-    /// Power of the sizes of the forces for the largest twists, all bodies added, √(1/kg): with the arm in m and √(1/m̄).
+    /// Power of the sizes of the forces for the largest twists, all bodies added, √(1/kg):
+    /// `constant + per_arm · arm + per_root · √(1/m̄)`. If sizes are tracked, only the power of the contact errors.
     constant: f64,
     per_arm: f64,
     per_root: f64,
-    /// Upper bound of the distance from the contact link's body to the body on the other side along the tree, m.
+    /// Upper bound of the distance between the origins of the two bodies in contact, added over the joints between them, m.
     pub reach: f64,
-    /// Errors of the forces on both bodies before their propagation, by rotations, relative to those of a propagated force: the
-    /// larger one, and their power for the largest twists, with the arm in m.
+    /// Error of the contact forces by rotations, relative to that of a transmitted force: the larger one of both bodies.
     contact_error: f64,
+    /// Power of these errors for the largest twists, √(1/kg): `contact_constant + contact_per_arm · arm`.
     contact_constant: f64,
     contact_per_arm: f64,
     /// Parents first.
@@ -111,7 +114,7 @@ impl ErrorBound {
         }
     }
 
-    /// Bound of the rounding error of 1/m̄, the `response`, in units of ε, 1/kg, without that of light bodies.
+    /// Bound of the rounding error of the `response` 1/m̄ from constants, light bodies excluded, in units of ε, 1/kg.
     ///
     /// A rounding error of an articulated inertia has the effect of an error δI of the inertia of the body itself, with
     /// vᵀ δI v ≤ κ ε vᵀ I v for every twist v. Therefore the relative error of the mass matrix, and of 1/m̄, is at most ε times the
@@ -124,24 +127,20 @@ impl ErrorBound {
         EnergyError { of_inertias: of(self.amplification) * response, of_wrenches: sizes * root }
     }
 
-    /// The same with the power of the computed sizes for the largest twists, √(1/kg).
+    /// Bound from tracked sizes: `power` of the sizes for the largest twists, √(1/kg).
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn of_power<T: Lanes>(&self, response: T, power: T) -> EnergyError<T> {
-        let of_inertias = T::from_f64(self.amplification) * response;
-        EnergyError { of_inertias, of_wrenches: power * response.sqrt() }
+    pub fn of_power<T: Lanes>(&self, response: T, arm: T, power: T) -> EnergyError<T> {
+        let mut error = self.of_constants(response, arm);
+        error.of_wrenches += power * response.sqrt();
+        error
     }
 
-    /// Power of the errors of the forces before their propagation for the largest twists, √(1/kg).
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn contact_power<T: Lanes>(&self, arm: T) -> T {
-        arm.mul_add(T::from_f64(self.contact_per_arm), T::from_f64(self.contact_constant))
-    }
-
-    /// Error of the response in units of ε, 1/kg, by these errors: their power for the largest twists, or their part of the `terms`
-    /// (1/kg) of the response if it is smaller.
+    /// Error of 1/m̄ by rotations of the contact forces, in units of ε, 1/kg: the smaller of a bound by the energy and the contact error
+    /// times the `terms` (1/kg) of 1/m̄.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of_contact<T: Lanes>(&self, response: T, arm: T, terms: T) -> T {
-        let by_energy = T::from_f64(2.0) * self.contact_power(arm) * response.sqrt();
+        let (constant, per_arm) = (T::from_f64(self.contact_constant), T::from_f64(self.contact_per_arm));
+        let by_energy = T::from_f64(2.0) * arm.mul_add(per_arm, constant) * response.sqrt();
         T::from_f64(ROUTE_ROUNDINGS) * smaller(by_energy, T::from_f64(self.contact_error) * terms)
     }
 
@@ -165,49 +164,65 @@ impl ErrorBound {
         let errors = [error(turns), if other.is_empty() { 0.0 } else { error(turns + 2 * route) }];
         self.contact_error = errors[0].max(errors[1]);
         self.reach = reach(path) + reach(other);
+        self.amplification = self.find_light_bodies(steps, branches);
         let sides = [(path, 0.0, errors[0]), (other, self.reach, errors[1])];
         (self.contact_constant, self.contact_per_arm) = (0.0, 0.0);
-        for (&at, reach, error) in
-            sides.iter().filter_map(|&(path, reach, error)| Some((path.last()?, reach, error)))
-        {
+        (self.constant, self.per_arm, self.per_root) = (0.0, 0.0, 0.0);
+        for (path, reach, error) in sides {
+            let Some(&at) = path.last() else { continue };
             let share = &steps[at].step.share;
-            self.contact_constant += error * (reach * share.angular + share.linear);
-            self.contact_per_arm += error * share.angular;
+            let power = [error * (reach * share.angular + share.linear), error * share.angular];
+            self.contact_constant += power[0];
+            self.contact_per_arm += power[1];
+            match self.light_step(at) {
+                Some(light) if share.is_light() => light.contact_error = error,
+                _ => {
+                    self.constant += power[0];
+                    self.per_arm += power[1];
+                }
+            }
         }
-        self.amplification = self.find_light_bodies(steps, branches);
         self.tracks_sizes = self.amplification >= NO_BOUND;
-        (self.constant, self.per_arm, self.per_root) = (self.contact_constant, self.contact_per_arm, 0.0);
         if self.tracks_sizes {
             return;
         }
+        let of_contact = (self.constant, self.per_arm);
         for (path, reach, _) in sides {
             let mut size = WrenchSize::unit(reach);
-            let roles = [StepRole::Path, StepRole::OtherPath];
-            for &at in path.iter().rev().take_while(|&&at| roles.contains(&branches.roles[at])) {
+            for &at in path.iter().rev().take_while(|&&at| branches.roles[at].is_on_path()) {
                 let step = &steps[at].step;
                 let velocities = step.free.iter().filter(|free| **free).count();
-                size.subtract_velocities(velocities, step.moment, step.mass);
+                size.add_velocities(velocities, step.moment, step.mass);
                 size.shift(step.reach);
                 self.add(at, &step.share, &size);
                 let leaves_cluster = step.cluster_joint.as_ref().filter(|joint| joint.parent.is_none());
                 if let (Some(joint), Some(parent)) = (leaves_cluster, step.parent) {
                     let parent = &steps[steps.len() - 1 - parent].step;
                     let freedoms = clusters[joint.cluster].freedoms;
-                    size.subtract_velocities(freedoms, parent.moment, parent.mass);
+                    size.add_velocities(freedoms, parent.moment, parent.mass);
                 }
             }
         }
         let relative =
             2.0 * f64::EPSILON * (LOSS_ROUNDINGS * self.amplification + ROUTE_ROUNDINGS * self.per_root);
         self.tracks_sizes = relative > LARGEST_ENERGY_ERROR;
+        if self.tracks_sizes {
+            (self.constant, self.per_arm, self.per_root) = (of_contact.0, of_contact.1, 0.0);
+        }
+    }
+
+    /// Entry of a light body.
+    fn light_step(&mut self, at: usize) -> Option<&mut LightStep> {
+        // Parents first: in decreasing order.
+        let found = self.light_steps.binary_search_by(|light| at.cmp(&light.at));
+        found.ok().map(|index| &mut self.light_steps[index])
     }
 
     /// Adds the power of the sizes of the force on a body. The twist of a light body is not known before the evaluation.
     fn add(&mut self, at: usize, share: &EnergyShare, size: &WrenchSize) {
         if share.is_light() {
-            // Parents first: in decreasing order.
-            if let Ok(light) = self.light_steps.binary_search_by(|light| at.cmp(&light.at)) {
-                self.light_steps[light].size.add(size);
+            if let Some(light) = self.light_step(at) {
+                light.size.add(size);
             }
             return;
         }
@@ -242,7 +257,11 @@ impl ErrorBound {
             }
         }
         let light = (0..steps.len()).rev().filter(|&at| self.is_light[at]);
-        self.light_steps.extend(light.map(|at| LightStep { at, size: WrenchSize::default() }));
+        self.light_steps.extend(light.map(|at| LightStep {
+            at,
+            size: WrenchSize::default(),
+            contact_error: 0.0,
+        }));
         amplification
     }
 }
@@ -256,7 +275,8 @@ pub(super) struct EnergyError<T> {
 }
 
 impl<T: Lanes> EnergyError<T> {
-    /// Error in units of ε, 1/kg. Twice: the body's own roundings and those of its children.
+    /// Error in units of ε, 1/kg. The factor 2 counts for inertias the roundings of the body and of its children; for forces, the change of
+    /// 1/m̄ is 2 δf·v.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn sum(&self) -> T {
         let of = T::from_f64;

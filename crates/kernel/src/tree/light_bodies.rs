@@ -1,4 +1,4 @@
-//! Bodies that are light compared with what they carry. The kinetic energy of such a body bounds its twist only weakly, so its
+//! Bodies that are light compared with their subtree. The kinetic energy of such a body bounds its twist only weakly, so its
 //! twist after a unit impulse is computed.
 
 use super::contact_path::ContactPath;
@@ -41,7 +41,7 @@ pub(super) fn add_light_body_errors<T: Lanes>(
             let [root_moment, root_mass] = step.share.roots.map(T::from_f64);
             let root = root_moment.mul_add(angular, root_mass * linear);
             errors.of_inertias = root.mul_add(root, errors.of_inertias);
-            errors.of_wrenches += if !propagated.tracks_sizes {
+            let power = if !propagated.tracks_sizes {
                 light.size.power(arm, propagated.response.sqrt(), angular, linear)
             } else if on_path {
                 let [moment, force] = stored_sizes::<T>(offsets, scratch);
@@ -49,6 +49,7 @@ pub(super) fn add_light_body_errors<T: Lanes>(
             } else {
                 T::zero()
             };
+            errors.of_wrenches += power * T::from_f64(1.0 + light.contact_error);
         }
     }
 }

@@ -66,7 +66,7 @@ impl TreeKernel {
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
     pub fn set_contact(&mut self, contact: &Contact) -> bool {
-        let Some(BodyContact { body, against, normal, frame }) = contact.of_bodies() else { return false };
+        let Some(BodyContact { body, against, normal, frame }) = contact.body_contact() else { return false };
         let last = self.steps.len() - 1;
         let own = |body: usize| self.steps[last - body].step.own.frame;
         let conversion =
@@ -134,8 +134,8 @@ impl TreeKernel {
     }
 }
 
-/// True if contacts between two bodies, and trees whose sizes of terms are tracked, are compiled for this number of lanes. Others are
-/// left out, because they double the compile time.
+/// True if the general evaluation, for contacts between two bodies and for tracked sizes, is compiled for this number of lanes. Further
+/// widths would double the compile time.
 const fn is_compiled_generally(width: usize) -> bool {
     width == 1 || width == if cfg!(target_arch = "x86_64") { 4 } else { 2 }
 }

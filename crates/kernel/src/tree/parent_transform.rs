@@ -112,10 +112,10 @@ pub(super) fn transform_to_parent<T: Lanes>(
     }
 }
 
-/// Transforms a wrench on a body that does not move relative to its parent to the parent's frame. The elimination of a planar joint rotates
-/// the wrench itself, so that [`transform_to_parent`] does not.
+/// Expresses a wrench in the parent's frame. Unlike [`transform_to_parent`], this includes the rotation of a planar joint, which the
+/// elimination applies itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn carry_to_parent<T: Lanes>(
+pub(super) fn express_in_parent<T: Lanes>(
     step: &TreeStep,
     wrench: &mut PackedWrench<T>,
     at: LanePositions<'_>,
@@ -127,9 +127,9 @@ pub(super) fn carry_to_parent<T: Lanes>(
     transform_to_parent(step, wrench, at, joint);
 }
 
-/// The inverse of [`carry_to_parent`].
+/// The inverse of [`express_in_parent`].
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn carry_to_body<T: Lanes>(
+pub(super) fn express_in_body<T: Lanes>(
     step: &TreeStep,
     wrench: &mut PackedWrench<T>,
     at: LanePositions<'_>,

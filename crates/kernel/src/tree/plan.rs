@@ -238,7 +238,7 @@ pub(super) struct ScheduledStep {
     pub parent_inertia: PackedInertia<f64>,
     /// True for the first child of the parent: it starts the parent's sum.
     pub is_first: bool,
-    /// Nearest ancestor on the ground or with a zero remaining inertia: bodies outside its subtree do not affect this
+    /// The body itself, or its nearest ancestor, on the ground or with a zero remaining inertia: bodies outside its subtree do not affect this
     /// step.
     pub subtree_root: usize,
     pub form: StepForm,
@@ -246,7 +246,7 @@ pub(super) struct ScheduledStep {
 }
 
 impl ScheduledStep {
-    /// True for the nearest ancestor on the ground or with a zero remaining inertia.
+    /// True for a body on the ground, or that transmits no inertia: the root of an independent subtree.
     #[inline]
     pub fn is_root(&self) -> bool {
         self.number == self.subtree_root

@@ -11,21 +11,21 @@ pub(super) struct PropagatedWrench<T> {
     pub wrench: PackedWrench<T>,
     /// 1/m̄, 1/kg.
     pub response: T,
-    /// True if the rounding error is bounded by the pivots, false if by the kinetic energy.
+    /// True if the sizes of the terms are computed at this configuration, false if constants bound them.
     pub tracks_sizes: bool,
     /// Sizes of its terms, if they are tracked.
     pub sizes: TrackedSizes<T>,
 }
 
-/// Smaller value; `other`, a number, if `x` is NaN.
+/// Smaller value; `other` if `x` is NaN. `other` must be a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn smaller<T: Lanes>(x: T, other: T) -> T {
     -((-other).max(-x))
 }
 
-/// Stores the waiting force in the workspace.
+/// Stores the wrench on the other body in the workspace.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn store_waiting<T: Lanes>(wrench: &PackedWrench<T>, scratch: &mut [f64]) {
+pub(super) fn store_wrench<T: Lanes>(wrench: &PackedWrench<T>, scratch: &mut [f64]) {
     let mut k = 0;
     while k < 3 {
         wrench.moment[k].store(&mut scratch[k * T::WIDTH..]);
@@ -66,7 +66,7 @@ impl LeafElimination {
 }
 
 impl<T: Lanes> PropagatedWrench<T> {
-    /// Exchanges the wrench with the waiting one, or adds the latter.
+    /// Exchanges the wrench with the stored one, or adds the stored one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn change(&mut self, change: Change, scratch: &mut [f64]) {
         let stored = |k: usize| number::<T>(scratch, k);
@@ -76,7 +76,7 @@ impl<T: Lanes> PropagatedWrench<T> {
         };
         match change {
             Change::Exchange => {
-                store_waiting(&self.wrench, scratch);
+                store_wrench(&self.wrench, scratch);
                 self.wrench = other;
                 if self.tracks_sizes {
                     self.sizes.exchange(scratch);

@@ -7,7 +7,7 @@
 //!
 //! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This
 //! is the articulated-body recursion (Featherstone 2008, §7.3) without forward kinematics and without rotations of the bodies' inertias.
-//! For a contact between two bodies, the forces on both are propagated apart up to the first body that both move; each waits in the
+//! For a contact between two bodies, the forces on both are propagated separately up to their first common ancestor; one is stored in the
 //! workspace while the other is propagated.
 
 use super::branches::{Branches, StepRole, TreeNormalFrame};
@@ -15,11 +15,11 @@ use super::cluster::{MimicCluster, eliminate_cluster_joint};
 use super::contact_path::ContactPath;
 use super::hinge::eliminate_hinge;
 use super::light_bodies::add_light_body_errors;
-use super::parent_transform::{LanePositions, carry_to_body, carry_to_parent, transform_to_parent};
+use super::parent_transform::{LanePositions, express_in_body, express_in_parent, transform_to_parent};
 use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
 use super::prismatic_leaf;
-use super::propagation::{PropagatedWrench, add_to_parent, smaller, store_waiting, update_wrench};
-use super::workspace::{COSINE, Offsets, SINE, Sizes, TrackedSizes, number, store_waiting_size};
+use super::propagation::{PropagatedWrench, add_to_parent, smaller, store_wrench, update_wrench};
+use super::workspace::{COSINE, Offsets, SINE, Sizes, TrackedSizes, number, store_moment_size};
 use crate::columns::{PositionColumns, excess_beyond, quaternion_norm_excess};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, turn_vector};
@@ -44,6 +44,7 @@ pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
     first: usize,
     scratch: &mut [f64],
 ) -> TreeResponse<T> {
+    debug_assert!(GENERAL || !selection.is_general(), "a contact for the general evaluation");
     let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, scratch);
     let at = LanePositions { columns, first };
     let mut propagated = contact_wrench::<T, GENERAL>(steps, selection, at, scratch);
@@ -76,7 +77,7 @@ pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
     let response = propagated.response;
     let (bound, arm) = (&selection.bound, selection.contact.arms(at));
     let mut by_energy = if propagated.tracks_sizes {
-        bound.of_power(response, propagated.sizes.power + bound.contact_power(arm))
+        bound.of_power(response, arm, propagated.sizes.power)
     } else {
         bound.of_constants(response, arm)
     };
@@ -193,7 +194,7 @@ fn contact_wrench<T: Lanes, const GENERAL: bool>(
             for &place in other[*shared..].iter().rev() {
                 let placed = &steps[place];
                 let joint = placed.offsets.joint::<T>(scratch);
-                carry_to_parent(&placed.step, &mut along_normal, at, joint);
+                express_in_parent(&placed.step, &mut along_normal, at, joint);
             }
             n = along_normal.force;
             &path[*shared..]
@@ -215,14 +216,14 @@ fn contact_wrench<T: Lanes, const GENERAL: bool>(
         let mut opposite = wrench.scaled(-T::one());
         for &place in path[*shared..].iter().rev() {
             let placed = &steps[place];
-            carry_to_parent(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
+            express_in_parent(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
         }
         for &place in &other[*shared..] {
             let placed = &steps[place];
-            carry_to_body(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
+            express_in_body(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
         }
-        store_waiting(&opposite, scratch);
-        store_waiting_size(arm + T::from_f64(bound.reach), scratch);
+        store_wrench(&opposite, scratch);
+        store_moment_size(arm + T::from_f64(bound.reach), scratch);
     }
     let tracks_sizes = GENERAL && bound.tracks_sizes;
     PropagatedWrench { wrench, response: T::zero(), tracks_sizes, sizes: TrackedSizes::new(arm) }
@@ -296,8 +297,7 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
-/// size of this entry is used for all.
+/// Eliminates a hinge on the ground. Only one entry of its inertia is needed; the moment of the rigid subtree bounds its size.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_ground_hinge<T: Lanes>(
     step: &TreeStep,
@@ -382,7 +382,7 @@ fn eliminate_velocities<T: Lanes>(
         }
     }
     // Computed before any velocity of the joint is eliminated: the last pivots are differences of these sizes.
-    let mut sizes = Sizes::none();
+    let mut sizes = Sizes::zero();
     if propagated.tracks_sizes {
         sizes = Sizes::of(&inertia, step.has_child_inertia, offsets.inertia::<T>(scratch));
     }

@@ -390,8 +390,8 @@ def impact(
     their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
     gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
-    impulse at the joints of percussion. joint_spring: stiffness of joints during the impact in time, or stiffness, damping and the
-    position without force. As ``percuss impact``."""
+    impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
+    of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
     if in_time and stiffness is None:
         raise ValueError("in_time: the impact in time requires stiffness, that of the contact")
     if in_time and friction is not None:
@@ -417,8 +417,9 @@ def extremes(
 ) -> records.ExtremesReport:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
     limits of all driving joints with limits. quantity: "mass", "reflected:JOINT" or "held:JOINT" (inertia at a joint with the other
-    drivers free or at rest), "bearing:JOINT" (impulse in the joint per closing speed of a plastic impact). normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes):
-    the extremes are those over positions and normals. Local searches from a number of starts; the report has the positions, the active
+    drivers free or at rest), "bearing:JOINT" (impulse in the joint per closing speed of a plastic impact, kg).
+    normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes): the extremes are those over positions and
+    normals. Local searches from a number of starts; the report has the positions, the active
     limits, the optimality residual and the number of agreeing starts. As ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
     return records.ExtremesReport.of(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, quantity, normals, starts)))

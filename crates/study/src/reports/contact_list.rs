@@ -114,8 +114,8 @@ pub fn contact_list_of(
     })
 }
 
-/// Adds the findings of the contacts to those of the model, each once: one that all `answered` contacts share as it is, any other with
-/// the names of its contacts.
+/// Adds the findings of the contacts to those of the model, without duplicates. A finding that all contacts with a result share keeps its
+/// message; any other message begins with the names of its contacts. `answered`: number of contacts with a result.
 fn merge_findings(
     mut all: Vec<DiagnosticRecord>,
     found: &[(&String, DiagnosticRecord)],

@@ -119,7 +119,7 @@ pub struct SampleRecord {
 }
 
 impl Tolerance {
-    /// Tolerances of both; `None` if both state the same quantity.
+    /// Union of two sets of tolerances; `None` if both give the same quantity.
     pub(crate) fn merge(self, other: Self) -> Option<Self> {
         let both = |a: f64, b: f64| (a == 0.0 || b == 0.0).then_some(a + b);
         Some(Self {

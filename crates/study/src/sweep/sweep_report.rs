@@ -42,8 +42,8 @@ pub struct SweepHeading {
     #[serde(skip)]
     pub contact: Option<String>,
     /// Motion of the motion ratio: `estimate` for the point of the estimate in the impact, or the name of the travel. The
-    /// ratio of one point holds for the impact (with a sliding rack held); that of `heave` or `roll`, for this motion of the wheels. The key is absent
-    /// without a motion ratio.
+    /// ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of `heave` or `roll`, for this motion of
+    /// the wheels. The key is absent without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_ratio_of: Option<String>,
     /// Joints of the pose of each row.

@@ -114,8 +114,8 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
-/// Adds the stops without points: they are on the damper, and their gap is a change of its length. A stop that names another link
-/// needs its points.
+/// Adds the stops without points. They are on the rod of the damper, and their gap is a change of its length. An error is reported for a
+/// stop without points that names another link.
 fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Findings) {
     let has_points =
         |name: &str| SEATS.iter().any(|(key, [seat, _])| *key == name && design.point(seat).is_some());

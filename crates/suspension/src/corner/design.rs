@@ -186,7 +186,7 @@ impl Design {
         self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
     }
 
-    /// True if a spring, damper or stop is on this link.
+    /// True if a section (spring, damper, stop, drop link, pushrod) names this link in its key `on`.
     pub fn is_holder(&self, link: &str) -> bool {
         self.on.values().any(|(holder, _)| holder == link)
     }

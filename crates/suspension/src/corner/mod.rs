@@ -290,7 +290,7 @@ impl Corner {
     }
 
     /// Warns about implausible masses and inertias of the parts. `track`: distance between both wheels, m: size of an axle, whose
-    /// joints belong to other corners. `known`: parts whose centre of mass has been reported, which counts for their size.
+    /// joints belong to other corners. `known`: parts to skip, because their centre of mass, which determines their size, is implausible.
     pub fn check_parts(
         &self,
         track: Option<f64>,
@@ -304,7 +304,7 @@ impl Corner {
         }
     }
 
-    /// Masses of the parts and of the wheel with the largest plausible ones.
+    /// Masses of the parts and of the wheel, each with the largest plausible mass, kg. `track`: as in [`check_parts`](Self::check_parts).
     pub fn masses(&self, track: Option<f64>) -> Vec<GivenMass> {
         let spot = |name: &str| self.spots.get(name).cloned().unwrap_or_default();
         let mass = |part: CheckedPart<'_>| GivenMass {

@@ -38,7 +38,7 @@ impl CheckedPart<'_> {
     }
 }
 
-/// Mass of a part, kg, with the largest plausible one.
+/// Mass of a part and its largest plausible mass `most`, kg.
 pub(crate) struct GivenMass {
     pub part: String,
     pub mass: f64,
@@ -156,10 +156,11 @@ pub(super) fn check_wheel(
     }
 }
 
-/// Signs of the coordinates, fewest changes first; those of y alone come first, because the sides of a vehicle are exchanged most often.
+/// Coordinates whose sign is changed (0 to 2 for x, y, z), fewest changes first; y is first, because the wrong side of the vehicle is the
+/// most frequent error.
 const SIGN_CHANGES: [&[usize]; 4] = [&[1], &[0], &[2], &[0, 1]];
 
-/// Centre of mass far from the joints of its link and, with other signs of its coordinates, near them.
+/// Centre of mass that is far from the joints of its link, and near them with other signs of its coordinates.
 pub(super) struct MirroredMass<'c> {
     pub link: &'c str,
     /// Centre of mass in the vehicle frame, m.
@@ -170,7 +171,8 @@ pub(super) struct MirroredMass<'c> {
 }
 
 impl<'c> MirroredMass<'c> {
-    /// Compares the distances of the centre of mass from the box of the joints with and without other signs.
+    /// Compares the distances of the centre of mass from the box around the joints (vehicle frame, m) with the given and with other signs.
+    /// `None` if the given signs are plausible, or no other signs are better.
     pub fn find(link: &'c str, com: Vector3<f64>, joints: Vec<Vector3<f64>>, spot: Spot) -> Option<Self> {
         let distance = distance_from_box(&com, &joints);
         let with_signs = |axes: &[usize]| {
@@ -183,13 +185,13 @@ impl<'c> MirroredMass<'c> {
         Some(Self { link, com, axes, spot })
     }
 
-    /// Name of the centre of mass, unless the position in the file has it.
+    /// Prefix of a message, `LINK.com: `; empty if the key path of the finding already names the centre of mass.
     fn label(&self) -> String {
         let name = format!("{}.com", self.link);
         if self.spot.path.as_ref() == Some(&name) { String::new() } else { format!("{name}: ") }
     }
 
-    /// The coordinates with the wrong sign, as the file states them.
+    /// Coordinates with the wrong sign, in the unit and the axes of the file.
     fn stated(&self, places: FilePlaces) -> String {
         let at = places.coordinates(self.com);
         let of_axis = |axis: &usize| format!("{} = {}", ["x", "y", "z"][*axis], places.length(at[*axis]));
@@ -197,7 +199,7 @@ impl<'c> MirroredMass<'c> {
     }
 }
 
-/// Warns once about all centres of mass with the same coordinates of the wrong sign.
+/// One warning for all centres of mass in which the same coordinates have the wrong sign.
 pub(super) fn warn_mirrored_masses(found: &[MirroredMass], findings: &mut Findings, places: FilePlaces) {
     for axes in SIGN_CHANGES {
         let alike: Vec<&MirroredMass> = found.iter().filter(|mass| mass.axes == axes).collect();

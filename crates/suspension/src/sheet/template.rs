@@ -133,8 +133,8 @@ impl Template {
         self.point("tie_rod_inner").is_some()
     }
 
-    /// Links to which a section can be attached. A pushrod is built before the other rods, so that it is on none of them; the rods that
-    /// both sides share have no frame of one side.
+    /// Links that the key `on` of a section can name. A pushrod cannot be on a rod, because the rods are built after the pushrod. Rods
+    /// common to both sides are excluded, because their frames belong to no side.
     pub fn holders_of(&self, section: &str) -> impl Iterator<Item = &str> {
         let is_pushrod = section == "pushrod";
         let is_rod = move |key: &str| {

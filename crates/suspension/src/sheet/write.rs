@@ -291,7 +291,7 @@ pub fn template_keys() -> String {
         let meaning = if STOPS.contains(&section) {
             "the link that its pad is on, or `\"damper\"` for a stop on the rod of the damper"
         } else {
-            "the link that it is on: any link of the template"
+            "the link that it is on: a link of one side, for a pushrod no rod"
         };
         row(&format!("{section}.on"), meaning, &with);
     }

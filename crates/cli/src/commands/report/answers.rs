@@ -36,7 +36,7 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     }
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    // Curves of different contacts have figures of their own.
+    // Each of several contacts has its own figure below.
     let is_of_one = !compare::has_several_contacts(compared);
     if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {
         let content = "Effective mass of the designs over the varied quantity";
@@ -97,7 +97,7 @@ fn add_figure(mut figure: Figure, content: &str, page: &mut Page) {
     }
 }
 
-/// Number of panels of a figure of a page.
+/// Largest number of panels of a kinematics figure on the page.
 const PANELS_PER_FIGURE: usize = 2;
 
 /// Section of the kinematics over a travel: a figure, and a table of evenly distributed rows.

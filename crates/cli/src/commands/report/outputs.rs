@@ -18,7 +18,7 @@ pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String
     sweep.chain(damping).chain(map).chain(kinematics)
 }
 
-/// Writes these files without text; the findings are those of the report.
+/// Writes these files and prints nothing: the report has the results and the findings.
 pub(super) fn write(study: &StudyFile, study_path: &str) -> Result<(), Failure> {
     write_rows(study, study_path)?;
     if let Some(damping) = &study.damping

@@ -122,7 +122,8 @@ impl StudyResults {
         self.compared.as_ref().is_some_and(compare::has_several_contacts)
     }
 
-    /// Findings about the result of a contact that are not in the list of several contacts, in which they begin with the name.
+    /// Findings about the result of a contact that the list of several contacts does not have. Messages of the list may begin with the
+    /// names of contacts. Findings with a path of a file are always returned.
     pub fn unlisted<'m>(&self, mass: &'m MassReport) -> Vec<&'m DiagnosticRecord> {
         let listed = self.listed.iter().flat_map(|listed| &listed.diagnostics);
         let listed: Vec<&str> = listed.map(|record| record.message.as_str()).collect();

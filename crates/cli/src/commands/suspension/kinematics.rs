@@ -250,7 +250,7 @@ fn shown(unit: KinematicUnit, value: Option<f64>) -> String {
     }
 }
 
-/// Name of a quantity in words; a motion ratio states its two motions.
+/// Name of a quantity in words; a motion ratio is written `motion ratio CONTACT/wheel`.
 fn named_in_words(quantity: &str) -> String {
     let is_ratio = quantity.starts_with("motion_ratio_");
     quantity.replace('_', " ") + if is_ratio { "/wheel" } else { "" }

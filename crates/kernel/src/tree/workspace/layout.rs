@@ -1,36 +1,36 @@
-//! Layout of the workspace of a tree. Inertias are in slots that later steps use again, so that the workspace of a long chain remains
-//! in the fastest cache.
+//! Layout of the workspace of a tree. The slot of an inertia is used again after the body's elimination, so that the workspace of a tree
+//! remains in the fastest cache. Light bodies keep their slots.
 
 use percuss_spatial::lanes::Lanes;
 
-/// Indices of the sizes of the moment and of the force that wait for their propagation; the wrench is before them.
-pub(super) const WAITING_MOMENT: usize = 6;
-pub(super) const WAITING_FORCE: usize = 7;
-/// Numbers before those of the steps.
-const FIRST_NUMBERS: usize = WAITING_FORCE + 1;
+/// Indices of the sizes of the moment and the force of the stored wrench, whose six numbers are before them.
+pub(super) const STORED_MOMENT: usize = 6;
+pub(super) const STORED_FORCE: usize = 7;
+/// Numbers before those of the steps: at least those of an inertia, because bodies without one have the offset 0.
+const FIRST_NUMBERS: usize = INERTIA;
 
 /// Index of the sine, or of the travel, and of the cosine among the numbers of a joint.
 pub(in super::super) const SINE: usize = 0;
 pub(in super::super) const COSINE: usize = 1;
-/// Numbers of a joint.
+/// Count of the numbers of a joint.
 const JOINT: usize = 2;
 
 /// Index of the sizes of terms among the numbers of an inertia.
 pub(in super::super) const SIZES: usize = 21;
-/// Numbers of an inertia with its sizes.
+/// Count of the numbers of an inertia with its sizes.
 const INERTIA: usize = SIZES + 2;
 
 /// Index of the twist among the numbers of a light body; the rates t/D of the velocities are before it.
 pub(in super::super) const TWIST: usize = 6;
 /// Index of the sizes of the force on it.
 pub(super) const LIGHT_SIZES: usize = TWIST + 6;
-/// Numbers of a light body.
+/// Count of the numbers of a light body.
 const LIGHT: usize = LIGHT_SIZES + 2;
 
 /// Offsets of the numbers of a step in the workspace, per lane.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in super::super) struct Offsets {
-    /// Sine and cosine of the joint angle, or the travel.
+    /// Sine and cosine of the joint angle, or the travel, m.
     pub joint: usize,
     /// Inertia of the body and its children.
     pub inertia: usize,
@@ -60,22 +60,22 @@ pub(in super::super) fn layout(steps: &[Places]) -> (Vec<Offsets>, usize) {
         own.joint = take(JOINT);
     }
     let mut slots: Vec<Option<usize>> = vec![None; steps.len()];
-    let mut is_light = vec![false; steps.len()];
+    let mut needs_twist = vec![false; steps.len()];
     let mut free = Vec::new();
     for (i, step) in steps.iter().enumerate().rev() {
-        is_light[i] |= step.is_light;
-        if is_light[i] {
+        needs_twist[i] |= step.is_light;
+        if needs_twist[i] {
             offsets[i].light = Some(take(LIGHT));
         }
         if let Some(parent) = step.parent {
-            is_light[parent] |= is_light[i];
+            needs_twist[parent] |= needs_twist[i];
             let slot = *slots[parent].get_or_insert_with(|| free.pop().unwrap_or_else(|| take(INERTIA)));
             offsets[i].parent_inertia = slot;
         }
         if let Some(slot) = slots[i] {
             offsets[i].inertia = slot;
-            // The twists of light bodies are computed from the inertias of the recursion.
-            if !is_light[i] {
+            // The twists of light bodies are computed after the recursion, from their inertias.
+            if !needs_twist[i] {
                 free.push(slot);
             }
         }
@@ -89,7 +89,7 @@ fn part<T: Lanes>(scratch: &[f64], offset: usize, numbers: usize) -> &[f64] {
     &scratch[offset * T::WIDTH..][..numbers * T::WIDTH]
 }
 
-/// The same, to be written.
+/// Mutable values.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn part_mut<T: Lanes>(scratch: &mut [f64], offset: usize, numbers: usize) -> &mut [f64] {
     &mut scratch[offset * T::WIDTH..][..numbers * T::WIDTH]
@@ -102,7 +102,7 @@ impl Offsets {
         part::<T>(scratch, self.joint, JOINT)
     }
 
-    /// The same, to be written.
+    /// Mutable values.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn joint_mut<'a, T: Lanes>(&self, scratch: &'a mut [f64]) -> &'a mut [f64] {
         part_mut::<T>(scratch, self.joint, JOINT)

@@ -16,9 +16,9 @@ pub(in super::super) struct Sizes<T> {
 }
 
 impl<T: Lanes> Sizes<T> {
-    /// Sizes that are not computed.
+    /// Zero, if sizes are not tracked.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn none() -> Self {
+    pub fn zero() -> Self {
         Self { moment: T::zero(), mass: T::zero() }
     }
 

@@ -1,8 +1,8 @@
-//! Sizes of the terms of the propagated force, computed at each configuration, for trees in which constant bounds are too large. They
-//! bound the rounding error by the pivots, and by the kinetic energy.
+//! Sizes of the terms of the propagated force, computed at each configuration, for trees in which constant bounds are too large. The
+//! rounding error is the smaller of a bound by the pivots and a bound by the kinetic energy.
 
 use super::energy_share::EnergyShare;
-use super::layout::{LIGHT_SIZES, Offsets, WAITING_FORCE, WAITING_MOMENT, number};
+use super::layout::{LIGHT_SIZES, Offsets, STORED_FORCE, STORED_MOMENT, number};
 use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::PackedWrench;
 use percuss_spatial::lanes::Lanes;
@@ -22,15 +22,15 @@ pub(in super::super) struct TrackedSizes<T> {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn put<T: Lanes>(x: T, at: usize, scratch: &mut [f64]) {
+fn store<T: Lanes>(x: T, at: usize, scratch: &mut [f64]) {
     x.store(&mut scratch[at * T::WIDTH..]);
 }
 
-/// Stores the size of the moment (N·m) of the waiting unit force.
+/// Stores the size of the moment (N·m) of the stored unit force.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in super::super) fn store_waiting_size<T: Lanes>(moment: T, scratch: &mut [f64]) {
-    put(moment, WAITING_MOMENT, scratch);
-    put(T::one(), WAITING_FORCE, scratch);
+pub(in super::super) fn store_moment_size<T: Lanes>(moment: T, scratch: &mut [f64]) {
+    store(moment, STORED_MOMENT, scratch);
+    store(T::one(), STORED_FORCE, scratch);
 }
 
 impl<T: Lanes> TrackedSizes<T> {
@@ -40,20 +40,20 @@ impl<T: Lanes> TrackedSizes<T> {
         Self { moment, force: T::one(), terms: T::zero(), loss: T::one(), power: T::zero() }
     }
 
-    /// Exchanges the sizes with those of the waiting force.
+    /// Exchanges the sizes with those of the stored force.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn exchange(&mut self, scratch: &mut [f64]) {
-        let (moment, force) = (number(scratch, WAITING_MOMENT), number(scratch, WAITING_FORCE));
-        put(self.moment, WAITING_MOMENT, scratch);
-        put(self.force, WAITING_FORCE, scratch);
+        let (moment, force) = (number(scratch, STORED_MOMENT), number(scratch, STORED_FORCE));
+        store(self.moment, STORED_MOMENT, scratch);
+        store(self.force, STORED_FORCE, scratch);
         (self.moment, self.force) = (moment, force);
     }
 
-    /// Adds the sizes of the waiting force.
+    /// Adds the sizes of the stored force.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn merge(&mut self, scratch: &[f64]) {
-        self.moment += number(scratch, WAITING_MOMENT);
-        self.force += number(scratch, WAITING_FORCE);
+        self.moment += number(scratch, STORED_MOMENT);
+        self.force += number(scratch, STORED_FORCE);
     }
 
     /// Counts the ratio of a pivot's summed terms to the pivot.
@@ -94,8 +94,8 @@ impl<T: Lanes> TrackedSizes<T> {
     pub fn add_share(&mut self, share: &EnergyShare, offsets: &Offsets, scratch: &mut [f64]) {
         if share.is_light() {
             if let Some(light) = offsets.light {
-                put(self.moment, light + LIGHT_SIZES, scratch);
-                put(self.force, light + LIGHT_SIZES + 1, scratch);
+                store(self.moment, light + LIGHT_SIZES, scratch);
+                store(self.force, light + LIGHT_SIZES + 1, scratch);
             }
             return;
         }

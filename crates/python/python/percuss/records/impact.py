@@ -465,12 +465,12 @@ class ExtremePosition(Record):
 
 
 class ExtremeRecord(Record):
-    """Extreme effective mass."""
+    """Extreme of the searched quantity."""
 
     _answer = {"effective_mass": "kg", "status": ""}
 
     effective_mass: float | None
-    """Effective mass, kg; None if not finite, and for another quantity."""
+    """Effective mass, kg; None if it is not finite or if another quantity is searched."""
     value: float | None
     """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
@@ -480,7 +480,8 @@ class ExtremeRecord(Record):
     normal_world: list[float] | None
     """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float
-    """Largest component of the projected gradient times its range, relative to the mass: zero at an exact optimum."""
+    """Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of the
+    impulse): zero at an exact optimum."""
     agreeing: int
     """Number of starts that reached this value to six digits."""
 
@@ -506,6 +507,6 @@ class ExtremesReport(Record):
     starts: int
     """Number of starts."""
     least: ExtremeRecord
-    """Smallest effective mass."""
+    """Smallest value of the quantity."""
     most: ExtremeRecord
-    """Largest effective mass."""
+    """Largest value of the quantity."""

@@ -76,8 +76,8 @@ class SweepReport(Record):
     """Contact link."""
     motion_ratio_of: str | None
     """Motion of the motion ratio: "estimate" for the point of the estimate in the impact, or the name of the travel. The ratio
-    of one point holds for the impact (with a sliding rack held); that of "heave" or "roll", for this motion of the wheels.
-    The key is absent without a motion ratio."""
+    of one point holds for the motion of the impact (with a sliding rack held); the ratio of "heave" or "roll", for this
+    motion of the wheels. The key is absent without a motion ratio."""
     rows: list[SweepRow]
     """All rows."""
     diagnostics: list[DiagnosticRecord]

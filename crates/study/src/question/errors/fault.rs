@@ -122,7 +122,7 @@ pub enum Fault {
         /// Number of velocities of the joint.
         expected: usize,
     },
-    /// Limit of a rate that is not positive.
+    /// Limit of a rate or of an impulse in a gear that is not positive.
     #[error("joint \"{joint}\": the limit is {value}; expected a number above zero")]
     RateLimit {
         /// Joint.
@@ -148,7 +148,7 @@ pub enum Fault {
         /// Number of given values.
         got: usize,
     },
-    /// Limits of gears at joints without a rotor.
+    /// Limit of the impulse in a gear at a joint without armature.
     #[error(
         "joint \"{joint}\" has no armature, so its gear receives no impulse; give --armature {joint}=VALUE"
     )]

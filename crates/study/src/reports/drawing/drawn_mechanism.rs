@@ -179,7 +179,7 @@ fn named_points(model: &Model, pose: &Pose) -> Vec<DrawnPoint> {
             [(_, a, _), (_, b, _)] => (a - b).norm() <= TOUCH_TOLERANCE * mechanism.characteristic_length(),
             _ => true,
         };
-        // The ends of a slide leave the common point of the drawing: each has the name of its link.
+        // The ends of a sliding closure are two points; if both have the same name, the names of their links distinguish them.
         let name = |link: &str, hardpoint: &Option<String>| {
             let name = hardpoint.as_deref().unwrap_or(closure.name());
             let is_shared = ends.iter().filter(|(_, _, other)| other == hardpoint).count() > 1;
@@ -214,8 +214,8 @@ fn merge_points(points: impl Iterator<Item = DrawnPoint>, tolerance: f64) -> Vec
     merged
 }
 
-/// Element of a stop on the rod of a damper, whose ends are `ends`: pad on the rod at a part of the length from the contact point, face at
-/// the distance of the gap. `None` if the ends coincide.
+/// Drawing element of a stop on the rod of a damper with the ends `ends` (contact point first). The pad is at a fixed fraction of the
+/// length; the face is at the distance `gap` (m) from the pad. `None` if the ends coincide.
 fn stop_on_rod(
     name: &str,
     normal: &ContactNormal,

@@ -97,7 +97,7 @@ pub(super) fn hardpoint_name(
             (design_point_in_link(&model.mechanism, link, world) - point).norm() <= tolerance
         })
     };
-    // Of several hardpoints at one place, the part has that with its own name.
+    // If several hardpoints are at one point, the name that begins with the first word of the part's name is used.
     let stem = part.split('_').next().unwrap_or(part);
     let mut here = origin.kinematics.coordinates.iter().filter(is_here).map(|(name, _)| name);
     let first = here.clone().next()?;

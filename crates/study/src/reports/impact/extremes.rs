@@ -151,10 +151,10 @@ pub struct ExtremePosition {
     pub limit: Option<&'static str>,
 }
 
-/// Extreme effective mass.
+/// Extreme of the searched quantity.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExtremeRecord {
-    /// Effective mass, kg; null if not finite, and for another quantity.
+    /// Effective mass, kg; null if it is not finite or if another quantity is searched.
     pub effective_mass: Option<f64>,
     /// Value of the quantity in the unit of the report; null if not finite.
     pub value: Option<f64>,
@@ -164,7 +164,8 @@ pub struct ExtremeRecord {
     pub positions: Vec<ExtremePosition>,
     /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
-    /// Largest component of the projected gradient times its range, relative to the mass: zero at an exact optimum.
+    /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
+    /// the impulse): zero at an exact optimum.
     pub residual: f64,
     /// Number of starts that reached this value to six digits.
     pub agreeing: usize,
@@ -188,9 +189,9 @@ pub struct ExtremesReport {
     pub ranges: Vec<(String, f64, f64)>,
     /// Number of starts.
     pub starts: usize,
-    /// Smallest effective mass.
+    /// Smallest value of the quantity.
     pub least: ExtremeRecord,
-    /// Largest effective mass.
+    /// Largest value of the quantity.
     pub most: ExtremeRecord,
 }
 

@@ -36,7 +36,8 @@ pub struct ImpactQuestion {
     pub in_time: bool,
     /// Gravity during the impact in time, world axes, m/s²; `None` for none.
     pub gravity: Option<[f64; 3]>,
-    /// Springs and dampers of joints during the impact in time: stiffness, then damping and the position without force if given.
+    /// Springs and dampers of joints during the impact in time: stiffness (N·m/rad or N/m), then, if given, damping (N·m·s/rad or N·s/m)
+    /// and the position without force (rad or m).
     pub joint_springs: Vec<(String, Vec<f64>)>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,

@@ -2,7 +2,7 @@
 
 use percuss_mechanism::near_names;
 
-/// Quantities of which each spring, damper and stop has its own.
+/// Quantities with one column per spring, damper and stop.
 const CONTACT_QUANTITIES: [&str; 2] = ["motion_ratio", "force"];
 
 /// Name of a column: `CONTACT.QUANTITY`, such as `bump_stop_left.motion_ratio`, is the column `motion_ratio_bump_stop_left`; any other
@@ -14,7 +14,7 @@ pub fn column_name(text: &str) -> String {
     }
 }
 
-/// Message about an unknown column. A quantity of which each spring, damper and stop has its own is listed with them.
+/// Message about an unknown column. For a quantity with one column per spring, damper and stop, the message lists these columns.
 pub(crate) fn unknown_column(name: &str, names: &[String]) -> String {
     let of_contacts: Vec<String> = names
         .iter()

@@ -87,8 +87,8 @@ pub struct KinematicsReport {
 }
 
 impl KinematicsReport {
-    /// Report with the named columns alone, in their order; a name without a side stands for both sides, `CONTACT.QUANTITY` for the
-    /// column of a contact ([`column_name`]). Without names, all columns stay.
+    /// Report with the named columns only, in the order of the names. A name without a side selects both sides; `CONTACT.QUANTITY` selects
+    /// the column of a contact ([`column_name`]). Without names, the report keeps all columns.
     ///
     /// # Errors
     /// [`KinematicsError::Search`]: an unknown name, with the nearest.

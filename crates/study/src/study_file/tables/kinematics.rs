@@ -15,7 +15,7 @@ use std::path::Path;
 pub struct KinematicsTable {
     /// Range of the travel: wheel-travel=FROM:TO:COUNT, or heave, roll, steer.
     pub vary: String,
-    /// Quantities: camber, toe, bump_stop.motion_ratio; default: those of the figure.
+    /// Quantities, such as camber, toe, bump_stop.motion_ratio; default: all in a table, the usual ones in a figure.
     pub columns: Vec<String>,
     /// Output file: .csv, .json, .txt, .svg, .png or .pdf.
     pub output: Option<String>,
@@ -26,7 +26,7 @@ pub struct KinematicsTable {
 pub struct StudyKinematics {
     /// Range of the travel.
     pub question: KinematicsQuestion,
-    /// Quantities; empty for all.
+    /// Selected quantities. Empty: all quantities in a table, camber, toe and the other usual ones in a figure.
     pub columns: Vec<String>,
     /// Output file.
     pub output: Option<String>,
