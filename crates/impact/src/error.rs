@@ -84,15 +84,15 @@ pub enum ImpactError {
     )]
     GroundedBase,
     /// A spring at a joint without exactly one velocity.
-    #[error("joint \"{joint}\": a spring of a joint; expected a hinge or a slide")]
+    #[error("joint \"{joint}\" has not exactly one velocity; a spring requires a hinge or a slide")]
     SpringJoint {
         /// The joint.
         joint: String,
     },
     /// Numbers of a spring out of range.
     #[error(
-        "joint \"{joint}\": a spring with the stiffness {stiffness}, the damping {damping} and the free position {free_position}; \
-         expected finite numbers, the first two of at least 0"
+        "joint \"{joint}\": a spring with the stiffness {stiffness} (N·m/rad or N/m), the damping {damping} (N·m·s/rad or \
+         N·s/m) and the free position {free_position} (rad or m); expected finite numbers, the first two of at least 0"
     )]
     Spring {
         /// The joint.

@@ -76,7 +76,7 @@ pub unsafe extern "C" fn percuss_pose_impact(
             let closing = closing_speed(&posed.pose, &response.contact, &rates);
             if (closing - speed).abs() > SAME_SPEED * speed.abs() {
                 let message = format_args!(
-                    "speed: {speed} m/s, but the velocities in before close the gap with {closing} m/s; expected the same"
+                    "speed is {speed} m/s, but the velocities in before have the closing speed {closing} m/s; expected equal values"
                 );
                 return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
             }

@@ -390,6 +390,10 @@ fn extremes_of_an_arm() {
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
     }
     // Without limits and ranges nothing varies.
+    let refused = percuss(
+        "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --against-mass 2",
+    );
+    assert!(refused.code == 2 && refused.stderr.contains("--against-mass"), "{}", refused.stderr);
     let outcome = percuss("extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0");
     assert!(outcome.code == 2 && outcome.stderr.contains("no joint varies"), "{}", outcome.stderr);
 }

@@ -185,8 +185,10 @@ fn general_impulse(
     let contact = &response.contact;
     let mut delassus = Delassus::new(pose, std::slice::from_ref(contact))?;
     let velocities = delassus.velocities(pose, before);
-    if let Some(mass) = response.contributions.as_ref().and_then(|c| c.other_mass) {
-        delassus.add_free_body(0, mass);
+    let share = response.contributions.as_ref().and_then(|c| c.other_mass);
+    if let (Some(share), EffectiveMass::Finite(mass)) = (share, response.effective_mass) {
+        // The share of a free body of mass M is m̄/M.
+        delassus.add_free_body(0, mass / share);
     }
     let mobility = delassus.block(0);
     let velocity = Vector3::new(-speed, velocities[1], velocities[2]);

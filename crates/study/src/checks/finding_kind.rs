@@ -103,6 +103,7 @@ finding_kinds! {
     UnknownError = "unknown-error", Warning, Pose;
     UnusedGuess = "unused-guess", Warning, Pose;
     WeaklyConstrained = "weakly-constrained", Warning, Model;
+    WithoutFriction = "without-friction", Warning, Report;
     WrongWayStop = "wrong-way-stop", Warning, Report;
 }
 

@@ -61,9 +61,9 @@ pub(crate) fn masses_in_grams(masses: &[GivenMass]) -> Option<String> {
     if heavy.len() < 2 || share < LEAST_SHARE_IN_GRAMS {
         return None;
     }
-    let list: Vec<String> = heavy.iter().map(|mass| format!("{} {}", mass.part, mass.mass)).collect();
+    let list: Vec<String> = heavy.iter().map(|mass| format!("{} {} kg", mass.part, mass.mass)).collect();
     Some(format!(
-        "the masses look like grams, and are read as kg: {} of {} are too large for their parts ({})",
+        "the masses are read as kg but look like grams: {} of {} are too large for their parts ({})",
         heavy.len(),
         masses.len(),
         list.join(", ")

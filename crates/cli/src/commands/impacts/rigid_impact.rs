@@ -166,9 +166,9 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         ));
         if let (Some(ratio), Some(point)) = (centre.worst_ratio, &centre.worst_point_link) {
             let worst = format!(
-                "{} of the impulse at {} for the worst displaced contact point {} m",
-                short_number(ratio),
+                "impulse at {}: {} of the contact impulse, with the contact point displaced to {} m",
                 centre.joint,
+                short_number(ratio),
                 triple(point)
             );
             facts.push(("displaced point", worst));

@@ -62,6 +62,9 @@ pub enum Fault {
         /// Given mass, kg.
         mass: f64,
     },
+    /// Extremes with a free body on the other side.
+    #[error("extremes are those of the mechanism alone; expected no free body on the other side")]
+    ExtremesOfMechanism,
     /// Restitution or closing speed of an impact out of range.
     #[error(transparent)]
     Impact(#[from] ImpactError),

@@ -205,6 +205,9 @@ pub fn extremes(
     extremes: &ExtremesQuestion,
 ) -> Result<ExtremesReport, StudyError> {
     let prepared = PreparedQuestion::new(model, question)?;
+    if prepared.other_mass().is_some() {
+        return Err(StudyError::input(Field::AgainstMass, Fault::ExtremesOfMechanism));
+    }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let ranges = ranges(&prepared, extremes)?;

@@ -94,8 +94,8 @@ pub(crate) fn in_time(
     let Some(law) = impact.law.as_ref().filter(|_| impact.in_time) else { return Ok(None) };
     let law =
         DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
-    let own = result.response.effective_mass;
-    let mass = prepared.other_mass().map_or(own, |other| own.against_mass(Some(other))).kilograms();
+    let own = result.mechanism_response().effective_mass;
+    let mass = result.response.effective_mass.kilograms();
     let mass = mass.ok_or(StudyError::NoDamper { status: "immovable" })?;
     let compliant = contact(&law, mass)?;
     let damper = contact_damper(&law, compliant)?;

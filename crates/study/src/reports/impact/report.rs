@@ -178,7 +178,10 @@ pub fn impact(
         }
     };
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
-    let peak = contact_law.as_ref().map(|law| law.peak_force / rigid.impulse);
+    diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
+    // With friction the reactions per unit impulse change during the impact.
+    let law_without_friction = contact_law.as_ref().filter(|_| impact.friction.is_none());
+    let peak = law_without_friction.map(|law| law.peak_force / rigid.impulse);
     let sticking =
         held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
     let sticking = match prepared.other_mass() {
@@ -273,6 +276,26 @@ fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
             Field::BaseTwist.hint(question.names)
         );
         Finding::about_result(FindingKind::BaseAtRest, message)
+    })
+}
+
+/// Warning about results that do not include the friction of the impact.
+fn without_friction_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
+    let parts = [
+        (impact.law.is_some(), "the peak force of the contact"),
+        (!impact.rate_limits.is_empty() || !impact.gear_limits.is_empty(), "the greatest closing speed"),
+        (!impact.percussion.is_empty(), "the centre of percussion"),
+    ];
+    let parts: Vec<&str> =
+        parts.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, part)| part).collect();
+    let is_affected = impact.friction.is_some() && !parts.is_empty();
+    is_affected.then(|| {
+        let message = format!(
+            "computed without friction: {}{}",
+            parts.join(", "),
+            Field::Friction.hint(evaluated.prepared.question.names)
+        );
+        Finding::about_result(FindingKind::WithoutFriction, message)
     })
 }
 

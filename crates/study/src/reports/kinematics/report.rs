@@ -88,7 +88,7 @@ pub struct KinematicsReport {
 
 impl KinematicsReport {
     /// Report with the named columns only, in the order of the names. A name without a side selects both sides; `CONTACT.QUANTITY` selects
-    /// the column of a contact ([`column_name`]). Without names, the report keeps all columns.
+    /// the column of a contact (`column_name`). Without names, the report keeps all columns.
     ///
     /// # Errors
     /// [`KinematicsError::Search`]: an unknown name, with the nearest.

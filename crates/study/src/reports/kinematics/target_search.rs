@@ -52,7 +52,7 @@ impl UnknownCoordinate {
 /// Required value of a quantity: `QUANTITY=VALUE`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinematicTarget {
-    /// Column of `percuss kinematics`, with or without the suffix of the side; see [`column_name`].
+    /// Column of `percuss kinematics`, with or without the suffix of the side; see `column_name`.
     pub quantity: String,
     /// Value with its unit; without a unit SI, or a plain number.
     pub value: Quantity,
