@@ -130,7 +130,7 @@ pub fn centre_of_percussion_in_plane(
 pub struct WorstReaction {
     /// Contact point with the largest impulse, in the frame of the contact link, m.
     pub point: Vector3<f64>,
-    /// Displacement from the given contact point, m.
+    /// Displacement from the given contact point, m, in the axes of the contact link.
     pub displacement: Vector3<f64>,
     /// Magnitude of the impulse at the joint for the given point, per impulse at the contact.
     pub given_reaction: f64,

@@ -30,6 +30,17 @@ fn arm(m1: f64, m2: f64) -> Arc<Mechanism> {
     Arc::new(builder.build().expect("a mechanism").mechanism)
 }
 
+/// Asserts that an extreme is at least as extreme as all values of a scan, and near the extreme of the scan. `tolerance`: relative, of the
+/// order of the square of the step of the scan.
+fn assert_extreme_of_scan(extreme: ExtremeKind, value: f64, scan: &[f64], tolerance: f64) {
+    let is_least = extreme == ExtremeKind::Least;
+    let pick = if is_least { f64::min } else { f64::max };
+    let of_scan = scan.iter().copied().reduce(pick).expect("a scan");
+    assert!((value / of_scan - 1.0).abs() < tolerance, "{extreme:?}: {value}, scan {of_scan}");
+    let beyond = if is_least { value - of_scan } else { of_scan - value };
+    assert!(beyond <= 1e-9 * of_scan, "{extreme:?}: {value}, scan {of_scan}");
+}
+
 #[test]
 fn extremes_of_a_planar_arm() {
     // Λ = m₂ 1 + (m₁/sin²q₂) u₂u₂ᵀ, so m₂ ≤ m̄ ≤ m₂ + m₁/sin²q₂; both are reached by turning the shoulder.
@@ -177,14 +188,7 @@ fn extremes_of_a_linkage_are_those_of_its_sweep() {
             extreme_effective_mass(&system, &system.configuration(), (&contact).into(), &ranges, extreme, 8);
         let found = found.expect("an extreme");
         let EffectiveMass::Finite(value) = found.effective_mass else { panic!("{found:?}") };
-        let of_sweep = match extreme {
-            ExtremeKind::Least => sweep.iter().copied().fold(f64::INFINITY, f64::min),
-            ExtremeKind::Most => sweep.iter().copied().fold(0.0, f64::max),
-        };
-        // The grid misses an interior extreme by the square of its step.
-        assert!((value / of_sweep - 1.0).abs() < 1e-4, "{found:?} {of_sweep}");
-        let beyond = if extreme == ExtremeKind::Least { value - of_sweep } else { of_sweep - value };
-        assert!(beyond <= 1e-9 * of_sweep, "{found:?} {of_sweep}");
+        assert_extreme_of_scan(extreme, value, &sweep, 1e-4);
         assert!((mass(found.positions[0]) / value - 1.0).abs() < 1e-9);
     }
 }
@@ -273,14 +277,7 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
         let found = extreme_quantity(&system, &start, (&contact).into(), quantity, &ranges, extreme, 8);
         let found = found.expect("an extreme");
         let value = found.effective_mass.kilograms().expect("a finite impulse");
-        let of_scan = match extreme {
-            ExtremeKind::Least => scan.iter().copied().fold(f64::INFINITY, f64::min),
-            ExtremeKind::Most => scan.iter().copied().fold(0.0, f64::max),
-        };
-        // The error of the scan at an interior extreme is of the order of the square of its step.
-        assert!((value / of_scan - 1.0).abs() < 1e-3, "{found:?} {of_scan}");
-        let beyond = if extreme == ExtremeKind::Least { value - of_scan } else { of_scan - value };
-        assert!(beyond <= 1e-9 * of_scan, "{found:?} {of_scan}");
+        assert_extreme_of_scan(extreme, value, &scan, 1e-3);
         assert!((impulse(found.positions[0]) / value - 1.0).abs() < 1e-9);
     }
     // At some poses the hinge has no impulse: the smallest value is zero, where |R| is not differentiable. At least 95 % of the starts

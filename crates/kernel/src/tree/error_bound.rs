@@ -13,11 +13,11 @@ use crate::tolerances::{
 };
 use percuss_spatial::lanes::Lanes;
 
-/// Sizes of the terms of a transmitted force, per unit of the contact force (lengths in m): moment ≤ arms·arm + moment + moment_per_root·√(1/m̄) and
-/// force ≤ force + force_per_root·√(1/m̄), for a contact point at the distance `arm` (m) from the origin of its body.
+/// Sizes of the terms of a transmitted force and of its moment, for a unit contact force at the distance `arm` (m) from the origin of its
+/// body: force + force_per_root·√(1/m̄), and moment_per_arm·arm + moment + moment_per_root·√(1/m̄), m.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WrenchSize {
-    arms: f64,
+    moment_per_arm: f64,
     moment: f64,
     moment_per_root: f64,
     force: f64,
@@ -27,11 +27,11 @@ pub(super) struct WrenchSize {
 impl WrenchSize {
     /// Unit force at the contact point, `reach` (m) farther away than the arm.
     fn unit(reach: f64) -> Self {
-        Self { arms: 1.0, moment: reach, force: 1.0, ..Self::default() }
+        Self { moment_per_arm: 1.0, moment: reach, force: 1.0, ..Self::default() }
     }
 
     fn add(&mut self, other: &Self) {
-        self.arms += other.arms;
+        self.moment_per_arm += other.moment_per_arm;
         self.moment += other.moment;
         self.moment_per_root += other.moment_per_root;
         self.force += other.force;
@@ -52,19 +52,20 @@ impl WrenchSize {
         self.moment_per_root += reach * self.force_per_root;
     }
 
-    /// Power for the twists `angular` (rad/s) and `linear` (m/s).
+    /// Power for the twists `angular` (rad/s) and `linear` (m/s), with the arm (m) and `root`, √(1/m̄).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn power<T: Lanes>(&self, arm: T, root: T, angular: T, linear: T) -> T {
         let of = T::from_f64;
-        let moment = root.mul_add(of(self.moment_per_root), arm.mul_add(of(self.arms), of(self.moment)));
+        let moment =
+            root.mul_add(of(self.moment_per_root), arm.mul_add(of(self.moment_per_arm), of(self.moment)));
         let force = root.mul_add(of(self.force_per_root), of(self.force));
         moment.mul_add(angular, force * linear)
     }
 }
 
-/// A body whose twist is computed: a light body, or a body between one and the root.
+/// A body whose twist is computed: a light body, or a body between a light body and the root of its subtree.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LightStep {
+pub(super) struct TwistStep {
     /// Index of the step.
     pub at: usize,
     /// Sizes of the transmitted forces, for a light body on a contact path.
@@ -93,8 +94,8 @@ pub(super) struct ErrorBound {
     contact_constant: f64,
     contact_per_arm: f64,
     /// Parents first.
-    pub light_steps: Vec<LightStep>,
-    is_light: Vec<bool>,
+    pub twist_steps: Vec<TwistStep>,
+    needs_twist: Vec<bool>,
 }
 
 impl ErrorBound {
@@ -109,8 +110,8 @@ impl ErrorBound {
             contact_error: 0.0,
             contact_constant: 0.0,
             contact_per_arm: 0.0,
-            light_steps: Vec::with_capacity(steps),
-            is_light: vec![false; steps],
+            twist_steps: Vec::with_capacity(steps),
+            needs_twist: vec![false; steps],
         }
     }
 
@@ -174,7 +175,7 @@ impl ErrorBound {
             let power = [error * (reach * share.angular + share.linear), error * share.angular];
             self.contact_constant += power[0];
             self.contact_per_arm += power[1];
-            match self.light_step(at) {
+            match self.twist_step(at) {
                 Some(light) if share.is_light() => light.contact_error = error,
                 _ => {
                     self.constant += power[0];
@@ -211,53 +212,53 @@ impl ErrorBound {
         }
     }
 
-    /// Entry of a light body.
-    fn light_step(&mut self, at: usize) -> Option<&mut LightStep> {
+    /// Entry of a step whose twist is computed.
+    fn twist_step(&mut self, at: usize) -> Option<&mut TwistStep> {
         // Parents first: in decreasing order.
-        let found = self.light_steps.binary_search_by(|light| at.cmp(&light.at));
-        found.ok().map(|index| &mut self.light_steps[index])
+        let found = self.twist_steps.binary_search_by(|light| at.cmp(&light.at));
+        found.ok().map(|index| &mut self.twist_steps[index])
     }
 
     /// Adds the power of the sizes of the force on a body. The twist of a light body is not known before the evaluation.
     fn add(&mut self, at: usize, share: &EnergyShare, size: &WrenchSize) {
         if share.is_light() {
-            if let Some(light) = self.light_step(at) {
+            if let Some(light) = self.twist_step(at) {
                 light.size.add(size);
             }
             return;
         }
         let (angular, linear) = (share.angular, share.linear);
         self.constant += size.moment * angular + size.force * linear;
-        self.per_arm += size.arms * angular;
+        self.per_arm += size.moment_per_arm * angular;
         self.per_root += size.moment_per_root * angular + size.force_per_root * linear;
     }
 
     /// Finds the light bodies that affect the contact. Returns the largest [`amplification`](EnergyShare::amplification) of the
     /// others. Without a bound for a light body, its twist is not computed, and the result is [`NO_BOUND`].
     fn find_light_bodies(&mut self, steps: &[ScheduledStep], branches: &Branches) -> f64 {
-        self.light_steps.clear();
-        self.is_light.fill(false);
+        self.twist_steps.clear();
+        self.needs_twist.fill(false);
         let last = steps.len() - 1;
         let mut amplification = 0.0_f64;
         // Children before parents.
         for (at, placed) in steps.iter().enumerate().filter(|(at, _)| branches.roles[*at].is_eliminated()) {
             let share = &placed.step.share;
-            self.is_light[at] |= share.is_light();
+            self.needs_twist[at] |= share.is_light();
             // The twists of clusters are not computed.
             let in_cluster = placed.step.cluster_joint.is_some();
-            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && self.is_light[at]) {
-                self.light_steps.clear();
+            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && self.needs_twist[at]) {
+                self.twist_steps.clear();
                 return NO_BOUND;
             }
             if !share.is_light() {
                 amplification = amplification.max(share.amplification);
             }
-            if let (true, Some(parent)) = (self.is_light[at] && !placed.is_root(), placed.step.parent) {
-                self.is_light[last - parent] = true;
+            if let (true, Some(parent)) = (self.needs_twist[at] && !placed.is_root(), placed.step.parent) {
+                self.needs_twist[last - parent] = true;
             }
         }
-        let light = (0..steps.len()).rev().filter(|&at| self.is_light[at]);
-        self.light_steps.extend(light.map(|at| LightStep {
+        let light = (0..steps.len()).rev().filter(|&at| self.needs_twist[at]);
+        self.twist_steps.extend(light.map(|at| TwistStep {
             at,
             size: WrenchSize::default(),
             contact_error: 0.0,

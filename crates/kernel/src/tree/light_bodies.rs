@@ -25,7 +25,7 @@ pub(super) fn add_light_body_errors<T: Lanes>(
     errors: &mut EnergyError<T>,
 ) {
     let (arm, bound) = (selection.contact.arms::<T>(at), &selection.bound);
-    for light in &bound.light_steps {
+    for light in &bound.twist_steps {
         let placed = &steps[light.at];
         let (step, offsets) = (&placed.step, &placed.offsets);
         let mut twist = PackedTwist::zero();

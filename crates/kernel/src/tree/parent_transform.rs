@@ -127,7 +127,7 @@ pub(super) fn express_in_parent<T: Lanes>(
     transform_to_parent(step, wrench, at, joint);
 }
 
-/// The inverse of [`express_in_parent`].
+/// Expresses a wrench of the parent's frame in the body's frame: the inverse of [`express_in_parent`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn express_in_body<T: Lanes>(
     step: &TreeStep,

@@ -81,7 +81,7 @@ pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
     } else {
         bound.of_constants(response, arm)
     };
-    if !bound.light_steps.is_empty() {
+    if !bound.twist_steps.is_empty() {
         add_light_body_errors(steps, selection, at, &propagated, scratch, &mut by_energy);
     }
     let mut error = by_energy.sum();
