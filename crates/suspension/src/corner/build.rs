@@ -134,7 +134,7 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
         };
         if on.has_path() && !is_on_damper {
             let message = format!(
-                "the stop has a gap and no points, and {link} says nothing about them: give {section}_pad and {section}, or \
+                "the stop is on {link} and has a gap but no points: give {section}_pad and {section}, or \
                  write on = \"{ON_DAMPER}\" for a stop on the rod of the damper"
             );
             findings.error("missing-key", &on, message);

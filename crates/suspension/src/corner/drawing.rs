@@ -145,7 +145,7 @@ impl Drawing {
                 && self.arms.len() > 2;
             if is_disproportionate || arm.length > MAX_ARM_LENGTH {
                 let message = format!(
-                    "{} is {} long: is one of its points astray? {}",
+                    "{} is {} long; check its two end points. {}",
                     arm.name,
                     places.length(arm.length),
                     self.lengths_text(places)

@@ -411,7 +411,7 @@ impl Corner {
             .collect();
         let mut warn = |code: &'static str, of: &str, subject: String, at: &Vector3<f64>, distance: f64| {
             let message = format!(
-                "{subject} at {} is {} away from the joints of {link}: left from another vehicle, in other axes or another unit?",
+                "{subject} at {} is {} away from the joints of {link}; check the value, its axes and its unit",
                 places.point(*at),
                 places.length(distance)
             );
