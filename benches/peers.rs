@@ -1,6 +1,6 @@
 //! m̄ for the robots, poses and contacts that other programs were timed with. `NAME.json` contains the URDF,
-//! the contact link, the normal in the world, joint names, poses and the expected m̄. `NAME.urdf` is a
-//! suspension written by `percuss import`, with the contact at the spring seat along the spring, at closed
+//! the contact link, the normal in the world, joint names, poses and the expected m̄; without poses, the pose as drawn, and joints keep
+//! their mimics. `NAME.urdf` is a suspension written by `percuss import`, with the contact at the spring seat along the spring, at closed
 //! poses over the travel of its lower arm.
 //!
 //! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new
@@ -69,31 +69,43 @@ impl Question {
         };
         let word = |key: &str| value[key].as_str().expect("a word").to_owned();
         let urdf = std::fs::read_to_string(word("urdf")).expect("the URDF");
-        let mechanism = percuss_benches::loaded(&without_mimics(&urdf));
+        let poses = value["poses"].as_array();
+        let mechanism = match poses {
+            Some(_) => percuss_benches::loaded(&without_mimics(&urdf)),
+            None => percuss_benches::loaded(&urdf),
+        };
         let normal: [f64; 3] = numbers(&value["normal_world"]).try_into().expect("three numbers");
         let point: [f64; 3] = numbers(&value["point"]).try_into().expect("three numbers");
         let link = mechanism.find_link(&word("link")).expect("the link");
         let contact = Contact::new(link, point, normal).normal(Direction::Along(normal.into(), Frame::World));
-        let names = value["joints"].as_array().expect("names");
-        let places: Vec<usize> =
-            names.iter().map(|name| place(&mechanism, name.as_str().expect("a name"))).collect();
-        let positions: usize = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
-        let rows = value["poses"].as_array().expect("poses").iter().map(|pose| {
-            let mut row = vec![0.0; positions];
-            places.iter().zip(numbers(pose)).for_each(|(place, q)| row[*place] = q);
-            row
-        });
         let mut conditions = Conditions::new();
         if value["base"] == "floating" {
             conditions = conditions.base(Base::Floating);
         }
-        let rows = rows.collect();
+        let expected = numbers(&value["effective_mass"]);
+        let rows = poses.map(|poses| {
+            let names = value["joints"].as_array().expect("names");
+            let places: Vec<usize> =
+                names.iter().map(|name| place(&mechanism, name.as_str().expect("a name"))).collect();
+            let positions: usize = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
+            let row = |pose| {
+                let mut row = vec![0.0; positions];
+                places.iter().zip(numbers(pose)).for_each(|(place, q)| row[*place] = q);
+                row
+            };
+            poses.iter().map(row).collect()
+        });
+        let system = System::new(mechanism, &conditions).expect("conditions that fit");
+        let drawn = || {
+            let pose = system.pose(&system.configuration()).expect("it closes as drawn");
+            vec![pose.positions().to_vec(); POSES]
+        };
         Self {
             name: path.file_stem().expect("a name").to_string_lossy().into_owned(),
-            rows,
-            expected: numbers(&value["effective_mass"]),
+            rows: rows.unwrap_or_else(drawn),
+            expected: expected.into_iter().cycle().take(poses.map_or(POSES, Vec::len)).collect(),
             contact,
-            system: System::new(mechanism, &conditions).expect("conditions that fit"),
+            system,
         }
     }
 }

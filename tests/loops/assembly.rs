@@ -83,6 +83,12 @@ fn hundreds_of_loops() {
             let response = doing("its response", || rig.respond(&pose, &contact));
             let expected = (201.0 * 0.07 + 0.16 * 200.0 * 0.8) / 0.04;
             assert!((mass(&response) / expected - 1.0).abs() < 1e-10, "{}", mass(&response) / expected - 1.0);
+            let mut batch = rig.system.reference_or_open().batch(&contact).unwrap();
+            let answer = batch.effective_mass(pose.positions()).unwrap();
+            let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) else {
+                panic!("the compiled kernel has no answer: {answer:?}")
+            };
+            assert!((m - expected).abs() <= error && error < 1e-5 * m, "{m} for {expected}, error {error:e}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
-use crate::tolerances::{LANES_TRUSTED_ERROR, UNIT_QUATERNION};
+use crate::tolerances::UNIT_QUATERNION;
 use percuss_spatial::lanes::Lanes;
 
 /// Largest number of lanes.
@@ -16,18 +16,18 @@ pub struct CertifiedMass {
 }
 
 impl CertifiedMass {
-    /// True if m̄ is finite and its relative rounding error at most [`LANES_TRUSTED_ERROR`]. False for NaN.
+    /// True if m̄ is finite and its relative rounding error at most `limit`. False for NaN.
     #[inline]
-    pub fn is_clear(&self) -> bool {
-        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= LANES_TRUSTED_ERROR * self.mass)
+    pub fn is_clear(&self, limit: f64) -> bool {
+        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= limit * self.mass)
     }
 
-    /// Result of `work` on one lane, if certified.
+    /// Result of `work` on one lane, if its relative error is at most `limit`.
     #[inline]
-    pub fn of_one(work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
+    pub fn of_one(limit: f64, work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
         work(MassColumns { masses: &mut mass, errors: &mut error });
-        Some(Self { mass: mass[0], error: error[0] }).filter(|mass| mass.is_clear())
+        Some(Self { mass: mass[0], error: error[0] }).filter(|mass| mass.is_clear(limit))
     }
 }
 

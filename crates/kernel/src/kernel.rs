@@ -5,6 +5,7 @@ use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
 use crate::contact::{Contact, ContactConversion};
 use crate::loops::LoopKernel;
 use crate::mechanism::{Linkage, Mechanism};
+use crate::tolerances::LANES_TRUSTED_ERROR;
 use crate::tree::TreeKernel;
 use percuss_spatial::lanes::Instructions;
 
@@ -84,6 +85,14 @@ impl Kernel {
         match self {
             Self::Tree(tree) => tree.effective_masses(columns, first, answers),
             Self::Loop(linkage) => linkage.effective_masses(columns, first, answers),
+        }
+    }
+
+    /// Largest relative error of a certified result.
+    pub fn trusted_error(&self) -> f64 {
+        match self {
+            Self::Tree(_) => LANES_TRUSTED_ERROR,
+            Self::Loop(linkage) => linkage.trusted_error(),
         }
     }
 

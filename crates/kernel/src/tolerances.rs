@@ -3,6 +3,9 @@
 /// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
 /// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
 pub const LANES_TRUSTED_ERROR: f64 = 1e-9;
+/// Largest relative error of a result in SIMD lanes for a linkage with more than [`QUICK_COORDINATES`] coordinates. The recursion takes some
+/// twenty times as long and states no error.
+pub const LARGE_TRUSTED_ERROR: f64 = 1e-5;
 /// Largest relative error by the quick bound of linkages in SIMD lanes; beyond this limit the refined bound is computed, which takes
 /// longer and is smaller.
 pub const QUICK_ERROR: f64 = 1e-11;
@@ -51,8 +54,14 @@ pub const LONGEST_BRANCH_STEP: f64 = 0.15;
 pub const STRAIGHT: f64 = 0.9;
 /// Number of power iterations for the norm of a change of rows; a tenth of the norm is accurate enough.
 pub const DRIFT_ITERATIONS: usize = 4;
-/// Largest number of coordinates and bodies of a linkage with a compiled kernel.
-pub const LINKAGE_COORDINATES: usize = 64;
+/// Largest number of coordinates and bodies of a linkage with a compiled kernel: the time to order its rows grows with the square.
+pub const LINKAGE_COORDINATES: usize = 1024;
+/// Largest number of coordinates of a linkage for which the smallest pivot bounds the norm of the inverse, by a factor that the tested
+/// linkages keep.
+pub const QUICK_COORDINATES: usize = 64;
+/// Smallest pivot in the order of the rows, relative to the largest remaining entry. Among these pivots, the one that fills in the fewest
+/// entries comes first (Markowitz 1957).
+pub const PIVOT_CHOICE: f64 = 0.5;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub const LINKAGE_FREEDOMS: usize = 16;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four

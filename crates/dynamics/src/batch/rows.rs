@@ -413,8 +413,9 @@ impl Worker {
         let count = places.count();
         let of_rows = contacts.contacts;
         let contact_column = row.len();
-        let mut conversion = None;
+        let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
+            limit = lanes.trusted_error();
             lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: contact_column }));
             conversion = lanes.conversion();
         }
@@ -453,7 +454,8 @@ impl Worker {
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
             places.store_lanes(block, masses, errors, *remarks);
-            let clear = |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear();
+            let clear =
+                |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
             if (0..here).fold(true, |all, lane| all & clear(lane)) {
                 continue;
             }

@@ -1,16 +1,17 @@
 //! Compiles a linkage of few degrees of freedom, and orders its elimination at given positions.
 
 use super::layout::Layout;
-use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan, LoopVelocity, RowPivot};
+use super::plan::{Block, BlockRow, BlockTerm, LoopBody, LoopMotion, LoopPlan, LoopVelocity, RowPivot};
 use super::rows::matrix_at;
 use crate::mechanism::{
     Body, BodyDirection, BodyPoint, JointMotion, JointPosition, Linkage, Mechanism, RowBlock, RowForm,
 };
 use crate::tolerances::{
-    LANE_ROW_ROUNDINGS, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW,
+    LANE_ROW_ROUNDINGS, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, PIVOT_CHOICE, REDUNDANT_ROW,
 };
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
+use std::collections::{BTreeMap, BTreeSet};
 
 impl LoopPlan {
     /// Plan with rows and columns ordered by the pivots at `positions`; `may_depend(coordinate)`: true if the coordinate may be dependent.
@@ -42,6 +43,7 @@ impl LoopPlan {
             length: *shortest_length,
             weight: 0.0,
             root_weights: vec![0.0; columns],
+            depth: *depth as f64,
             roundings: 0.0,
             columns,
             freedoms: columns - rank,
@@ -66,7 +68,7 @@ impl LoopPlan {
         }
         plan.weight = plan.bodies.iter().map(|body| weight(body, *shortest_length)).sum();
         // The rounding errors of the frames along a chain are independent: their sum grows with the square root of the depth.
-        plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + (*depth as f64).sqrt());
+        plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + plan.depth.sqrt());
         let mut rows = 0;
         for block in blocks {
             let block = plan.block(block, &mut rows)?;
@@ -110,7 +112,8 @@ impl LoopPlan {
             let count = if matches!(form, RowForm::Point | RowForm::Orientation(..)) { 3 } else { 1 };
             let first = *rows;
             *rows += count;
-            (form, std::array::from_fn(|k| (k < count).then_some(first + k)))
+            let row = |k: usize| BlockRow { row: first + k, entries: Vec::new() };
+            (form, std::array::from_fn(|k| (k < count).then(|| row(k))))
         };
         let forms = given.forms.iter().map(&mut number).collect();
         let mut seen = vec![false; self.columns];
@@ -138,22 +141,25 @@ impl LoopPlan {
     /// Fills the bounds of the energy of each coordinate: its rotors, and the bodies of its subtrees at their largest distance from
     /// the joint.
     fn fill_root_weights(&mut self) {
-        for (index, joint) in self.bodies.iter().enumerate() {
-            for (k, velocity) in joint.velocities.iter().enumerate() {
-                let mut weight = velocity.armature;
-                for (i, body) in self.bodies.iter().enumerate() {
-                    let mut chain = std::iter::successors(Some(i), |&b| self.bodies[b].parent);
-                    let Some(own) = body.inertia.filter(|_| chain.any(|b| b == index)) else { continue };
-                    weight += match joint.motion.translates(k) {
-                        true => own[0],
-                        false => {
-                            let arm = body.reach - joint.reach;
-                            2.0 * (own[0] * arm * arm + own[4] + own[7] + own[9])
-                        }
-                    };
-                }
-                self.root_weights[velocity.column] += weight.sqrt() * velocity.factor.abs();
+        let moved = |i: usize, own: &[f64; 10], joint: &LoopBody, k: usize| {
+            let arm = self.bodies[i].reach - joint.reach;
+            match joint.motion.translates(k) {
+                true => own[0],
+                false => 2.0 * (own[0] * arm * arm + own[4] + own[7] + own[9]),
             }
+        };
+        let mut weights: Vec<Vec<f64>> =
+            self.bodies.iter().map(|joint| joint.velocities.iter().map(|v| v.armature).collect()).collect();
+        for (i, body) in self.bodies.iter().enumerate() {
+            let Some(own) = &body.inertia else { continue };
+            for b in std::iter::successors(Some(i), |&b| self.bodies[b].parent) {
+                let sums = weights[b].iter_mut().enumerate();
+                sums.for_each(|(k, sum)| *sum += moved(i, own, &self.bodies[b], k));
+            }
+        }
+        for (velocity, weight) in self.bodies.iter().flat_map(|b| &b.velocities).zip(weights.iter().flatten())
+        {
+            self.root_weights[velocity.column] += weight.sqrt() * velocity.factor.abs();
         }
     }
 
@@ -167,28 +173,30 @@ impl LoopPlan {
         may_depend: &dyn Fn(usize) -> bool,
     ) -> Option<()> {
         let columns = self.columns;
-        self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
-        let mut matrix = matrix_at(self, positions);
+        let pattern = self.pattern(rows);
+        self.number_entries(&pattern);
+        let mut matrix: Vec<BTreeMap<usize, f64>> = vec![BTreeMap::new(); rows];
+        let values = matrix_at(self, positions);
+        let entries = pattern.iter().enumerate().flat_map(|(r, row)| row.iter().map(move |c| (r, *c)));
+        entries.zip(values).for_each(|((r, c), value)| _ = matrix[r].insert(c, value));
         let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
         for k in 0..rank {
-            let open = (0..rows * columns)
-                .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none())
-                .filter(|at| may_depend(at % columns));
-            let best = open.max_by(|&a, &b| matrix[a].abs().total_cmp(&matrix[b].abs()))?;
-            let (r, c, pivot) = (best / columns, best % columns, matrix[best].abs());
+            let (r, c, largest) = best_pivot(&matrix, &row_at, &column_at, may_depend)?;
+            let pivot_row = matrix[r].clone();
+            let pivot = *pivot_row.get(&c)?;
             if k == 0 {
-                self.scale = pivot;
+                self.scale = largest;
             }
             // A NaN pivot is refused.
-            if !(pivot * LINKAGE_PIVOT >= self.scale && pivot > 0.0) {
+            if !(pivot.abs() * LINKAGE_PIVOT >= self.scale && pivot != 0.0) {
                 return None;
             }
             (row_at[r], column_at[c]) = (Some(k), Some(k));
-            for other in (0..rows).filter(|other| row_at[*other].is_none()) {
-                let factor = matrix[other * columns + c] / matrix[best];
-                for j in 0..columns {
-                    matrix[other * columns + j] -= factor * matrix[r * columns + j];
-                }
+            for (_, row) in matrix.iter_mut().enumerate().filter(|(other, _)| row_at[*other].is_none()) {
+                let Some(below) = row.get(&c) else { continue };
+                let factor = below / pivot;
+                pivot_row.iter().for_each(|(j, x)| *row.entry(*j).or_insert(0.0) -= factor * x);
+                row.remove(&c);
             }
         }
         for all in [&mut row_at, &mut column_at] {
@@ -200,40 +208,70 @@ impl LoopPlan {
         self.bodies.iter_mut().flat_map(|b| &mut b.velocities).for_each(|v| column(&mut v.column));
         for block in &mut self.blocks {
             block.terms.iter_mut().for_each(|term| column(&mut term.column));
-            for row in block.forms.iter_mut().flat_map(|(_, rows)| rows) {
-                *row = row.and_then(|r| row_at[r]);
-            }
+            block.rows_mut().for_each(|own| own.row = row_at[own.row].unwrap_or(0));
         }
         self.find_pattern(rank, rows);
         Some(())
+    }
+
+    /// Columns of the nonzero entries of A before its elimination, for each row.
+    fn pattern(&self, rows: usize) -> Vec<BTreeSet<usize>> {
+        let mut pattern = vec![BTreeSet::new(); rows];
+        for block in &self.blocks {
+            let columns = || block.terms.iter().map(|term| term.column);
+            block.rows().for_each(|own| pattern[own.row].extend(columns()));
+        }
+        pattern
+    }
+
+    /// Numbers the entries of a pattern row by row, also in the rows of the blocks, and fills the layout. Returns the number of
+    /// each entry, for each row.
+    fn number_entries(&mut self, pattern: &[BTreeSet<usize>]) -> Vec<BTreeMap<usize, usize>> {
+        let mut next = 0..;
+        let numbers: Vec<BTreeMap<usize, usize>> =
+            pattern.iter().map(|row| row.iter().copied().zip(&mut next).collect()).collect();
+        for block in &mut self.blocks {
+            let columns: Vec<usize> = block.terms.iter().map(|term| term.column).collect();
+            block
+                .rows_mut()
+                .for_each(|own| own.entries = columns.iter().map(|c| numbers[own.row][c]).collect());
+        }
+        let counts = (pattern.len(), pattern.iter().map(BTreeSet::len).sum());
+        self.layout = Layout::of(self.bodies.len(), counts, self.columns, self.freedoms);
+        numbers
     }
 
     /// Finds the nonzero pattern of A before and after its elimination, and the bodies that each independent
     /// coordinate moves.
     fn find_pattern(&mut self, rank: usize, rows: usize) {
         let (n, f) = (self.columns, self.freedoms);
-        let mut filled = vec![false; rows * n];
-        for block in &self.blocks {
-            for row in block.forms.iter().flat_map(|(_, rows)| rows).flatten() {
-                block.terms.iter().for_each(|term| filled[row * n + term.column] = true);
-            }
-        }
-        let given = filled.clone();
+        let given = self.pattern(rows);
+        let mut filled = given.clone();
+        let mut below: Vec<Vec<usize>> = Vec::with_capacity(rank);
         for k in 0..rank {
-            let below: Vec<usize> = (k + 1..rows).filter(|r| filled[r * n + k]).collect();
-            let columns: Vec<usize> = (k + 1..n).filter(|c| filled[k * n + c]).collect();
-            for r in &below {
-                columns.iter().for_each(|c| filled[r * n + c] = true);
-            }
-            self.pivots.push(RowPivot { rows: below, columns });
+            let own: Vec<usize> = filled[k].range(k + 1..).copied().collect();
+            let rows: Vec<usize> = (k + 1..rows).filter(|r| filled[*r].contains(&k)).collect();
+            rows.iter().for_each(|r| filled[*r].extend(&own));
+            below.push(rows);
         }
-        self.remainders = (rank * n..rows * n).filter(|&entry| filled[entry] && entry % n >= rank).collect();
-        self.filled_in = (0..rows * n).filter(|&entry| filled[entry] && !given[entry]).collect();
+        let numbers = self.number_entries(&filled);
+        for (k, below) in below.into_iter().enumerate() {
+            let columns: Vec<(usize, usize)> = numbers[k].range(k + 1..).map(|(c, at)| (*c, *at)).collect();
+            let changed = below.iter().flat_map(|r| columns.iter().map(|(c, _)| numbers[*r][c])).collect();
+            let rows = below.iter().map(|r| (*r, numbers[*r][&k])).collect();
+            self.pivots.push(RowPivot { entry: numbers[k][&k], rows, columns, changed });
+        }
+        self.remainders =
+            numbers[rank..].iter().flat_map(|row| row.range(rank..)).map(|(_, at)| *at).collect();
+        let new = |(row, given): (&BTreeMap<usize, usize>, &BTreeSet<usize>)| {
+            row.iter().filter(|(c, _)| !given.contains(c)).map(|(_, at)| *at).collect::<Vec<_>>()
+        };
+        self.filled_in = numbers.iter().zip(&given).flat_map(new).collect();
         let mut follows = vec![false; n * f];
         for y in 0..f {
             follows[(rank + y) * f + y] = true;
             for k in (0..rank).rev() {
-                follows[k * f + y] = self.pivots[k].columns.iter().any(|c| follows[c * f + y]);
+                follows[k * f + y] = self.pivots[k].columns.iter().any(|(c, _)| follows[c * f + y]);
             }
         }
         for i in 0..self.bodies.len() {
@@ -244,6 +282,39 @@ impl LoopPlan {
         }
         self.depends_on = follows;
     }
+}
+
+/// Row and column of the pivot that fills in the fewest entries, and the magnitude of the largest remaining entry. Only entries with at
+/// least [`PIVOT_CHOICE`] times this magnitude are pivots.
+fn best_pivot(
+    matrix: &[BTreeMap<usize, f64>],
+    row_at: &[Option<usize>],
+    column_at: &[Option<usize>],
+    may_depend: &dyn Fn(usize) -> bool,
+) -> Option<(usize, usize, f64)> {
+    let open = || {
+        let entries =
+            matrix.iter().enumerate().flat_map(|(r, row)| row.iter().map(move |(c, x)| (r, *c, x.abs())));
+        entries.filter(|(r, c, _)| row_at[*r].is_none() && column_at[*c].is_none())
+    };
+    let mut counts = (vec![0_usize; matrix.len()], vec![0_usize; column_at.len()]);
+    let mut largest = 0.0_f64;
+    for (r, c, size) in open() {
+        counts.0[r] += 1;
+        counts.1[c] += 1;
+        if may_depend(c) {
+            largest = largest.max(size);
+        }
+    }
+    let fill = |r: usize, c: usize| (counts.0[r] - 1) * (counts.1[c] - 1);
+    open()
+        .filter(|(_, c, size)| may_depend(*c) && *size >= PIVOT_CHOICE * largest)
+        .min_by(|a, b| {
+            let [of_a, of_b] = [a, b].map(|(r, c, _)| fill(*r, *c));
+            // Of equal entries the last one: the energy is eliminated in the order of the other coordinates, those near the root first.
+            of_a.cmp(&of_b).then(b.2.total_cmp(&a.2)).then((b.0, b.1).cmp(&(a.0, a.1)))
+        })
+        .map(|(r, c, _)| (r, c, largest))
 }
 
 /// Column of each coordinate; `None` for coordinates of joints between a massless base and the first body with mass.

@@ -230,11 +230,12 @@ impl LoopContinuation {
     /// ‖A\[d\]⁻¹‖ at a lane, by power iterations with the factors of the elimination.
     fn inverse_norm(&mut self, lane: usize, lanes: usize) -> f64 {
         let plan = &self.linkage.plan;
-        let (n, rank, rows) = (plan.columns, plan.layout.count, plan.layout.rows);
+        let rank = plan.layout.count;
         let scratch = &self.linkage.scratch;
-        let entry = |r: usize, c: usize| scratch[(rows + r * n + c) * lanes + lane];
+        let entry = |entry: usize| scratch[(plan.layout.entries + entry) * lanes + lane];
         let over = |k: usize| scratch[(plan.layout.inverse_pivots + k) * lanes + lane];
-        let below = |k: usize| plan.pivots[k].rows.iter().copied().filter(|r| *r < rank);
+        let below = |k: usize| plan.pivots[k].rows.iter().copied().filter(|(r, _)| *r < rank);
+        let ahead = |k: usize| plan.pivots[k].columns.iter().copied().filter(|(c, _)| *c < rank);
         let v = &mut self.neighbourhood.scratch;
         v.clear();
         v.extend((0..rank).map(|k| 1.0 + 0.1 * k as f64));
@@ -245,11 +246,10 @@ impl LoopContinuation {
             // L y = v, U x = y.
             for k in 0..rank {
                 let known = v[k] * over(k);
-                below(k).for_each(|r| v[r] -= entry(r, k) * known);
+                below(k).for_each(|(r, at)| v[r] -= entry(at) * known);
             }
             for k in (0..rank).rev() {
-                let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
-                let known: f64 = ahead.map(|&c| entry(k, c) * v[c]).sum();
+                let known: f64 = ahead(k).map(|(c, at)| entry(at) * v[c]).sum();
                 v[k] = (v[k] - known) * over(k);
             }
             norm = v.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -257,11 +257,10 @@ impl LoopContinuation {
             for k in 0..rank {
                 v[k] *= over(k);
                 let known = v[k];
-                let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
-                ahead.for_each(|&c| v[c] -= entry(k, c) * known);
+                ahead(k).for_each(|(c, at)| v[c] -= entry(at) * known);
             }
             for k in (0..rank).rev() {
-                let known: f64 = below(k).map(|r| entry(r, k) * v[r]).sum();
+                let known: f64 = below(k).map(|(r, at)| entry(at) * v[r]).sum();
                 v[k] -= known * over(k);
             }
         }
@@ -383,7 +382,7 @@ impl LoopContinuation {
     /// Result of a lane whose branch is certain.
     fn row_result(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<FollowedRow> {
         let answered = CertifiedMass { mass: seen.masses[lane], error: seen.errors[lane] };
-        let mass = Some(answered).filter(|mass| mass.is_clear());
+        let mass = Some(answered).filter(|mass| mass.is_clear(self.linkage.trusted_error()));
         self.is_on_branch(seen, lane, lanes).then_some(FollowedRow { mass, residual: seen.residuals[lane] })
     }
 

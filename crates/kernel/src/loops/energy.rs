@@ -15,7 +15,10 @@ use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_ro
 use crate::columns::{LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess};
 use crate::contact::ContactConversion;
 use crate::mechanism::{BodyDirection, BodyPoint};
-use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, QUICK_ERROR, ROUTE_ROUNDINGS};
+use crate::tolerances::{
+    FAR_ROUNDINGS, LINKAGE_FREEDOMS, NO_BOUND, OPEN_ROUNDINGS, QUICK_COORDINATES, QUICK_ERROR,
+    ROUTE_ROUNDINGS,
+};
 use percuss_spatial::lanes::Lanes;
 
 /// Contact in the frames of the plan.
@@ -105,6 +108,9 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
     let other = rows.rods + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
+    // Of many pivots, the smallest one does not bound the norm of the inverse: only the refined bound holds.
+    let is_large = plan.columns > QUICK_COORDINATES;
+    let least = if is_large { least.max(T::from_f64(NO_BOUND)) } else { least };
     // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
     let open = rows.open * (least * T::from_f64(plan.scale)).max(T::one());
     let mut answer: LoopResponse<T> = solve_response(plan, contact, (other + open, least), false, scratch);
@@ -118,9 +124,15 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let is_clear = excess.map(|excess| excess <= 0.0);
     if is_clear[..T::WIDTH].contains(&false) {
         fill_rate_errors(plan, least, scratch);
-        // The step that would close the loops.
+        // The step that would close the loops. An entry changes with the coordinates between its body and the ground.
         let per_metre = T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
-        let open = smaller(fill_steps::<T>(plan, scratch).mul_add(per_metre, rows.open), open);
+        let step: T = fill_steps(plan, scratch);
+        let mut largest = T::zero();
+        for k in 0..plan.layout.count {
+            largest = largest.max(get::<T>(scratch, plan.layout.steps + k).abs());
+        }
+        let step = smaller(largest * T::from_f64(plan.depth), step);
+        let open = smaller(step.mul_add(per_metre, rows.open), open);
         let refined: LoopResponse<T> = solve_response(plan, contact, (other + open, least), true, scratch);
         let mut errors = [0.0; WIDEST];
         refined.error.store(&mut errors);
@@ -129,6 +141,8 @@ pub(super) fn response_after_elimination<T: Lanes>(
         }
         answer.error = T::load(&errors);
     }
+    // A redundant row that is not redundant here.
+    let beyond = beyond + (least - T::from_f64(NO_BOUND)).max(T::zero());
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }

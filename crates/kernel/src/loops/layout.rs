@@ -5,8 +5,8 @@ use percuss_spatial::lanes::Lanes;
 /// Offsets of the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
-    /// A, rows × columns. The pivot rows come first, in order; redundant rows follow.
-    pub rows: usize,
+    /// Nonzero entries of A, row by row. The pivot rows come first, in order; redundant rows follow.
+    pub entries: usize,
     /// 1 over each pivot.
     pub inverse_pivots: usize,
     /// Rates of the coordinates, columns × freedoms.
@@ -33,12 +33,12 @@ pub(super) struct Layout {
 pub(super) const FRAME: usize = 12;
 
 impl Layout {
-    /// Layout for `bodies` bodies, `all` rows of A, `columns` coordinates, of which `freedoms` are independent. The frames of
-    /// the bodies come first.
-    pub fn of(bodies: usize, all: usize, columns: usize, freedoms: usize) -> Self {
+    /// Layout for `bodies` bodies, `all` rows of A with `nonzero` entries, `columns` coordinates, of which `freedoms` are independent. The
+    /// frames of the bodies come first.
+    pub fn of(bodies: usize, (all, nonzero): (usize, usize), columns: usize, freedoms: usize) -> Self {
         let count = columns - freedoms;
-        let rows = FRAME * bodies;
-        let over = rows + all * columns;
+        let entries = FRAME * bodies;
+        let over = entries + nonzero;
         let rates = over + count;
         let twists = rates + columns * freedoms;
         let residuals = twists + 6 * bodies * freedoms;
@@ -47,7 +47,7 @@ impl Layout {
         let rate_errors = growth + all;
         let known = rate_errors + columns * freedoms;
         Self {
-            rows,
+            entries,
             inverse_pivots: over,
             rates,
             twists,

@@ -19,6 +19,7 @@ use crate::aligned::Aligned;
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
 use crate::contact::{Contact, ContactConversion, LinkFrame, Normal, NormalFrame, relative_frame};
 use crate::mechanism::{BodyDirection, Linkage};
+use crate::tolerances::{LANES_TRUSTED_ERROR, LARGE_TRUSTED_ERROR, QUICK_COORDINATES};
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
@@ -109,7 +110,7 @@ impl LoopKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(|answers| {
+        CertifiedMass::of_one(self.trusted_error(), |answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             if let Some(groups) = self.groups(columns, 0, answers) {
@@ -125,6 +126,11 @@ impl LoopKernel {
         if let Some(groups) = self.groups(columns, first, answers) {
             instructions.run(groups);
         }
+    }
+
+    /// Largest accepted relative error.
+    pub fn trusted_error(&self) -> f64 {
+        if self.plan.columns > QUICK_COORDINATES { LARGE_TRUSTED_ERROR } else { LANES_TRUSTED_ERROR }
     }
 
     /// Indices of the positions that the kernel reads.

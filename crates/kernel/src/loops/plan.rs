@@ -76,22 +76,48 @@ pub(super) struct BlockTerm {
     pub is_first: bool,
 }
 
+/// Row of A.
+#[derive(Clone, Debug)]
+pub(super) struct BlockRow {
+    pub row: usize,
+    /// Entry of A for each term of the block.
+    pub entries: Vec<usize>,
+}
+
 /// Rows that bind the same joint velocities.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     /// Target of the successor's point; `None` without a closure.
     pub predecessor: Option<BodyPoint>,
     pub successor: BodyPoint,
-    /// Forms with the row numbers of each; `None` for an unused row.
-    pub forms: Vec<(RowForm, [Option<usize>; 3])>,
+    /// Forms with their rows; `None` for an unused row.
+    pub forms: Vec<(RowForm, [Option<BlockRow>; 3])>,
     pub terms: Vec<BlockTerm>,
 }
 
-/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right.
+impl Block {
+    /// Its rows.
+    pub fn rows(&self) -> impl Iterator<Item = &BlockRow> {
+        self.forms.iter().flat_map(|(_, rows)| rows).flatten()
+    }
+
+    /// Its rows.
+    pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut BlockRow> {
+        self.forms.iter_mut().flat_map(|(_, rows)| rows).flatten()
+    }
+}
+
+/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right. Entries are numbers of nonzero
+/// entries of A, row by row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RowPivot {
-    pub rows: Vec<usize>,
-    pub columns: Vec<usize>,
+    pub entry: usize,
+    /// Each row with its entry in the column of the pivot.
+    pub rows: Vec<(usize, usize)>,
+    /// Each column with its entry in the row of the pivot.
+    pub columns: Vec<(usize, usize)>,
+    /// Entries that the elimination changes, for each row the columns.
+    pub changed: Vec<usize>,
 }
 
 /// Mechanism of few degrees of freedom.
@@ -100,13 +126,13 @@ pub(super) struct LoopPlan {
     pub bodies: Vec<LoopBody>,
     pub blocks: Vec<Block>,
     pub pivots: Vec<RowPivot>,
-    /// Fill-in: entries of A, row by row, without a term of their own that become nonzero in the elimination.
+    /// Fill-in: entries of A without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,
-    /// Entries of A, row by row, of the redundant rows in the independent columns: zero after the elimination.
+    /// Entries of A of the redundant rows in the independent columns: zero after the elimination.
     pub remainders: Vec<usize>,
     /// For each coordinate and each independent one: true if the rate can be nonzero.
     pub depends_on: Vec<bool>,
-    /// Largest pivot at the pose of compilation.
+    /// Largest entry of A at the pose of compilation.
     pub scale: f64,
     /// Largest remainder of a redundant row after the elimination.
     pub redundant: f64,
@@ -117,6 +143,8 @@ pub(super) struct LoopPlan {
     pub weight: f64,
     /// Per coordinate: upper bound of √(twice the kinetic energy) at a unit rate of this coordinate alone, √kg.
     pub root_weights: Vec<f64>,
+    /// Largest number of coordinates between a body and the ground.
+    pub depth: f64,
     /// Error of the entries of A in roundings, from the depth of the tree alone.
     pub roundings: f64,
     pub columns: usize,

@@ -2,18 +2,18 @@
 
 use super::frames::{axis, direction, fill_frames, point};
 use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store, times};
-use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan};
+use super::plan::{Block, BlockRow, BlockTerm, LoopBody, LoopMotion, LoopPlan};
 use crate::columns::PositionColumns;
 use crate::mechanism::RowForm;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Single};
 
-/// Entries of A at the given positions, row by row; used before the rows are ordered.
+/// Nonzero entries of A at the given positions.
 pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
     let mut scratch = vec![0.0; plan.layout.total];
     fill_frames::<Single>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut scratch);
     fill_rows::<Single, false>(plan, &mut scratch);
-    scratch[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
+    scratch[plan.layout.entries..plan.layout.inverse_pivots].to_vec()
 }
 
 /// Quantities of the loops, computed with their rows.
@@ -42,12 +42,12 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
     scratch: &mut [f64],
 ) -> LoopResiduals<T> {
     for entry in &plan.filled_in {
-        store(scratch, plan.layout.rows + entry, T::zero());
+        store(scratch, plan.layout.entries + entry, T::zero());
     }
     macro_rules! keep {
         ($row:expr, $residual:expr) => {
-            if KEPT && let Some(row) = $row {
-                store(scratch, plan.layout.residuals + row, $residual);
+            if KEPT && let Some(own) = &$row {
+                store(scratch, plan.layout.residuals + own.row, $residual);
             }
         };
     }
@@ -73,7 +73,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                     let gap = dot(&apart, &force);
                     open = open.max(gap.abs());
                     keep!(rows[0], gap);
-                    add_row(plan, block, rows[0], &still, &force, &at, scratch);
+                    add_force_row(plan, block, &rows[0], &force, &at, scratch);
                 }
                 RowForm::Cosine(e, b, length) => {
                     let (e, b): ([T; 3], [T; 3]) = (direction(scratch, e), direction(scratch, b));
@@ -81,7 +81,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                     let gap = dot(&b, &e) * length;
                     open = open.max(gap.abs());
                     keep!(rows[0], gap);
-                    add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, scratch);
+                    add_moment_row(plan, block, &rows[0], &times(&cross(&b, &e), length), scratch);
                 }
                 RowForm::Orientation(own, other, length) => {
                     let length = T::from_f64(*length);
@@ -96,7 +96,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                         let gap = dot(&twice, &own[k]) * half;
                         open = open.max(gap.abs());
                         keep!(rows[k], gap);
-                        add_row(plan, block, rows[k], &times(&own[k], length), &still, &at, scratch);
+                        add_moment_row(plan, block, &rows[k], &times(&own[k], length), scratch);
                         k += 1;
                     }
                     // Beyond a right angle the sine decreases again.
@@ -111,13 +111,13 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                     keep!(rows[0], gap);
                     let over = T::one() / length;
                     rods = rods.max((size(&at) + size(&apart)) * over);
-                    add_row(plan, block, rows[0], &still, &times(&apart, over), &at, scratch);
+                    add_force_row(plan, block, &rows[0], &times(&apart, over), &at, scratch);
                 }
                 RowForm::Constant => {
-                    let Some(row) = rows[0] else { continue };
+                    let Some(row) = &rows[0] else { continue };
                     keep!(rows[0], T::zero());
-                    for term in &block.terms {
-                        let to = plan.layout.rows + row * plan.columns + term.column;
+                    for (term, entry) in block.terms.iter().zip(&row.entries) {
+                        let to = plan.layout.entries + entry;
                         store(scratch, to, entry_before::<T>(term, to, scratch) + T::from_f64(term.factor));
                     }
                 }
@@ -131,16 +131,22 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
     }
 }
 
-/// Axis of the joint velocity of a term, and the vector from its body's origin to the point `at`; root axes.
+/// Axis of the joint velocity of a term, root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], scratch: &[f64]) -> ([T; 3], [T; 3]) {
+fn joint_axis<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], scratch: &[f64]) -> [T; 3] {
     let k = match bodies[term.body].motion {
         LoopMotion::Ball(_) => term.component,
         LoopMotion::Floating(_) | LoopMotion::Base => term.component % 3,
         LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
     };
+    axis(scratch, term.body, k)
+}
+
+/// Axis of the joint velocity of a term, and the vector from its body's origin to the point `at`; root axes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], scratch: &[f64]) -> ([T; 3], [T; 3]) {
     let place: [T; 3] = get_vector(scratch, FRAME * term.body + 9);
-    (axis(scratch, term.body, k), minus(at, &place))
+    (joint_axis(term, bodies, scratch), minus(at, &place))
 }
 
 /// Entry before a term is added: zero for the first term.
@@ -154,17 +160,17 @@ fn entry_before<T: Lanes>(term: &BlockTerm, entry: usize, scratch: &[f64]) -> T 
 fn add_point<T: Lanes>(
     plan: &LoopPlan,
     block: &Block,
-    rows: &[Option<usize>; 3],
+    rows: &[Option<BlockRow>; 3],
     at: &[T; 3],
     scratch: &mut [f64],
 ) {
-    for term in &block.terms {
+    for (number, term) in block.terms.iter().enumerate() {
         let (a, arm) = lever(term, &plan.bodies, at, scratch);
         let velocity = if term.slides { a } else { cross(&a, &arm) };
         let mut k = 0;
         while k < 3 {
-            if let Some(row) = rows[k] {
-                let to = plan.layout.rows + row * plan.columns + term.column;
+            if let Some(row) = &rows[k] {
+                let to = plan.layout.entries + row.entries[number];
                 store(
                     scratch,
                     to,
@@ -176,23 +182,49 @@ fn add_point<T: Lanes>(
     }
 }
 
-/// Adds one row of A: the power of a wrench (moment about the point `at`, force; root axes) on the velocities of the block.
-/// Nothing is added if `row` is `None`.
+/// Adds one row of A: the power of a force at the point `at` (root axes) on the velocities of the block. Nothing is added if `row` is `None`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn add_row<T: Lanes>(
+fn add_force_row<T: Lanes>(
     plan: &LoopPlan,
     block: &Block,
-    row: Option<usize>,
-    moment: &[T; 3],
+    row: &Option<BlockRow>,
     force: &[T; 3],
     at: &[T; 3],
     scratch: &mut [f64],
 ) {
-    let Some(row) = row else { return };
-    for term in &block.terms {
+    add_row(plan, block, row, scratch, |term, scratch| {
         let (a, arm) = lever(term, &plan.bodies, at, scratch);
-        let power = if term.slides { dot(&a, force) } else { dot(&a, &plus(moment, &cross(&arm, force))) };
-        let to = plan.layout.rows + row * plan.columns + term.column;
+        if term.slides { dot(&a, force) } else { dot(&a, &cross(&arm, force)) }
+    });
+}
+
+/// Adds one row of A: the power of a moment (root axes) on the velocities of the block. Nothing is added if `row` is `None`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_moment_row<T: Lanes>(
+    plan: &LoopPlan,
+    block: &Block,
+    row: &Option<BlockRow>,
+    moment: &[T; 3],
+    scratch: &mut [f64],
+) {
+    add_row(plan, block, row, scratch, |term, scratch| {
+        if term.slides { T::zero() } else { dot(&joint_axis(term, &plan.bodies, scratch), moment) }
+    });
+}
+
+/// Adds one row of A with the given power on each joint velocity of the block.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_row<T: Lanes>(
+    plan: &LoopPlan,
+    block: &Block,
+    row: &Option<BlockRow>,
+    scratch: &mut [f64],
+    power: impl Fn(&BlockTerm, &[f64]) -> T,
+) {
+    let Some(row) = row else { return };
+    for (term, entry) in block.terms.iter().zip(&row.entries) {
+        let power = power(term, scratch);
+        let to = plan.layout.entries + entry;
         store(scratch, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)));
     }
 }
@@ -201,44 +233,45 @@ fn add_row<T: Lanes>(
 /// largest 1/|pivot|, or a larger value than any such quotient if a redundant row is not redundant here.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
-    let (n, rows) = (plan.columns, plan.layout.rows);
+    let entries = plan.layout.entries;
     let mut least = T::zero();
     for (k, pivot) in plan.pivots.iter().enumerate() {
-        let over = T::one() / get::<T>(scratch, rows + k * n + k);
+        let over = T::one() / get::<T>(scratch, entries + pivot.entry);
         least = least.max(over.abs());
         store(scratch, plan.layout.inverse_pivots + k, over);
-        for &r in &pivot.rows {
-            let factor = -(get::<T>(scratch, rows + r * n + k) * over);
-            for &c in &pivot.columns {
-                let to = rows + r * n + c;
-                store(scratch, to, get::<T>(scratch, rows + k * n + c).mul_add(factor, get(scratch, to)));
+        let mut changed = pivot.changed.iter();
+        for (_, below) in &pivot.rows {
+            let factor = -(get::<T>(scratch, entries + below) * over);
+            for ((_, from), to) in pivot.columns.iter().zip(&mut changed) {
+                let change: T = get(scratch, entries + from);
+                store(scratch, entries + to, change.mul_add(factor, get(scratch, entries + to)));
             }
         }
     }
     let mut left = T::zero();
     for &entry in &plan.remainders {
-        left = left.max(get::<T>(scratch, rows + entry).abs());
+        left = left.max(get::<T>(scratch, entries + entry).abs());
     }
     let excess = (left - T::from_f64(plan.redundant)).max(T::zero());
     excess.mul_add(T::from_f64(f64::MAX), least)
 }
 
-/// Factor of pivot row `k` that was added to row `r` in the elimination.
+/// Factor of pivot row `k` that was added to a row in the elimination; `below`: entry of that row in the column of the pivot.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn factor<T: Lanes>(plan: &LoopPlan, k: usize, r: usize, scratch: &[f64]) -> T {
-    let below: T = get(scratch, plan.layout.rows + r * plan.columns + k);
+fn factor<T: Lanes>(plan: &LoopPlan, k: usize, below: usize, scratch: &[f64]) -> T {
+    let below: T = get(scratch, plan.layout.entries + below);
     -(below * get::<T>(scratch, plan.layout.inverse_pivots + k))
 }
 
 /// Newton steps of the dependent coordinates, m, after the elimination of A: A\[d\] δ = −r. Eliminates the residuals. Returns ‖δ‖.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
-    let (n, rank) = (plan.columns, plan.layout.count);
+    let rank = plan.layout.count;
     for (k, pivot) in plan.pivots.iter().enumerate() {
         let own: T = get(scratch, plan.layout.residuals + k);
-        for &r in &pivot.rows {
+        for &(r, below) in &pivot.rows {
             let to = plan.layout.residuals + r;
-            store(scratch, to, own.mul_add(factor(plan, k, r, scratch), get(scratch, to)));
+            store(scratch, to, own.mul_add(factor(plan, k, below, scratch), get(scratch, to)));
         }
     }
     let mut square = T::zero();
@@ -246,9 +279,9 @@ pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     while k > 0 {
         k -= 1;
         let mut sum: T = get(scratch, plan.layout.residuals + k);
-        for &c in &plan.pivots[k].columns {
+        for &(c, entry) in &plan.pivots[k].columns {
             if c < rank {
-                let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                let entry: T = get(scratch, plan.layout.entries + entry);
                 sum = entry.mul_add(get(scratch, plan.layout.steps + c), sum);
             }
         }
@@ -262,7 +295,7 @@ pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
 /// Rates of all coordinates for unit rates of the independent coordinates.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
-    let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);
+    let (f, rank, rates) = (plan.freedoms, plan.layout.count, plan.layout.rates);
     let mut y = 0;
     while y < f {
         let mut free = 0;
@@ -279,9 +312,9 @@ pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
                 continue;
             }
             let mut sum = T::zero();
-            for &c in &plan.pivots[k].columns {
+            for &(c, entry) in &plan.pivots[k].columns {
                 if plan.depends_on[c * f + y] {
-                    let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                    let entry: T = get(scratch, plan.layout.entries + entry);
                     sum = entry.mul_add(get(scratch, rates + c * f + y), sum);
                 }
             }
@@ -302,8 +335,8 @@ pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mu
     }
     for (k, pivot) in plan.pivots.iter().enumerate() {
         let own: T = get(scratch, growth + k);
-        for &r in &pivot.rows {
-            let factor: T = factor(plan, k, r, scratch);
+        for &(r, below) in &pivot.rows {
+            let factor: T = factor(plan, k, below, scratch);
             store(scratch, growth + r, own.mul_add(factor.abs(), get(scratch, growth + r)));
         }
     }
@@ -323,15 +356,15 @@ pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mu
             let mut error = T::zero();
             if plan.depends_on[k * f + y] {
                 let mut sum = get::<T>(scratch, rates + k * f + y).abs();
-                for &c in &plan.pivots[k].columns {
+                for &(c, _) in &plan.pivots[k].columns {
                     if plan.depends_on[c * f + y] {
                         sum += get::<T>(scratch, rates + c * f + y).abs();
                     }
                 }
                 sum *= get::<T>(scratch, growth + k);
-                for &c in &plan.pivots[k].columns {
+                for &(c, entry) in &plan.pivots[k].columns {
                     if c < rank {
-                        let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                        let entry: T = get(scratch, plan.layout.entries + entry);
                         sum = entry.abs().mul_add(get(scratch, errors + c * f + y), sum);
                     }
                 }

@@ -183,7 +183,6 @@ impl ErrorBound {
                 }
             }
         }
-        self.tracks_sizes = self.amplification >= NO_BOUND;
         if self.tracks_sizes {
             return;
         }
@@ -233,11 +232,13 @@ impl ErrorBound {
         self.per_root += size.moment_per_root * angular + size.force_per_root * linear;
     }
 
-    /// Finds the light bodies that affect the contact. Returns the largest [`amplification`](EnergyShare::amplification) of the
-    /// others. Without a bound for a light body, its twist is not computed, and the result is [`NO_BOUND`].
+    /// Finds the light bodies that affect the contact, and whether sizes must be tracked because of them. Returns the largest
+    /// [`amplification`](EnergyShare::amplification) of the other bodies. Without a bound for a light body, no twists are computed, and the
+    /// result is [`NO_BOUND`].
     fn find_light_bodies(&mut self, steps: &[ScheduledStep], branches: &Branches) -> f64 {
         self.twist_steps.clear();
         self.needs_twist.fill(false);
+        self.tracks_sizes = false;
         let last = steps.len() - 1;
         let mut amplification = 0.0_f64;
         // Children before parents.
@@ -246,7 +247,9 @@ impl ErrorBound {
             self.needs_twist[at] |= share.is_light();
             // The twists of clusters are not computed.
             let in_cluster = placed.step.cluster_joint.is_some();
-            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && self.needs_twist[at]) {
+            self.tracks_sizes |= share.amplification > LARGEST_AMPLIFICATION;
+            if share.amplification >= NO_BOUND || (in_cluster && self.needs_twist[at]) {
+                self.tracks_sizes = true;
                 self.twist_steps.clear();
                 return NO_BOUND;
             }
@@ -276,6 +279,13 @@ pub(super) struct EnergyError<T> {
 }
 
 impl<T: Lanes> EnergyError<T> {
+    /// Adds the effect of an inertia whose terms have the given roots, √(kg·m²) and √kg, at a twist of these magnitudes, rad/s and m/s.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn add_inertia(&mut self, roots: [T; 2], angular: T, linear: T) {
+        let root = roots[0].mul_add(angular, roots[1] * linear);
+        self.of_inertias = root.mul_add(root, self.of_inertias);
+    }
+
     /// Error in units of ε, 1/kg. The factor 2 counts for inertias the roundings of the body and of its children; for forces, the change of
     /// 1/m̄ is 2 δf·v.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -5,8 +5,9 @@ use super::contact_path::ContactPath;
 use super::error_bound::EnergyError;
 use super::parent_transform::{LanePositions, transform_twist_to_body};
 use super::plan::{ScheduledStep, StepForm, TreeMotion, TreeStep};
-use super::propagation::PropagatedWrench;
+use super::propagation::{PropagatedWrench, smaller};
 use super::workspace::{COSINE, Offsets, SINE, TWIST, number, stored_sizes};
+use crate::tolerances::{LARGEST_AMPLIFICATION, NO_BOUND};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
 
@@ -14,7 +15,8 @@ use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
 /// pivots of the recursion: v = v_parent + Σ e q̇ with q̇ = t/D − (U/D)·v.
 ///
 /// The computed twists belong to the mass matrix M + δM. With |δM| ≤ η M, the effect of δM on 1/m̄ is at most 1 + η times that for
-/// these twists; η = κ ε is small by [`LARGEST_AMPLIFICATION`](crate::tolerances::LARGEST_AMPLIFICATION).
+/// these twists; η = κ ε is small by [`LARGEST_AMPLIFICATION`]. If sizes are tracked, the terms of the inertias are those at this
+/// configuration, because rigid subtrees of long chains are much larger: they have an error on the body, and on its parent.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn add_light_body_errors<T: Lanes>(
     steps: &[ScheduledStep],
@@ -25,6 +27,7 @@ pub(super) fn add_light_body_errors<T: Lanes>(
     errors: &mut EnergyError<T>,
 ) {
     let (arm, bound) = (selection.contact.arms::<T>(at), &selection.bound);
+    let mut amplification = T::zero();
     for light in &bound.twist_steps {
         let placed = &steps[light.at];
         let (step, offsets) = (&placed.step, &placed.offsets);
@@ -33,14 +36,21 @@ pub(super) fn add_light_body_errors<T: Lanes>(
             twist = load_twist(&steps[steps.len() - 1 - parent].offsets, scratch);
             transform_twist_to_body(step, &mut twist, at, offsets.joint::<T>(scratch));
         }
+        let by_parent = twist;
         let on_path = selection.branches.roles[light.at].is_on_path();
         add_joint_velocities(placed, on_path, &mut twist, scratch);
         store_twist(&twist, offsets, scratch);
         if step.share.is_light() {
             let (angular, linear) = (norm(&twist.angular), norm(&twist.linear));
-            let [root_moment, root_mass] = step.share.roots.map(T::from_f64);
-            let root = root_moment.mul_add(angular, root_mass * linear);
-            errors.of_inertias = root.mul_add(root, errors.of_inertias);
+            let mut roots = step.share.roots.map(T::from_f64);
+            if propagated.tracks_sizes {
+                roots = roots_here(placed, roots, scratch);
+                errors.add_inertia(roots, norm(&by_parent.angular), norm(&by_parent.linear));
+                let largest = [step.share.angular, step.share.linear].map(T::from_f64);
+                let root = roots[0].mul_add(largest[0], roots[1] * largest[1]);
+                amplification = amplification.max(root * root);
+            }
+            errors.add_inertia(roots, angular, linear);
             let power = if !propagated.tracks_sizes {
                 light.size.power(arm, propagated.response.sqrt(), angular, linear)
             } else if on_path {
@@ -52,6 +62,27 @@ pub(super) fn add_light_body_errors<T: Lanes>(
             errors.of_wrenches += power * T::from_f64(1.0 + light.contact_error);
         }
     }
+    let excess = (amplification - T::from_f64(LARGEST_AMPLIFICATION)).max(T::zero());
+    errors.of_inertias = excess.mul_add(T::from_f64(NO_BOUND), errors.of_inertias);
+}
+
+/// √moment, √(kg·m²), and √mass, √kg, of the terms of a light body's articulated inertia at this configuration, or `constant` if smaller.
+/// Its trace bounds the sum; the terms of a child's inertia about the parent's origin are at most those about its own with the reach.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn roots_here<T: Lanes>(placed: &ScheduledStep, constant: [T; 2], scratch: &[f64]) -> [T; 2] {
+    let (step, stored) = (&placed.step, placed.offsets.inertia::<T>(scratch));
+    if !step.has_child_inertia {
+        return constant;
+    }
+    let [moment, mass] = step.share.carried.map(T::from_f64);
+    if placed.form == StepForm::GroundHinge {
+        // Only this entry of the inertia is stored, and only it has an effect.
+        return [smaller((moment + number::<T>(stored, 5)).sqrt(), constant[0]), constant[1]];
+    }
+    let inertia: PackedInertia<T> = PackedInertia::load(stored);
+    let of_reach = T::from_f64(step.reach * step.reach);
+    let moment = inertia.mass_size().mul_add(of_reach, inertia.moment_size() + moment);
+    [smaller(moment.sqrt(), constant[0]), smaller((inertia.mass_size() + mass).sqrt(), constant[1])]
 }
 
 /// Stores the twist of a light body in its workspace.

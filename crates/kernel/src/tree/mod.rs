@@ -21,6 +21,7 @@ use crate::aligned::Aligned;
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
 use crate::contact::{BodyContact, Contact, ContactConversion, NormalFrame};
 use crate::mechanism::Mechanism;
+use crate::tolerances::LANES_TRUSTED_ERROR;
 use branches::{StepRole, TreeNormalFrame};
 use cluster::MimicCluster;
 use contact_path::{ContactPath, TreeContact};
@@ -96,7 +97,7 @@ impl TreeKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(|answers| {
+        CertifiedMass::of_one(LANES_TRUSTED_ERROR, |answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             instructions.run_one(self.groups(columns, 0, answers));

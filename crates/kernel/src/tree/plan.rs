@@ -380,6 +380,7 @@ impl TreePlan {
     /// transmits nothing adds nothing to its parent.
     fn fill_sizes(&mut self) {
         let mut first = vec![0.0; self.steps.len()];
+        let mut carried = vec![[0.0; 2]; self.steps.len()];
         for i in (0..self.steps.len()).rev() {
             let step = &mut self.steps[i];
             let (own, h) = (&step.own.inertia, &step.own.inertia.coupling);
@@ -387,10 +388,15 @@ impl TreePlan {
             step.mass += own.linear[0];
             first[i] += Vector3::new(h[1][2], h[2][0], h[0][1]).norm();
             let (moment, mass, h, r) = (step.moment, step.mass, first[i], step.reach);
-            step.share = EnergyShare::of(&step.own.inertia, moment + r * r * mass, mass);
-            let lets_go = step.transmits_nothing();
+            step.share = EnergyShare::of(&step.own.inertia, [moment + r * r * mass, mass], carried[i]);
+            let (lets_go, is_light) = (step.transmits_nothing(), step.share.is_light());
             if let Some(parent) = step.parent.filter(|_| !lets_go) {
-                self.steps[parent].moment += moment + r * (2.0 * h + r * mass);
+                let about_parent = moment + r * (2.0 * h + r * mass);
+                if !is_light {
+                    carried[parent][0] += about_parent;
+                    carried[parent][1] += mass;
+                }
+                self.steps[parent].moment += about_parent;
                 self.steps[parent].mass += mass;
                 first[parent] += h + r * mass;
             }
