@@ -300,6 +300,22 @@ fn lanes_with_mimics_agree_with_poses() {
     }
 }
 
+/// Bodies near the ground are light compared with their subtrees.
+#[test]
+fn lanes_of_thousands_of_bodies_agree_with_poses() {
+    let mut rng = StdRng::seed_from_u64(11);
+    let mut seen = Seen::default();
+    for k in 0..6 {
+        let mechanism = tree(&mut rng, 4_000, k % 2 == 0, 2.0, 0.0);
+        let contact = contact_on(&mut rng, &mechanism);
+        let rows = rows(&mut rng, &mechanism, 3);
+        let system = System::new(mechanism, &Conditions::new()).expect("fits");
+        check(&format!("long {k}"), &system, &contact, &rows, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.by_lanes * 2 > seen.answers, "{seen:?}");
+}
+
 /// Light bracket between heavy links in line: its reduced inertia is the rounding of the inertia of its subtree.
 #[test]
 fn lanes_report_light_links_with_heavy_subtrees() {
