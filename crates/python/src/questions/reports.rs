@@ -2,7 +2,7 @@
 
 use crate::analysis::maps::code;
 use crate::analysis::model::Model;
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -80,7 +80,7 @@ pub fn tolerate(
     tolerance: &str,
     samples: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let tolerance = Tolerance::parse(tolerance).map_err(input)?;
+    let tolerance = Tolerance::parse(tolerance).map_err(|error| of_argument("tolerance")(input(error)))?;
     let sampling = samples.map(|(count, seed)| Sampling { count, seed });
     contact_report(py, model, contact, &conditions, |model, question| {
         study::tolerance_report(model, question, tolerance, sampling)
