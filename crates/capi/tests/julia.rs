@@ -57,7 +57,7 @@ fn items(list: &str) -> Vec<String> {
 /// The types of the header that are names of other types: `typedef int32_t percuss_status;`.
 fn aliases(header: &str) -> BTreeMap<String, String> {
     let lines = header.lines().filter_map(|line| line.strip_prefix("typedef ")?.strip_suffix(';'));
-    let plain = lines.filter(|line| !line.contains(['(', '{']));
+    let plain = lines.filter(|line| !line.contains(['(', '{']) && !line.starts_with("struct "));
     plain.filter_map(|line| line.rsplit_once(' ')).map(|(old, new)| (new.into(), old.into())).collect()
 }
 

@@ -213,6 +213,7 @@ def test_warnings_and_diagnostics() -> None:
         model = percuss.loads(text.replace("</robot>", '<joint_that_is_none name="x"/></robot>'), name="some.urdf")
     of_model = [d for d in model.diagnostics if d.severity == "warning"]
     assert of_model and str(of_model[0]) == str(caught[0].message)
+    assert caught[0].filename == __file__, "the warning is not at the line of the caller"
     assert of_model[0].path == "some.urdf" and of_model[0].line and of_model[0].code
     assert of_model[0].message in repr(of_model[0])
 

@@ -154,12 +154,13 @@ pub fn study_file(error: StudyFileError) -> PyErr {
     }
 }
 
-/// Issues a `ModelWarning` for each warning of a file. Notes are only in the model's diagnostics.
+/// Issues a `ModelWarning` for each warning of a file, at the line of the caller: the functions that read files are called by
+/// `percuss._arguments.converted`. Notes are only in the model's diagnostics.
 pub fn warn(py: Python<'_>, found: &[DiagnosticRecord]) -> PyResult<()> {
     let category = py.get_type::<ModelWarning>();
     for record in found.iter().filter(|record| record.severity == Severity::Warning) {
         let text = std::ffi::CString::new(record.line().replace('\0', "\u{fffd}"))?;
-        PyErr::warn(py, &category, &text, 1)?;
+        PyErr::warn(py, &category, &text, 2)?;
     }
     Ok(())
 }
