@@ -6,6 +6,7 @@ The calls are those of the stubs and of the public functions; a new call or argu
 
 from __future__ import annotations
 
+import concurrent.futures
 import dataclasses
 import inspect
 import multiprocessing
@@ -310,14 +311,23 @@ def faults_of(name: str) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_invalid_arguments(name: str) -> None:
-    """In a process of its own, so that an abort is a failure of this test alone."""
+def faults_in_a_thread(name: str) -> list[str]:
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        return pool.submit(faults_of, name).result()
+
+
+#: Calls that are also made in another thread than the main one, where Ctrl-C cannot stop them: one in three, for the time of the test.
+PLACES = [(name, faults_of) for name in CASES] + [(name, faults_in_a_thread) for name in list(CASES)[::3]]
+
+
+@pytest.mark.parametrize(("name", "faults"), PLACES)
+def test_invalid_arguments(name: str, faults: Callable[[str], list[str]]) -> None:
+    """In a process of its own, forked from one that has used its threads; an abort is a failure of this test alone."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         context = multiprocessing.get_context("fork")
         receiver, sender = context.Pipe(duplex=False)
-        child = context.Process(target=lambda: sender.send(faults_of(name)))
+        child = context.Process(target=lambda: sender.send(faults(name)))
         child.start()
         sender.close()
         try:

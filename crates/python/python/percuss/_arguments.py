@@ -10,7 +10,6 @@ import re
 import sys
 import types
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
 from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -25,7 +24,11 @@ _LONGEST = 60
 _CONVERSIONS = (TypeError, ValueError, OverflowError, AttributeError)
 #: Note of the extension about an argument that it cannot convert.
 _NOTE = re.compile(r"while processing '(?:r#)?(\w+)'")
+#: Types that ArrayLike stands for.
 _ARRAY = frozenset(get_args(ArrayLike))
+#: Types of arguments by function or class.
+_KNOWN: dict[Any, dict[str, Any]] = {}
+#: Descriptions of plain types.
 _NAMES: dict[Any, str] = {str: "a text", float: "a number", bool: "True or False", type(None): "None", Any: "any value"}
 
 
@@ -124,10 +127,12 @@ def _is_array(hint: Any) -> bool:
     return hint == ArrayLike or ArrayLike in parts or (bool(_ARRAY) and _ARRAY <= parts)
 
 
-@lru_cache(maxsize=None)
 def _hints(item: Any) -> dict[str, Any]:
     """Types of the arguments of a function, or of the fields of a class, without those of arrays."""
-    return {name: hint for name, hint in get_type_hints(item).items() if name != "return" and not _is_array(hint)}
+    if item not in _KNOWN:
+        hints = get_type_hints(item).items()
+        _KNOWN[item] = {name: hint for name, hint in hints if name != "return" and not _is_array(hint)}
+    return _KNOWN[item]
 
 
 def array_of(value: Any, name: str) -> NDArray[np.float64]:
