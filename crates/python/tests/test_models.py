@@ -239,13 +239,13 @@ def four_bar() -> percuss.Model:
         (lambda: four_bar().pose(["a"]), percuss.InputError, "real numbers"),
         (lambda: four_bar().pose([1j, 0, 0]), percuss.InputError, "complex128"),
         (lambda: four_bar().pose({"coupler_hinge": 3.0}), percuss.PercussError, "coupler_hinge"),
-        (lambda: four_bar().system(base="free"), percuss.InputError, "floating"),
+        (lambda: four_bar().system(base="free"), percuss.InputError, "floating"),  # type: ignore[arg-type]
         (lambda: four_bar().system(lock=["none"]), percuss.InputError, "none"),
         (lambda: four_bar().system(hold=[("coupler",)]), percuss.InputError, "hold"),  # type: ignore[list-item]
         (lambda: four_bar().system(armature={"crank_hinge": -1}), percuss.InputError, "armature"),
         (lambda: percuss.Contact("a", [0, 0], [1, 0, 0]), percuss.InputError, "2 numbers; expected 3"),
         (lambda: percuss.Contact("a", [0, 0, 0]), percuss.InputError, "normal and toward"),
-        (lambda: percuss.Contact("a", [0, 0, 0], [1, 0, 0], normal_frame="x"), percuss.InputError, "world"),
+        (lambda: percuss.Contact("a", [0, 0, 0], [1, 0, 0], normal_frame="x"), percuss.InputError, "world"),  # type: ignore[arg-type]
         (lambda: four_bar().pose().respond(percuss.Contact("a", [0, 0, 0], [1, 0, 0])), percuss.InputError, '"a"'),
         (
             lambda: four_bar().pose().respond(percuss.Contact("coupler", [0, 0, 0], [0, 0, 0])),

@@ -182,7 +182,7 @@ def _contact(
     normal: tuple[float, float, float] | None,
     against: str | None,
     toward: tuple[str, tuple[float, float, float]] | None,
-    normal_frame: str,
+    normal_frame: _Any,
     turning: bool,
 ) -> Contact:
     """Rebuilds a pickled contact."""

@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Union, cast
+from typing import Any, Literal, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,14 +40,14 @@ class Conditions:
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
     """
 
-    frame: str = "link"
+    frame: Literal["link", "world", "against"] = "link"
     against_mass: float | None = None
     set: Mapping[str, Position] = field(default_factory=dict)
     guess: Mapping[str, Position] = field(default_factory=dict)
     lock: Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
-    base: str = "fixed"
+    base: Literal["fixed", "floating"] = "fixed"
     estimate: Sequence[Any] | None = None
     travel: Sequence[Travel] = ()
     pose: str | os.PathLike[str] | None = None
@@ -75,7 +75,7 @@ class Damping:
     exponent: float | None = None
     speed: float | None = None
     law: str = "kelvin-voigt"
-    separation: str | None = None
+    separation: Literal["force", "gap"] | None = None
     tools: Sequence[str] = ()
     accuracy: float | None = None
     time_step: float | None = None
@@ -263,7 +263,7 @@ def map(
     *,
     against: str | None = None,
     links: Sequence[str] | None = None,
-    shapes: str = "auto",
+    shapes: Literal["auto", "collision", "visual"] = "auto",
     edge: float | None = None,
     packages: Mapping[str, str | os.PathLike[str]] | None = None,
 ) -> MapReport:
@@ -311,7 +311,7 @@ def damp_stop(
     damping: Damping,
     conditions: Conditions | None = None,
     *,
-    end: str | None = None,
+    end: Literal["lower", "upper"] | None = None,
 ) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
     damp --limit``."""
@@ -393,7 +393,7 @@ def impact(
     rate_limit: Mapping[str, Position] | None = None,
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
-    restitution_law: str = "energetic",
+    restitution_law: Literal["energetic", "poisson", "newton", "algebraic"] = "energetic",
     also: Sequence[str] = (),
     sticking: bool = False,
     stiffness_ratio: Sequence[float] = (),
