@@ -619,7 +619,7 @@ class Sweep:
         """m̄, kg; NaN unless finite; (N,)."""
     @property
     def error(self) -> _Array:
-        """Error of m̄, kg; NaN if not computed; (N,)."""
+        """Error of m̄, kg; NaN unless finite; (N,)."""
     @property
     def status(self) -> NDArray[np.uint8]:
         """0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to
@@ -722,8 +722,8 @@ def effective_masses(
     accuracy: float | None = None,
     row_noise: float | None = None,
 ) -> MatrixBatch:
-    """m̄, error and status for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
-    batch axis is shared by the whole batch. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
+    """m̄, error and status for a batch: M (b, n, n) or (n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
+    batch axis is shared by the whole batch: one M with many j. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
     unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
     the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
     failing problem."""

@@ -173,7 +173,7 @@ Report = records.Record
 
 
 class MapReport(records.MapRecord):
-    """Maps of links. facets: for each link a dict of arrays: points, normals, points_world (k, 3) m, area (k,) m²,
+    """Maps of links. facets: for each link a dict of arrays: points, normals (link's frame), points_world, normals_world (k, 3), m, area (k,) m²,
     effective_mass and error (k,) kg (NaN unless finite), status (k,) uint8."""
 
     def __init__(self, report: dict[str, Any], facets: dict[str, dict[str, NDArray[Any]]], svg: str) -> None:

@@ -175,6 +175,9 @@ fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict
     arrays.set_item("points", triples(&|record| record.point_link)?)?;
     arrays.set_item("normals", triples(&|record| record.normal_link)?)?;
     arrays.set_item("points_world", triples(&|record| record.point_world)?)?;
+    let turned = skin.facets.iter().flat_map(|facet| <[f64; 3]>::from(skin.frame.vector(&facet.normal)));
+    let turned = PyArray1::from_vec(py, turned.collect());
+    arrays.set_item("normals_world", turned.reshape([count, 3])?)?;
     let numbers = |of: &dyn Fn(&study::FacetRecord<'_>) -> f64| {
         PyArray1::from_vec(py, records.iter().map(of).collect())
     };
