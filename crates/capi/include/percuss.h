@@ -1952,7 +1952,7 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
  PERCUSS_COLUMN_MAJOR: position q of configuration c is at q · stride + c, stride ≥ count: the fastest layout.
  outcomes and effective_masses: count values each, as for percuss_workspace_effective_mass; PERCUSS_NO_ANSWER for a
  row without an answer, PERCUSS_MASSLESS_TO_ROUNDING if rounding may hide a mass. errors: null, or count numbers of
- output: the error by rounding, kg; NaN unless finite; for a contact that is massless to rounding only, its largest
+ output: the error by rounding, kg; NaN if not computed; for a contact that is massless to rounding only, its largest
  possible m̄. remarks: null, or count numbers of output: PERCUSS_REMARK_… added together, with the reason for a row
  without an answer. watch: null, or a function that is called periodically with user, in the default floating-point
  environment. Output arrays must not overlap each other or the positions.

@@ -245,11 +245,11 @@ impl RouteInput<'_> {
     }
 
     /// m̄, its error by rounding (kg; `None` unless finite), findings, and v* in `velocities` (tree velocities at unit closing speed; zeros
-    /// without a motion) if given, after the recursion ran. Allocates nothing after the first call if the recursion is accurate enough.
+    /// without a motion), after the recursion ran. Allocates nothing after the first call if the recursion is accurate enough.
     pub fn respond_into(
         &self,
         workspace: &mut RecursionWorkspace,
-        velocities: Option<&mut [f64]>,
+        velocities: &mut [f64],
     ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), RouteError> {
         let errors = self.recursion_errors(workspace);
         let error_of = |mass: EffectiveMass, errors: &RelativeErrors, closing_speed: f64| match mass {
@@ -258,19 +258,15 @@ impl RouteInput<'_> {
         };
         if workspace.dense_reason(&errors).is_some() {
             let found = self.more_accurate_result(workspace, errors)?;
-            if let Some(to) = velocities {
-                to.copy_from_slice(&found.velocities);
-            }
+            velocities.copy_from_slice(&found.velocities);
             let flags = found.remarks.iter().collect::<RemarkFlags>()
                 | self.remark_flags(workspace, found.mass, found.closing_speed);
             return Ok((found.mass, error_of(found.mass, &found.errors, found.closing_speed), flags));
         }
         let mass = apply_energy_value(workspace.mass(), &errors);
-        if let Some(to) = velocities {
-            to.fill(0.0);
-            if let EffectiveMass::Finite(m) = mass {
-                to.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
-            }
+        velocities.fill(0.0);
+        if let EffectiveMass::Finite(m) = mass {
+            velocities.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
         }
         let error = error_of(mass, &errors, workspace.closing_speed);
         Ok((mass, error, self.recursive_flags(workspace, mass)))

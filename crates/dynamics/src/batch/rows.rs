@@ -55,7 +55,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Rounding error, kg; `None` unless finite. For a massless contact: upper limit of m̄, if the contact is
+    /// Rounding error, kg; `None` if not computed. For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
     /// Findings about the result, or the reason for a missing result. Joint limits are not checked.
@@ -230,7 +230,7 @@ impl Batch {
     }
 
     /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the rounding error, kg (NaN unless finite). The length of the columns is the number of
+    /// `errors` receives the rounding error, kg (NaN if not computed). The length of the columns is the number of
     /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
     /// index and the result of each of them. All results that are not finite are among these.
     ///
@@ -501,8 +501,8 @@ fn compute_one(
         return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
     }
     match workspace.recursion_mass_with(contact, remarks) {
-        Ok((mass, error)) => {
-            let error = if mass == EffectiveMass::Massless { workspace.massless_limit() } else { error };
+        Ok(mass) => {
+            let error = if mass == EffectiveMass::Massless { workspace.massless_limit() } else { None };
             BatchAnswer { mass: Some(mass), error, remarks: workspace.remarks() }
         }
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },

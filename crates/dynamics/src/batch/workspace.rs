@@ -226,29 +226,14 @@ impl Workspace {
         &self.assembly
     }
 
-    /// Computes m̄ and its error (kg; `None` unless finite) by the recursion, starting from findings that hold at every configuration.
+    /// Computes m̄ by the recursion, starting from findings that hold at every configuration.
     pub(crate) fn recursion_mass_with(
         &mut self,
         contact: &Contact,
         remarks: RemarkFlags,
-    ) -> Result<(EffectiveMass, Option<f64>), ResponseError> {
-        interruption::check();
+    ) -> Result<EffectiveMass, ResponseError> {
         self.remarks = remarks;
-        self.prepare_recursion()?;
-        let model = self.assembly.model();
-        let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
-        model.refuse_large_clusters(&self.groups)?;
-        let route_input = RouteInput {
-            model,
-            kinematics: &self.kinematics,
-            groups: &self.groups,
-            misfits: self.assembly.misfits(),
-            located: &located,
-        };
-        route_input.run_recursion(&mut self.recursion);
-        let (mass, error, flags) = route_input.respond_into(&mut self.recursion, None)?;
-        self.remarks |= flags;
-        Ok((mass, error))
+        self.recursion_mass(contact)
     }
 
     /// Upper limit of m̄ (kg) of the contact that the recursion last found massless; `None` if negligible.
@@ -284,7 +269,7 @@ impl Workspace {
         };
         route_input.run_recursion(&mut self.recursion);
         let (effective_mass, error, own) =
-            route_input.respond_into(&mut self.recursion, Some(&mut self.velocities))?;
+            route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
         self.remarks |= own;
         for (joint, body) in model.mechanism.joints().iter().zip(&model.body_of_joint) {
             match body.map(|b| &model.bodies[b].v).filter(|v| !v.is_empty()) {
