@@ -211,7 +211,10 @@ def convert_all(module: types.ModuleType, names: Sequence[str]) -> None:
             continue
         for method, function in list(vars(item).items()):
             if isinstance(function, types.MethodDescriptorType) and not method.startswith("_"):
-                setattr(item, method, converted(function))
+                own = converted(function)
+                # The place where pickle finds it.
+                own.__module__ = item.__module__
+                setattr(item, method, own)
 
 
 __all__ = ["array_of", "check_fields", "checked", "convert_all", "converted"]
