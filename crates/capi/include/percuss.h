@@ -181,6 +181,11 @@ typedef struct percuss_assembly percuss_assembly;
 typedef struct percuss_batch percuss_batch;
 
 /*
+ Links, joints and closures of a model that is being built. One thread at a time.
+ */
+typedef struct percuss_builder percuss_builder;
+
+/*
  Conditions of an analysis. One thread at a time.
  */
 typedef struct percuss_conditions percuss_conditions;
@@ -319,6 +324,129 @@ typedef struct percuss_diagnostic {
    */
   const char *path;
 } percuss_diagnostic;
+
+/*
+ Description of a joint. Initialise it with percuss_joint_description_init. Texts are UTF-8, end with a zero byte and are read during
+ percuss_builder_joint only.
+ */
+typedef struct percuss_joint_description {
+  /*
+   Unique name.
+   */
+  const char *name;
+  /*
+   Name of the parent link.
+   */
+  const char *parent;
+  /*
+   Name of the child link.
+   */
+  const char *child;
+  /*
+   A percuss_joint_kind.
+   */
+  percuss_joint_kind kind;
+  /*
+   Number of armature values that are read: 0, 1 (the same for all velocities), or one per velocity, at most 6.
+   */
+  int32_t armature_count;
+  /*
+   Origin of the joint frame in the parent link, m.
+   */
+  double position[3];
+  /*
+   Orientation of the joint frame in the parent link: unit quaternion w, x, y, z.
+   */
+  double quaternion[4];
+  /*
+   Axis in the joint frame, of any length.
+   */
+  double axis[3];
+  /*
+   Least and greatest position, rad or m; both NaN without limits.
+   */
+  double lower;
+  /*
+   See lower.
+   */
+  double upper;
+  /*
+   Rotor inertias reflected to the joint, kg·m² or kg.
+   */
+  double armature[6];
+  /*
+   Name of the joint that this joint follows, or null: q = multiplier · q of that joint + offset.
+   */
+  const char *mimics;
+  /*
+   See mimics.
+   */
+  double multiplier;
+  /*
+   See mimics.
+   */
+  double offset;
+} percuss_joint_description;
+
+/*
+ Kind of a closure: the relative motion that it leaves.
+ */
+typedef int32_t percuss_closure_kind;
+
+/*
+ Description of a closure: a joint that closes a loop. Initialise it with percuss_closure_description_init. Texts as in
+ percuss_joint_description.
+ */
+typedef struct percuss_closure_description {
+  /*
+   Unique name.
+   */
+  const char *name;
+  /*
+   Name of the predecessor link; "world" is the ground, unless a link has this name.
+   */
+  const char *predecessor;
+  /*
+   Name of the successor link.
+   */
+  const char *successor;
+  /*
+   A percuss_closure_kind.
+   */
+  percuss_closure_kind kind;
+  /*
+   0.
+   */
+  int32_t reserved;
+  /*
+   Origin of the loop frame in the predecessor, m.
+   */
+  double predecessor_position[3];
+  /*
+   Orientation of the loop frame in the predecessor: unit quaternion w, x, y, z.
+   */
+  double predecessor_quaternion[4];
+  /*
+   Origin of the loop frame in the successor, m.
+   */
+  double successor_position[3];
+  /*
+   Orientation of the loop frame in the successor: unit quaternion w, x, y, z.
+   */
+  double successor_quaternion[4];
+  /*
+   Axis, with the same components in both loop frames.
+   */
+  double axis[3];
+  /*
+   Second axis of a universal closure, in the successor's loop frame.
+   */
+  double axis2[3];
+  /*
+   Length of a distance closure, m; NaN: the distance with all joints at 0.
+   */
+  double distance;
+} percuss_closure_description;
 
 /*
  Frame or kind of a normal.
@@ -466,6 +594,44 @@ typedef struct percuss_workspace_response {
  continue; another value stops the work. It must not use the batch and must not throw.
  */
 typedef int32_t (*percuss_watch)(size_t done, void *user);
+
+/*
+ State of a pose.
+ */
+typedef struct percuss_pose_state {
+  /*
+   Degrees of freedom at this pose; a floating base counts 6.
+   */
+  size_t degrees_of_freedom;
+  /*
+   Rank of A.
+   */
+  size_t rank;
+  /*
+   PERCUSS_REMARK_… about the pose added together: joints outside their limits, the closing of the loops, the rank.
+   */
+  uint32_t remarks;
+  /*
+   1 if the rank of A is smaller than at a generic pose: branches cross.
+   */
+  int32_t is_singular;
+  /*
+   1 if the rank of A is clear.
+   */
+  int32_t rank_is_clear;
+  /*
+   0.
+   */
+  int32_t reserved;
+  /*
+   Least ratio of the singular values that count to those that count as zero; NaN without constraints.
+   */
+  double rank_gap;
+  /*
+   Largest remaining gap of the loops, m; NaN without loops.
+   */
+  double closure_residual;
+} percuss_pose_state;
 
 /*
  Number of a contact law, from percuss_law_find.
@@ -869,6 +1035,46 @@ typedef struct percuss_rank {
 #define PERCUSS_FLOATING 6
 
 /*
+ The frames coincide.
+ */
+#define PERCUSS_CLOSURE_FIXED 0
+
+/*
+ A hinge about the axis.
+ */
+#define PERCUSS_CLOSURE_REVOLUTE 1
+
+/*
+ A slide along the axis.
+ */
+#define PERCUSS_CLOSURE_PRISMATIC 2
+
+/*
+ A slide along the axis that turns about it.
+ */
+#define PERCUSS_CLOSURE_CYLINDRICAL 3
+
+/*
+ Two pins: axis in the predecessor's frame, axis2 in the successor's.
+ */
+#define PERCUSS_CLOSURE_UNIVERSAL 4
+
+/*
+ Translations in the plane normal to the axis, rotation about the axis.
+ */
+#define PERCUSS_CLOSURE_PLANAR 5
+
+/*
+ A ball.
+ */
+#define PERCUSS_CLOSURE_SPHERICAL 6
+
+/*
+ A massless rod with balls at its ends.
+ */
+#define PERCUSS_CLOSURE_DISTANCE 7
+
+/*
  A vector in the contact link's frame: it turns with the link.
  */
 #define PERCUSS_NORMAL_LINK 0
@@ -1100,6 +1306,83 @@ percuss_status percuss_model_diagnostic_count(const struct percuss_model *model,
 percuss_status percuss_model_diagnostic(const struct percuss_model *model,
                                         size_t index,
                                         struct percuss_diagnostic *diagnostic);
+
+/*
+ A hinge at the parent's origin about the x-axis, without name, links, limits and armature.
+
+ Pointers:
+ description is null or points to storage for a percuss_joint_description.
+ */
+percuss_status percuss_joint_description_init(struct percuss_joint_description *description);
+
+/*
+ A hinge about the x-axis between the origins of two links, without names.
+
+ Pointers:
+ description is null or points to storage for a percuss_closure_description.
+ */
+percuss_status percuss_closure_description_init(struct percuss_closure_description *description);
+
+/*
+ A model without links. Free it with percuss_builder_free.
+
+ Pointers:
+ name ends with a zero byte; builder is null or points to storage for a pointer.
+ */
+percuss_status percuss_builder_new(const char *name, struct percuss_builder **builder);
+
+/*
+ Frees a builder and sets the handle to null; a null handle is ignored.
+
+ Pointers:
+ builder is null or points to a handle that no other call uses.
+ */
+percuss_status percuss_builder_free(struct percuss_builder **builder);
+
+/*
+ Adds a link. mass: kg; com: its centre of mass in the link's frame, 3 numbers, m; inertia: about the centre of mass in the link's axes,
+ xx, xy, xz, yy, yz, zz, kg·m². com and inertia may be null: at the origin, without inertia. mass 0 without inertia is a massless link.
+
+ Pointers:
+ builder is a handle; name ends with a zero byte; com is null or has 3 numbers, inertia is null or has 6.
+ */
+percuss_status percuss_builder_link(struct percuss_builder *builder,
+                                    const char *name,
+                                    double mass,
+                                    const double *com,
+                                    const double *inertia);
+
+/*
+ Adds a joint between two links. The links may be added later.
+
+ Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length, one limit without the other.
+
+ Pointers:
+ builder is a handle; description is null or points to a description.
+ */
+percuss_status percuss_builder_joint(struct percuss_builder *builder,
+                                     const struct percuss_joint_description *description);
+
+/*
+ Adds a closure between two links.
+
+ Errors: as percuss_builder_joint.
+
+ Pointers:
+ builder is a handle; description is null or points to a description.
+ */
+percuss_status percuss_builder_closure(struct percuss_builder *builder,
+                                       const struct percuss_closure_description *description);
+
+/*
+ The model of a builder, which stays usable. Free it with percuss_model_free.
+
+ Errors: PERCUSS_ERROR_LOAD, with every error of the description in the message.
+
+ Pointers:
+ builder is a handle; model is null or points to storage for a pointer.
+ */
+percuss_status percuss_builder_model(struct percuss_builder *builder, struct percuss_model **model);
 
 /*
  Fixed base, every joint free, armatures as declared in the file. Free the conditions with percuss_conditions_free.
@@ -1764,6 +2047,37 @@ percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
                                          double *errors,
                                          double *gradients,
                                          double *inverse_inertias);
+
+/*
+ State of a pose: degrees of freedom, rank, findings, closing of the loops.
+
+ Pointers:
+ pose is a handle; state is null or points to storage for a percuss_pose_state.
+ */
+percuss_status percuss_pose_describe(const struct percuss_pose *pose, struct percuss_pose_state *state);
+
+/*
+ m̄ of count contacts of a link at one pose, by its inverse operational inertia: some nanoseconds each.
+
+ against: the other side, a link or PERCUSS_GROUND. points (m) and normals (out of the link, of any length): 3 × count numbers each, one
+ contact after another, in the frame of the link. outcomes and effective_masses (kg; NaN unless finite): count values each. errors: null,
+ or count numbers, the error of m̄, kg; NaN unless finite.
+
+ Errors: PERCUSS_ERROR_NAME: no link of this number; PERCUSS_ERROR_ARGUMENT: a number that is not finite, a normal without a length;
+ PERCUSS_ERROR_OVERLAP.
+
+ Pointers:
+ pose is a handle; every array has the stated number of values, or is null where this is permitted.
+ */
+percuss_status percuss_pose_contact_map(const struct percuss_pose *pose,
+                                        size_t link,
+                                        size_t against,
+                                        const double *points,
+                                        const double *normals,
+                                        size_t count,
+                                        percuss_outcome *outcomes,
+                                        double *effective_masses,
+                                        double *errors);
 
 /*
  Path of driving joints (indices of percuss_model_find_joint, of one position each) from a pose, for one contact. All other drivers

@@ -1,7 +1,7 @@
 // percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with a message.
 //
-// Model, Suspension, Kinematics, System, Assembly, Pose and Batch are immutable and may be shared between threads. A Conditions, Configuration
-// or Workspace is for one thread at a time (otherwise percuss::Error with PERCUSS_ERROR_BUSY).
+// Model, Suspension, Kinematics, System, Assembly, Pose and Batch are immutable and may be shared between threads. A ModelBuilder, Conditions,
+// Configuration or Workspace is for one thread at a time (otherwise percuss::Error with PERCUSS_ERROR_BUSY).
 #ifndef PERCUSS_HPP
 #define PERCUSS_HPP
 
@@ -139,8 +139,56 @@ class Model {
 
  private:
   friend class Suspension;
+  friend class ModelBuilder;
   explicit Model(percuss_model *handle) : handle_(handle) {}
   detail::Owner<percuss_model, percuss_model_free> handle_;
+};
+
+/// A joint between two links; the texts are those of percuss_joint_description.
+struct JointDescription : percuss_joint_description {
+  JointDescription() { check(percuss_joint_description_init(this)); }
+};
+
+/// A closure of a loop; the texts are those of percuss_closure_description.
+struct ClosureDescription : percuss_closure_description {
+  ClosureDescription() { check(percuss_closure_description_init(this)); }
+};
+
+/// Links, joints and closures of a model that is being built.
+class ModelBuilder {
+ public:
+  explicit ModelBuilder(const std::string &name) {
+    percuss_builder *handle = nullptr;
+    check(percuss_builder_new(name.c_str(), &handle));
+    handle_.reset(handle);
+  }
+  /// A link without mass.
+  ModelBuilder &massless_link(const std::string &name) {
+    check(percuss_builder_link(handle_.get(), name.c_str(), 0.0, nullptr, nullptr));
+    return *this;
+  }
+  /// A link: kg; m in its frame; kg·m² about the centre of mass, xx, xy, xz, yy, yz, zz.
+  ModelBuilder &link(const std::string &name, double mass, const Vector3 &com, const std::array<double, 6> &inertia) {
+    check(percuss_builder_link(handle_.get(), name.c_str(), mass, com.data(), inertia.data()));
+    return *this;
+  }
+  ModelBuilder &joint(const JointDescription &description) {
+    check(percuss_builder_joint(handle_.get(), &description));
+    return *this;
+  }
+  ModelBuilder &closure(const ClosureDescription &description) {
+    check(percuss_builder_closure(handle_.get(), &description));
+    return *this;
+  }
+  /// The model; the builder stays usable.
+  Model model() const {
+    percuss_model *handle = nullptr;
+    check(percuss_builder_model(handle_.get(), &handle));
+    return Model(handle);
+  }
+
+ private:
+  detail::Owner<percuss_builder, percuss_builder_free> handle_;
 };
 
 /// Quantities of a suspension over its travel, one row per value of the variable.
@@ -474,6 +522,30 @@ class Pose {
     std::array<double, 36> values{};
     check(percuss_pose_inverse_inertia(get(), &contact, values.data()));
     return values;
+  }
+  /// Degrees of freedom, rank, findings and closing of the loops.
+  percuss_pose_state state() const {
+    percuss_pose_state state{};
+    check(percuss_pose_describe(get(), &state));
+    return state;
+  }
+  /// Results of many contacts.
+  struct ContactMap {
+    std::vector<percuss_outcome> outcomes;
+    /// kg; NaN unless finite.
+    std::vector<double> effective_masses, errors;
+  };
+  /// m̄ of many contacts of a link: points (m) and normals, 3 numbers each, one contact after another, in the link's frame.
+  ContactMap contact_map(std::size_t link, const std::vector<double> &points, const std::vector<double> &normals,
+                         std::size_t against = PERCUSS_GROUND) const {
+    if (points.size() != normals.size() || points.size() % 3 != 0) {
+      throw Error(PERCUSS_ERROR_LENGTH, "points and normals: expected 3 numbers for each contact");
+    }
+    const std::size_t count = points.size() / 3;
+    ContactMap map{std::vector<percuss_outcome>(count), std::vector<double>(count), std::vector<double>(count)};
+    check(percuss_pose_contact_map(get(), link, against, points.data(), normals.data(), count, map.outcomes.data(),
+                                   map.effective_masses.data(), map.errors.data()));
+    return map;
   }
   const percuss_pose *get() const noexcept { return handle_.get(); }
 

@@ -1,22 +1,25 @@
 #!/bin/sh
 # Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
-#   install.sh --prefix DIR [--libraries DIR]
+#   install.sh --prefix DIR [--libraries DIR | --without-suspensions]
 # Without --libraries they are built, optimised as a whole (--crate-type: beside a library for Rust they would not be). Linux and macOS.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 prefix=
 libraries=
+features=
 while [ $# -gt 0 ]; do
   case $1 in
     --prefix) prefix=$2; shift 2 ;;
     --libraries) libraries=$2; shift 2 ;;
-    *) echo "install.sh: unknown argument $1; expected --prefix DIR [--libraries DIR]" >&2; exit 2 ;;
+    --without-suspensions) features=--no-default-features; shift ;;
+    *) echo "install.sh: unknown argument $1; expected --prefix DIR [--libraries DIR | --without-suspensions]" >&2; exit 2 ;;
   esac
 done
 [ -n "$prefix" ] || { echo "install.sh: --prefix DIR is missing" >&2; exit 2; }
 root=$(cd "$here/../../.." && pwd)
 if [ -z "$libraries" ]; then
-  cargo rustc --locked --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib --crate-type staticlib,cdylib
+  # shellcheck disable=SC2086
+  cargo rustc --locked --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib $features --crate-type staticlib,cdylib
   libraries=${CARGO_TARGET_DIR:-$root/target}/release
 fi
 header=$here/../include/percuss.h

@@ -16,6 +16,7 @@ mod dense;
 mod evaluation;
 mod laws;
 mod setup;
+#[cfg(feature = "suspensions")]
 mod suspension;
 mod version;
 
@@ -23,14 +24,17 @@ pub use boundary::status::*;
 pub use dense::*;
 pub use evaluation::batch::*;
 pub use evaluation::contact::*;
+pub use evaluation::contact_map::*;
 pub use evaluation::impact::*;
 pub use evaluation::pose::*;
 pub use evaluation::response::*;
 pub use evaluation::workspace::*;
 pub use laws::*;
+pub use setup::builder::*;
 pub use setup::conditions::*;
 pub use setup::configuration::*;
 pub use setup::model::*;
 pub use setup::system::*;
+#[cfg(feature = "suspensions")]
 pub use suspension::*;
 pub use version::*;

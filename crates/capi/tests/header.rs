@@ -29,10 +29,11 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 16] = [
+const FILES: [&str; 18] = [
     "boundary/status",
     "version",
     "setup/model",
+    "setup/builder",
     "setup/conditions",
     "setup/configuration",
     "setup/system",
@@ -43,6 +44,7 @@ const FILES: [&str; 16] = [
     "evaluation/workspace",
     "evaluation/batch",
     "evaluation/derivatives",
+    "evaluation/contact_map",
     "evaluation/path",
     "laws",
     "suspension",
@@ -127,7 +129,8 @@ fn every_file_with_functions_is_in_the_header() {
 
 #[test]
 fn the_exports_are_those_of_the_list() {
-    let header = fs::read_to_string(crate_folder().join("include/percuss.h")).expect("a header");
+    // Of the sources, not of the file: with PERCUSS_UPDATE another test may not have written the file yet.
+    let header = generated();
     let declared: BTreeSet<String> = names(&header)
         .into_iter()
         .filter(|name| header.contains(&format!(" {name}(")) || header.contains(&format!("*{name}(")))

@@ -7,5 +7,7 @@ mod calls;
 mod built;
 #[cfg(not(miri))]
 mod header;
+#[cfg(not(miri))]
+mod julia;
 #[cfg(all(unix, not(miri)))]
 mod programs;

@@ -92,6 +92,13 @@ fn derivatives_agree() {
 }
 
 #[test]
+fn built_models_agree() {
+    for linked in [Linked::Static, Linked::Shared] {
+        assert!(program("tests/c/builder.c", linked).contains("every built model agrees"));
+    }
+}
+
+#[test]
 fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
 }

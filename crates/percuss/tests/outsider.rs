@@ -11,6 +11,8 @@ use percuss::{
 };
 use std::sync::Arc;
 
+#[path = "../examples/gradients.rs"]
+mod gradients;
 #[path = "../examples/own_solver.rs"]
 mod own_solver;
 
@@ -181,4 +183,28 @@ mod suspensions {
     "Location Chassis": [0.03, 0.53, 0.4], "Location Upright": [0.05, 0.65, -0.1], "Damping Coefficient": 1e4
   }
 }"#;
+}
+
+#[test]
+fn the_example_of_gradients_agrees_with_differences() {
+    gradients::main().unwrap();
+}
+
+#[test]
+fn a_configuration_is_set_again_and_reset() {
+    let mechanism = mechanism("four_bar.urdf", FOUR_BAR);
+    let joint: JointId = mechanism.find_joint("crank_hinge").unwrap();
+    let system = system(mechanism, &Conditions::new());
+    let mut configuration = system.configuration();
+    configuration.set("crank_hinge", &[0.1]).unwrap();
+    assert!(matches!(configuration.set("crank_hinge", &[0.2]), Err(ConfigurationError::Twice { .. })));
+    configuration.replace("crank_hinge", &[0.2]).unwrap();
+    assert_eq!(configuration.get(joint), [0.2]);
+    // A refused value changes nothing: the joint stays set.
+    assert!(configuration.replace("crank_hinge", &[f64::NAN]).is_err());
+    assert_eq!(configuration.get(joint), [0.2]);
+    assert!(configuration.set("crank_hinge", &[0.3]).is_err());
+    configuration.reset();
+    assert_eq!(configuration.get(joint), [0.0]);
+    configuration.set("crank_hinge", &[0.3]).unwrap();
 }

@@ -39,7 +39,8 @@ WITHIN = {
 APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_arrays", "run_command"}
 #: Exceptions, constants and modules.
 NO_CALLS = {
-    "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "PercussError", "FINITE", "IMMOVABLE",
+    "ArgumentTypeError", "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "NotComputedError", "PercussError",
+    "FINITE", "IMMOVABLE",
     "MASSLESS", "MASSLESS_TO_ROUNDING", "NO_ANSWER", "converters", "records", "Report", "MapReport", "Kinematics",
     # These need other programs; tests/peers/converters.py tests them.
     "from_mujoco", "from_pinocchio",
@@ -60,7 +61,8 @@ DESIGNS = [percuss.Design("a", CORNER, "bump_stop"), percuss.Design("b", CORNER,
 MASS, ROW = np.array([[2.0, 0.3], [0.3, 1.0]]), np.array([1.0, -0.5])
 Q = np.linspace(-0.5, 0.5, 600).reshape(100, 6)
 POINTS = np.tile([0.08, 0.01, 0.0], (100, 1))
-SWEEP, MATRIX = percuss.sweep(ARM, TOOL, Q), percuss.effective_mass(MASS, ROW)
+SWEEP = percuss.sweep(ARM, TOOL, Q, gradient=True, inverse_operational_inertia=True)
+MATRIX = percuss.effective_mass(MASS, ROW)
 MOVING = POSE.accelerations({"yaw": 1.0}, gravity=[0, 0, -9.81])
 STUDY = ROOT / "models/four_bar.toml"
 

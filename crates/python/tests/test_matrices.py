@@ -175,3 +175,19 @@ def test_a_bad_one_of_a_batch_is_named() -> None:
         percuss.effective_masses(M, [1.0, 0.0])
     with pytest.raises(percuss.InputError, match=r"j has shape \(3, 2\), M \(400, 2, 2\)"):
         percuss.effective_masses(M, np.ones((3, 2)))
+
+
+def test_one_mass_matrix_with_many_rows() -> None:
+    random = np.random.default_rng(5)
+    root = random.normal(size=(6, 6))
+    mass, rows, constraints = root @ root.T + np.eye(6), random.normal(size=(40, 6)), random.normal(size=(2, 6))
+    for bound in (None, constraints, np.tile(constraints, (40, 1, 1))):
+        shared = percuss.effective_masses(mass, rows, bound)
+        stacked = percuss.effective_masses(np.tile(mass, (40, 1, 1)), rows, bound)
+        assert (shared.effective_mass == stacked.effective_mass).all() and (shared.error == stacked.error).all()
+    many = percuss.effective_masses(mass, rows[0], np.stack([constraints, 2 * constraints]))
+    assert many.effective_mass[0] == pytest.approx(many.effective_mass[1], rel=1e-12)
+    with pytest.raises(percuss.InputError, match="none has a batch axis; effective_mass"):
+        percuss.effective_masses(mass, rows[0], constraints)
+    with pytest.raises(percuss.InputError, match=r"A has shape \(3, 2, 6\), j \(40, 6\): their batches differ"):
+        percuss.effective_masses(mass, rows, np.tile(constraints, (3, 1, 1)))

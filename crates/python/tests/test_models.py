@@ -213,6 +213,7 @@ def test_warnings_and_diagnostics() -> None:
         model = percuss.loads(text.replace("</robot>", '<joint_that_is_none name="x"/></robot>'), name="some.urdf")
     of_model = [d for d in model.diagnostics if d.severity == "warning"]
     assert of_model and str(of_model[0]) == str(caught[0].message)
+    assert caught[0].filename == __file__, "the warning is not at the line of the caller"
     assert of_model[0].path == "some.urdf" and of_model[0].line and of_model[0].code
     assert of_model[0].message in repr(of_model[0])
 
@@ -238,13 +239,13 @@ def four_bar() -> percuss.Model:
         (lambda: four_bar().pose(["a"]), percuss.InputError, "real numbers"),
         (lambda: four_bar().pose([1j, 0, 0]), percuss.InputError, "complex128"),
         (lambda: four_bar().pose({"coupler_hinge": 3.0}), percuss.PercussError, "coupler_hinge"),
-        (lambda: four_bar().system(base="free"), percuss.InputError, "floating"),
+        (lambda: four_bar().system(base="free"), percuss.InputError, "floating"),  # type: ignore[arg-type]
         (lambda: four_bar().system(lock=["none"]), percuss.InputError, "none"),
         (lambda: four_bar().system(hold=[("coupler",)]), percuss.InputError, "hold"),  # type: ignore[list-item]
         (lambda: four_bar().system(armature={"crank_hinge": -1}), percuss.InputError, "armature"),
         (lambda: percuss.Contact("a", [0, 0], [1, 0, 0]), percuss.InputError, "2 numbers; expected 3"),
         (lambda: percuss.Contact("a", [0, 0, 0]), percuss.InputError, "normal and toward"),
-        (lambda: percuss.Contact("a", [0, 0, 0], [1, 0, 0], normal_frame="x"), percuss.InputError, "world"),
+        (lambda: percuss.Contact("a", [0, 0, 0], [1, 0, 0], normal_frame="x"), percuss.InputError, "world"),  # type: ignore[arg-type]
         (lambda: four_bar().pose().respond(percuss.Contact("a", [0, 0, 0], [1, 0, 0])), percuss.InputError, '"a"'),
         (
             lambda: four_bar().pose().respond(percuss.Contact("coupler", [0, 0, 0], [0, 0, 0])),

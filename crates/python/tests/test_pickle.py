@@ -90,3 +90,11 @@ def test_poses_in_other_processes() -> None:
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as workers:
         answers = list(workers.map(mass, poses, [contact] * len(poses)))
     assert answers == pytest.approx([mass(pose, contact) for pose in poses], rel=1e-12)
+
+
+def test_functions_and_methods() -> None:
+    """As multiprocessing sends them: by their names."""
+    for function in (percuss.sweep, percuss.load, percuss.mass, percuss.Model.pose, percuss.Pose.respond):
+        assert pickle.loads(pickle.dumps(function)) is function
+    pose = pickle.loads(pickle.dumps(percuss.load(ROOT / "models/four_bar.urdf").pose))
+    assert pose({"crank_hinge": 0.1}).joints["crank_hinge"] == pytest.approx(0.1)

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 import records as generator
+import stub_docs
 from cases import ROOT
 
 import percuss
@@ -127,3 +128,9 @@ def test_a_wrong_type_is_found() -> None:
 def test_the_types_are_those_of_the_sources() -> None:
     stale = [name for name, text in generator.modules().items() if (generator.PACKAGE / f"{name}.py").read_text() != text]
     assert stale == [], "run crates/python/tests/records.py"
+
+
+def test_the_stub_has_the_docstrings_of_the_module() -> None:
+    source = stub_docs.STUB.read_text()
+    assert stub_docs.with_docstrings(source, percuss._percuss) == source, "run crates/python/tests/stub_docs.py"
+    assert source.count('"""') > 200

@@ -2,6 +2,7 @@
 
 pub(crate) mod batch;
 pub(crate) mod contact;
+pub(crate) mod contact_map;
 pub(crate) mod derivatives;
 pub(crate) mod impact;
 pub(crate) mod path;

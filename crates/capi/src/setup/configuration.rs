@@ -81,7 +81,7 @@ pub unsafe extern "C" fn percuss_configuration_reset(
 ) -> percuss_status {
     guard_call(|| {
         let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
-        configuration_guard.values = Configuration::zero(&configuration_guard.model.mechanism);
+        configuration_guard.values.reset();
         Ok(())
     })
 }

@@ -6,9 +6,11 @@ use crate::boundary::names::{c_string, element_at};
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guard_call, percuss_status,
 };
+#[cfg(feature = "suspensions")]
 use percuss::study::DiagnosticRecord;
 use percuss::{
-    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Severity, Source, load,
+    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Problem, Severity,
+    Source, Subject, load,
 };
 use std::ffi::{CString, c_char};
 use std::ptr::null;
@@ -137,7 +139,20 @@ impl DiagnosticTexts {
         }
     }
 
+    /// Finding of the builder for C; it has no file.
+    pub fn from_problem(subject: &Subject, problem: &Problem) -> Self {
+        Self {
+            severity: severity_number(problem.severity()),
+            code: c_string(problem.code()),
+            message: c_string(&format!("{subject}: {problem}")),
+            path: c_string(""),
+            line: 0,
+            column: 0,
+        }
+    }
+
     /// Diagnostic of a suspension for C; unknown positions are 0.
+    #[cfg(feature = "suspensions")]
     pub fn from_record(record: &DiagnosticRecord) -> Self {
         Self {
             severity: severity_number(record.severity),

@@ -195,8 +195,34 @@ static void suspensions() {
   throws(PERCUSS_ERROR_ARGUMENT, "wheelbase", [&] { suspension.kinematics(PERCUSS_HEAVE, travels, vehicle); });
 }
 
+static void built() {
+  using namespace percuss;
+  ModelBuilder builder("pendulum");
+  JointDescription hinge;
+  hinge.name = "hinge";
+  hinge.parent = "ground";
+  hinge.child = "rod";
+  hinge.kind = PERCUSS_CONTINUOUS;
+  hinge.axis[0] = 0.0;
+  hinge.axis[1] = 1.0;
+  builder.massless_link("ground").link("rod", 2.0, {0, 0, -0.5}, {}).joint(hinge);
+  const Model model = builder.model();
+  const Pose pose = System(model).pose(Configuration(model));
+  CHECK(near_to(pose.effective_mass(model.contact("rod", {0, 0, -0.8}, {1, 0, 0})).effective_mass, 0.78125, 1e-14));
+  CHECK(pose.state().degrees_of_freedom == 1 && pose.state().remarks == 0);
+  const Pose::ContactMap map = pose.contact_map(model.find_link("rod"), {0, 0, -0.8, 0, 0, -0.5}, {1, 0, 0, 0, 0, 1});
+  CHECK(near_to(map.effective_masses[0], 0.78125, 1e-12) && map.outcomes[1] == PERCUSS_IMMOVABLE);
+  throws(PERCUSS_ERROR_LENGTH, "3 numbers", [&] { pose.contact_map(1, {0, 0}, {1, 0}); });
+  ClosureDescription pin;
+  pin.name = "pin";
+  pin.predecessor = "rod";
+  pin.successor = "nothing";
+  throws(PERCUSS_ERROR_LOAD, "nothing", [&] { builder.closure(pin).model(); });
+}
+
 int main() {
   pendulum();
+  built();
   four_bar();
   rules();
   workspaces_and_matrices();

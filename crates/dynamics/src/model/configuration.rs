@@ -116,6 +116,26 @@ impl Configuration {
         Ok(self)
     }
 
+    /// Sets a driving joint like [`set`](Self::set), also if it is set already: for the steps of a motion.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`], as for [`set`](Self::set), but not [`ConfigurationError::Twice`]. The configuration does not change then.
+    pub fn replace(&mut self, joint: &str, values: &[f64]) -> Result<&mut Self, ConfigurationError> {
+        let index = self.mechanism.find_joint(joint)?.index();
+        let was_given = std::mem::take(&mut self.given[index]);
+        if let Err(error) = self.set(joint, values) {
+            self.given[index] = was_given;
+            return Err(error);
+        }
+        Ok(self)
+    }
+
+    /// Resets every joint to zero and removes all settings and guesses.
+    pub fn reset(&mut self) -> &mut Self {
+        *self = Self::zero(&self.mechanism);
+        self
+    }
+
     /// Sets the initial guess for a joint whose position follows from loops. The guess selects the assembly mode.
     ///
     /// # Errors

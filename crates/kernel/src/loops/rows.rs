@@ -118,7 +118,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                     keep!(rows[0], T::zero());
                     for (term, entry) in block.terms.iter().zip(&row.entries) {
                         let to = plan.layout.entries + entry;
-                        store(scratch, to, entry_before::<T>(term, to, scratch) + T::from_f64(term.factor));
+                        add_entry(term, to, T::one(), scratch);
                     }
                 }
             }
@@ -171,11 +171,7 @@ fn add_point<T: Lanes>(
         while k < 3 {
             if let Some(row) = &rows[k] {
                 let to = plan.layout.entries + row.entries[number];
-                store(
-                    scratch,
-                    to,
-                    velocity[k].mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)),
-                );
+                add_entry(term, to, velocity[k], scratch);
             }
             k += 1;
         }
@@ -192,10 +188,12 @@ fn add_force_row<T: Lanes>(
     at: &[T; 3],
     scratch: &mut [f64],
 ) {
-    add_row(plan, block, row, scratch, |term, scratch| {
+    let Some(row) = row else { return };
+    for (term, entry) in block.terms.iter().zip(&row.entries) {
         let (a, arm) = lever(term, &plan.bodies, at, scratch);
-        if term.slides { dot(&a, force) } else { dot(&a, &cross(&arm, force)) }
-    });
+        let power = if term.slides { dot(&a, force) } else { dot(&a, &cross(&arm, force)) };
+        add_entry(term, plan.layout.entries + entry, power, scratch);
+    }
 }
 
 /// Adds one row of A: the power of a moment (root axes) on the velocities of the block. Nothing is added if `row` is `None`.
@@ -207,26 +205,18 @@ fn add_moment_row<T: Lanes>(
     moment: &[T; 3],
     scratch: &mut [f64],
 ) {
-    add_row(plan, block, row, scratch, |term, scratch| {
-        if term.slides { T::zero() } else { dot(&joint_axis(term, &plan.bodies, scratch), moment) }
-    });
-}
-
-/// Adds one row of A with the given power on each joint velocity of the block.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn add_row<T: Lanes>(
-    plan: &LoopPlan,
-    block: &Block,
-    row: &Option<BlockRow>,
-    scratch: &mut [f64],
-    power: impl Fn(&BlockTerm, &[f64]) -> T,
-) {
     let Some(row) = row else { return };
     for (term, entry) in block.terms.iter().zip(&row.entries) {
-        let power = power(term, scratch);
-        let to = plan.layout.entries + entry;
-        store(scratch, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)));
+        let a = joint_axis(term, &plan.bodies, scratch);
+        let power = if term.slides { T::zero() } else { dot(&a, moment) };
+        add_entry(term, plan.layout.entries + entry, power, scratch);
     }
+}
+
+/// Adds the power on the joint velocity of a term to an entry of A.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_entry<T: Lanes>(term: &BlockTerm, to: usize, power: T, scratch: &mut [f64]) {
+    store(scratch, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)));
 }
 
 /// Eliminates the dependent coordinates in the order of the plan. The entries below the pivots are kept. Returns the

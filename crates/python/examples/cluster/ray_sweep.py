@@ -5,7 +5,8 @@ one batch after another.
 
 IN has a column "row" that names each row, and a column for each position of the model (Model.position_names), rad, m. OUT gets "row",
 "effective_mass" (kg; NaN unless finite), "error" (kg), "status" (0 finite, 1 immovable, 2 massless, 3 no answer) and "worker" (a
-process). Without an address the cluster is this machine.
+process). Without an address the cluster is this machine. Without --batch a task has as many rows as take about a second, measured at the
+first rows of the table: starting and writing a task takes some tenths of a second.
 """
 
 from __future__ import annotations
@@ -16,11 +17,30 @@ import os
 import time
 
 import numpy as np
+import pyarrow.dataset
 import ray
 import ray.data
 from numpy.typing import NDArray
 
 import percuss
+
+
+#: Time of a task, s; rows from which it is estimated; least and most rows of a task: a hundred megabytes for some ten columns.
+TASK, SAMPLE, ROWS = 1.0, 4096, (1 << 10, 1 << 20)
+
+
+def rows_of_task(model: percuss.Model, contact: percuss.Contact, source: str) -> int:
+    """Rows that one processor computes in about TASK."""
+    sample = pyarrow.dataset.dataset(source).head(SAMPLE, columns=model.position_names)
+    q = np.array([sample[name].to_numpy() for name in model.position_names], dtype=np.float64).T
+    assembly, rows, begun = model.assemble(), 0, time.perf_counter()
+    # The first call compiles the mechanism.
+    percuss.sweep(assembly, contact, q[:1], threads=1)
+    while rows == 0 or time.perf_counter() - begun < 0.1:
+        percuss.sweep(assembly, contact, q, threads=1)
+        rows += max(len(q), 1)
+    per_row = (time.perf_counter() - begun) / rows
+    return int(np.clip(TASK / per_row, *ROWS))
 
 
 class Sweeper:
@@ -50,10 +70,11 @@ def sweep(
     target: str,
     *,
     workers: int,
-    batch: int = 1 << 17,
+    batch: int | None = None,
 ) -> None:
     """Runs on a number of workers. A dead worker is replaced, and its task runs again: every file of the table has a
-    fixed name, so no file is doubled. batch: rows per task and per output file."""
+    fixed name, so no file is doubled. batch: rows per task and per output file; None: rows_of_task."""
+    batch = rows_of_task(model, contact, source) if batch is None else batch
     # Small files are read together; without repartition, one worker might receive all rows.
     table = ray.data.read_parquet(source).repartition(target_num_rows_per_block=batch)
     answered = table.map_batches(
@@ -89,7 +110,7 @@ def main() -> None:
     for name in ("source", "target"):
         parser.add_argument(name)
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--batch", type=int, default=1 << 17)
+    parser.add_argument("--batch", type=int)
     parser.add_argument("--address")
     given = parser.parse_args()
     start(given.address, given.workers)

@@ -16,13 +16,19 @@ from __future__ import annotations
 from importlib.metadata import version as _version
 from typing import Any as _Any
 
+from . import _arguments, _percuss
+
+_arguments.convert_all(_percuss, [name for name in _percuss.__all__ if name != "Workspace"])
+
 from . import converters, records
 from ._errors import (
+    ArgumentTypeError,
     AssemblyError,
     InputError,
     LoadError,
     ModelWarning,
     NoAnswerError,
+    NotComputedError,
     PercussError,
 )
 from ._gradients import position_gradient
@@ -101,6 +107,7 @@ __all__ = [
     "MASSLESS_TO_ROUNDING",
     "NO_ANSWER",
     "Accelerations",
+    "ArgumentTypeError",
     "Assembly",
     "AssemblyError",
     "Conditions",
@@ -118,6 +125,7 @@ __all__ = [
     "Model",
     "ModelWarning",
     "NoAnswerError",
+    "NotComputedError",
     "PercussError",
     "Pose",
     "RemarkFlags",
@@ -174,7 +182,7 @@ def _contact(
     normal: tuple[float, float, float] | None,
     against: str | None,
     toward: tuple[str, tuple[float, float, float]] | None,
-    normal_frame: str,
+    normal_frame: _Any,
     turning: bool,
 ) -> Contact:
     """Rebuilds a pickled contact."""

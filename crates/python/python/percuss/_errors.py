@@ -17,6 +17,14 @@ class InputError(PercussError, ValueError):
     """Invalid argument: a name, a number, a shape (exit code 2 of the command)."""
 
 
+class ArgumentTypeError(InputError, TypeError):
+    """Argument of a wrong type; the message names it."""
+
+
+class NotComputedError(InputError, AttributeError):
+    """Attribute of a result that was not requested from the call that made the result."""
+
+
 class LoadError(InputError):
     """Unreadable file. The message lists every error; diagnostics lists warnings and notes too."""
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arguments import array_of, checked
 from ._errors import InputError
 from ._percuss import Model
 
@@ -48,14 +49,17 @@ def rotation_of(quaternion: _Array) -> _Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
+@checked
 def position_gradient(model: Model, q: ArrayLike, gradient: ArrayLike) -> _Array:
     """Gradient of m̄ by the positions q (..., p), from that by the velocities (..., n), as Sweep.gradient has it.
 
     dm̄ = g · dq for every change of q that keeps quaternions at unit length; their part of g is tangent to the unit sphere.
     Mimics are not read: their part is added to that of their masters.
     """
-    positions, by_velocity = np.asarray(q, dtype=np.float64), np.asarray(gradient, dtype=np.float64)
-    if positions.shape[-1] != model.position_count or by_velocity.shape[-1] != len(model.velocity_names):
+    positions, by_velocity = array_of(q, "q"), array_of(gradient, "gradient")
+    widths = (model.position_count, len(model.velocity_names))
+    is_table = min(positions.ndim, by_velocity.ndim) > 0 and (positions.shape[-1], by_velocity.shape[-1]) == widths
+    if not is_table or positions.shape[:-1] != by_velocity.shape[:-1]:
         raise InputError(
             f"q has shape {positions.shape} and gradient {by_velocity.shape}; expected (..., {model.position_count}) and "
             f"(..., {len(model.velocity_names)})"
@@ -96,7 +100,6 @@ def mass_and_gradient(
     mass = swept.effective_mass.reshape(positions.shape[:-1])
     if not gradient:
         return mass, np.zeros(0)
-    assert swept.gradient is not None
     return mass, position_gradient(model, rows, swept.gradient).reshape(positions.shape)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _percuss
+from ._arguments import array_of, checked
 from ._percuss import Model
 from .records import KinematicsReport
 
@@ -67,14 +68,15 @@ class Kinematics:
         return len(self.problems)
 
 
-def _variable(value: ArrayLike | None) -> _Variable:
+def _variable(value: ArrayLike | None, name: str) -> _Variable:
     """A number, or a list of numbers."""
     if value is None:
         return None
-    array = np.asarray(value, dtype=float)
+    array = array_of(value, name)
     return float(array) if array.ndim == 0 else array.ravel().tolist()
 
 
+@checked
 def kinematics(
     model: Model,
     *,
@@ -108,10 +110,10 @@ def kinematics(
     wheel_hop_frequency, Hz.
     """
     question = _Question(
-        wheel_travel=_variable(wheel_travel),
-        heave=_variable(heave),
-        roll=_variable(roll),
-        steer=_variable(steer),
+        wheel_travel=_variable(wheel_travel, "wheel_travel"),
+        heave=_variable(heave, "heave"),
+        roll=_variable(roll, "roll"),
+        steer=_variable(steer, "steer"),
         axle=axle,
         brake_bias=brake_bias,
         drive_share=drive_share,

@@ -66,6 +66,10 @@ __all__ = [
 _Status = Literal["finite", "immovable", "massless"]
 _Route = Literal["auto", "dense", "articulated"]
 _Frame = Literal["root", "world"]
+_NormalFrame = Literal["link", "world", "against"]
+_Base = Literal["fixed", "floating"]
+_JointKind = Literal["fixed", "revolute", "continuous", "prismatic", "planar", "spherical", "floating"]
+_Severity = Literal["error", "warning", "note"]
 _Vector = tuple[float, float, float]
 _Positions = dict[str, Any]
 _Array = NDArray[np.float64]
@@ -117,42 +121,64 @@ class _RankReport(TypedDict):
 
 @final
 class Diagnostic:
+    """Finding about a file or about a result."""
     @property
-    def severity(self) -> str: ...
+    def severity(self) -> _Severity:
+        """"error", "warning" or "note"."""
     @property
-    def code(self) -> str: ...
+    def code(self) -> str:
+        """Stable short name, for programs."""
     @property
-    def path(self) -> str | None: ...
+    def path(self) -> str | None:
+        """The file; None for a finding about a result."""
     @property
-    def line(self) -> int | None: ...
+    def line(self) -> int | None:
+        """Line, from 1."""
     @property
-    def column(self) -> int | None: ...
+    def column(self) -> int | None:
+        """Column, from 1."""
     @property
-    def element(self) -> str | None: ...
+    def element(self) -> str | None:
+        """The element, as an XML path."""
     @property
-    def message(self) -> str: ...
+    def message(self) -> str:
+        """Text of the finding."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Joint:
+    """A joint of a model."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the joint."""
     @property
-    def kind(self) -> str: ...
+    def kind(self) -> _JointKind:
+        """"fixed", "revolute", "continuous", "prismatic", "planar", "spherical" or "floating"."""
     @property
-    def parent(self) -> str: ...
+    def parent(self) -> str:
+        """Parent link."""
     @property
-    def child(self) -> str: ...
+    def child(self) -> str:
+        """Child link."""
     @property
-    def limits(self) -> tuple[float, float] | None: ...
+    def limits(self) -> tuple[float, float] | None:
+        """Least and greatest position, rad or m; None without limits."""
     @property
-    def mimics(self) -> str | None: ...
+    def mimics(self) -> str | None:
+        """Name of the joint that a mimic joint follows; None for other joints."""
     @property
-    def positions(self) -> tuple[int, int]: ...
+    def positions(self) -> tuple[int, int]:
+        """Range of the joint's entries in the position vector: first index, and last index plus one."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Contact:
+    """Contact between a point of a link and another link or the ground.
+
+    link: the contact link. point: (3,) m, in its frame. normal: (3,), out of the contact link into the other side; its
+    length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
+    normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
+    with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod."""
     def __new__(
         cls,
         link: str,
@@ -161,70 +187,102 @@ class Contact:
         *,
         against: str | None = None,
         toward: tuple[str, ArrayLike] | None = None,
-        normal_frame: str = "link",
+        normal_frame: _NormalFrame = "link",
         turning: bool = False,
     ) -> Contact: ...
     @property
-    def link(self) -> str: ...
+    def link(self) -> str:
+        """The contact link."""
     @property
-    def against(self) -> str | None: ...
+    def against(self) -> str | None:
+        """The other link; None: the ground."""
     @property
-    def point(self) -> _Vector: ...
+    def point(self) -> _Vector:
+        """The contact point in the contact link's frame, m."""
     @property
-    def normal(self) -> _Vector | None: ...
+    def normal(self) -> _Vector | None:
+        """The normal as given; None if toward is given."""
     @property
-    def toward(self) -> tuple[str, _Vector] | None: ...
+    def toward(self) -> tuple[str, _Vector] | None:
+        """The link and the point (m, its frame) that the normal points to; None if normal is given."""
     @property
-    def normal_frame(self) -> str: ...
+    def normal_frame(self) -> _NormalFrame:
+        """"link", "world" or "against"."""
     @property
-    def turning(self) -> bool: ...
+    def turning(self) -> bool:
+        """True if the line of toward may turn: a spring, a damper, a rod."""
     def __eq__(self, other: object, /) -> bool: ...
     def __ne__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Model:
+    """Mechanism read from a file. Immutable, so that threads can share it."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The mechanism's name."""
     @property
-    def links(self) -> list[str]: ...
+    def links(self) -> list[str]:
+        """Names of the links, in the order of the file."""
     @property
-    def joints(self) -> list[Joint]: ...
+    def joints(self) -> list[Joint]:
+        """The joints, in the order of the file, which is also the order of their positions."""
     @property
-    def closures(self) -> list[str]: ...
+    def closures(self) -> list[str]:
+        """Names of the loop closures and couplings."""
     @property
-    def contacts(self) -> list[str]: ...
+    def contacts(self) -> list[str]:
+        """Names of the contacts."""
     @property
-    def position_count(self) -> int: ...
+    def position_count(self) -> int:
+        """Number of positions of a configuration: the positions of all joints together."""
     @property
-    def position_names(self) -> list[str]: ...
+    def position_names(self) -> list[str]:
+        """Names of the positions, in order: the joint's name, or JOINT[0], JOINT[1], … for a joint with several positions."""
     @property
-    def velocity_names(self) -> list[str]: ...
+    def velocity_names(self) -> list[str]:
+        """Name of each velocity, in the order of Sweep.gradient: joints in the order of the file."""
     @property
-    def total_mass(self) -> float: ...
+    def total_mass(self) -> float:
+        """Total mass, kg."""
     @property
-    def diagnostics(self) -> list[Diagnostic]: ...
+    def diagnostics(self) -> list[Diagnostic]:
+        """Warnings and notes, in the order of the file."""
     @property
-    def hardpoints(self) -> list[str]: ...
+    def hardpoints(self) -> list[str]:
+        """Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet."""
     def changed(
         self,
         *,
         link_mass: Mapping[str, float] = ...,
         link_com: Mapping[str, Sequence[float]] = ...,
         move: Mapping[str, Sequence[float]] = ...,
-    ) -> Model: ...
-    def to_urdf(self) -> str: ...
-    def to_mjcf(self) -> str: ...
-    def to_sdf(self) -> str: ...
+    ) -> Model:
+        """Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
+        centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
+        about the centre of mass stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes."""
+    def to_urdf(self) -> str:
+        """The mechanism as URDF."""
+    def to_mjcf(self) -> str:
+        """The mechanism as MJCF, for MuJoCo 3.2.3 and later. Loops become equality constraints."""
+    def to_sdf(self) -> str:
+        """The mechanism as SDFormat 1.7, or 1.11 if a joint follows another. Loops become joints."""
     def system(
         self,
         *,
-        base: str = "fixed",
+        base: _Base = "fixed",
         lock: Sequence[str] = ...,
         armature: dict[str, Any] | None = None,
         hold: Sequence[_Held] = ...,
-    ) -> System: ...
-    def assemble(self, guess: _Positions | None = None) -> Assembly: ...
+    ) -> System:
+        """The mechanism under conditions.
+
+        base: "fixed" or "floating". lock: joints that are locked. armature: joint to inertia (kg·m² or kg), one value,
+        or one for each velocity of the joint. hold: points that are held, (link, point) or (link, point, normal): point
+        (3,) m in the link's frame, normal (3,) in the root link's axes; without a normal, the point is held in all
+        directions."""
+    def assemble(self, guess: _Positions | None = None) -> Assembly:
+        """Assembles the loops with every joint free and a fixed base: system().assemble(guess)."""
     def pose(
         self,
         q: _Positions | ArrayLike | None = None,
@@ -232,18 +290,24 @@ class Model:
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
         other_assembly: bool = False,
-    ) -> Pose: ...
+    ) -> Pose:
+        """The pose at a configuration with every joint free and a fixed base: system().pose(…)."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class System:
+    """Mechanism under conditions. Immutable, so that threads can share it."""
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The model."""
     @property
-    def coordinates(self) -> int: ...
+    def coordinates(self) -> int:
+        """n: independent velocities of the tree, without locked joints and mimics; a floating base counts 6."""
     @property
-    def coordinate_joints(self) -> list[tuple[str | None, int]]: ...
-    def assemble(self, guess: _Positions | None = None) -> Assembly: ...
+    def coordinate_joints(self) -> list[tuple[str | None, int]]:
+        """Joint (None for the base) and velocity number of each coordinate, in the order of M, A, j."""
+    def assemble(self, guess: _Positions | None = None) -> Assembly:
+        """Assembles the loops, from all joints at 0 or from guesses (joint to position). Raises AssemblyError."""
     def pose(
         self,
         q: _Positions | ArrayLike | None = None,
@@ -251,23 +315,45 @@ class System:
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
         other_assembly: bool = False,
-    ) -> Pose: ...
+    ) -> Pose:
+        """The pose at a configuration, with closed loops.
+
+        q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of
+        all joints, (p,): driving joints keep the given positions, dependent joints take the nearest solution; a pandas
+        Series is matched by name (Model.position_names). guess: initial positions in the search for dependent joints.
+        base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z; contacts with normal_frame="world" and
+        travels refer to that world. other_assembly: accepts a pose on another assembly mode, beyond the reach of the
+        branch of the first closed pose. Raises AssemblyError."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Assembly:
+    """System with assembled loops. Immutable, so that threads can share it."""
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The model."""
     @property
-    def degrees_of_freedom(self) -> int: ...
+    def degrees_of_freedom(self) -> int:
+        """Degrees of freedom at a generic pose; a floating base counts 6."""
     @property
-    def redundant_constraints(self) -> int: ...
+    def redundant_constraints(self) -> int:
+        """Rows of A that are redundant at a generic pose."""
     @property
-    def redundant_loops(self) -> list[list[str]]: ...
+    def redundant_loops(self) -> list[list[str]]:
+        """Groups of loops and couplings with redundant rows; a group cannot be separated further."""
     @property
-    def drivers(self) -> list[str]: ...
-    def rigid_loops(self) -> list[_RigidLoops]: ...
-    def drawn_gaps(self) -> list[_DrawnGap]: ...
+    def drivers(self) -> list[str]:
+        """Joints that drive the loops."""
+    def rigid_loops(self) -> list[_RigidLoops]:
+        """Loops and couplings that leave their joints no motion at a generic pose, without regard to locks and holds, as
+        dicts: "loops" and "joints" (names), and "departing": for each loop whose other axes fit a planar motion, the
+        axis that does not fit, with "closure", "joint" (None: the loop's own axis), "slides" (true for the axis of a
+        slide, which should be normal to the direction), "angle" (rad) and "direction", shared by the other hinges
+        ((3,), root link's axes)."""
+    def drawn_gaps(self) -> list[_DrawnGap]:
+        """Loops and couplings that are open as drawn (all joints at 0, or at the guess), as dicts: "constraint", "gap"
+        (m), "size" of its group (m), "moved" (the joint with the largest motion in closing, and this motion, rad or m;
+        or None), "is_wide": the gap exceeds a hundredth of the size, so it is not rounding."""
     def pose(
         self,
         q: _Positions | ArrayLike | None = None,
@@ -275,53 +361,97 @@ class Assembly:
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
         other_assembly: bool = False,
-    ) -> Pose: ...
-    def workspace(self, contact: Contact, *, base_pose: ArrayLike | None = None) -> Workspace: ...
+    ) -> Pose:
+        """The pose at a configuration of this assembly; parameters as for System.pose."""
+    def workspace(self, contact: Contact, *, base_pose: ArrayLike | None = None) -> Workspace:
+        """Workspace of a contact, for one configuration after another. base_pose: pose of the root link in the world, for
+        normals in the world; as for pose."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Workspace:
-    def effective_mass(self, q: ArrayLike) -> float | None: ...
+    """Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error."""
+    def effective_mass(self, q: ArrayLike) -> float | None:
+        """m̄ in kg at the positions of all joints, (p,), with closed loops; None unless finite, with the outcome in
+        status. A pandas Series is matched by name. findings holds the findings about the last result; Pose.respond
+        returns more quantities."""
     @property
-    def status(self) -> _Status | None: ...
+    def status(self) -> _Status | None:
+        """Outcome of the last configuration: "finite", "immovable" or "massless"; None before the first configuration, and
+        after an error."""
     @property
-    def findings(self) -> list[Diagnostic] | None: ...
+    def findings(self) -> list[Diagnostic] | None:
+        """Findings about the last configuration and its result, as in reports of the command line. Reading this property
+        computes them, by Pose.respond at that configuration. None before the first configuration, and after an error."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Pose:
+    """Mechanism at one configuration with closed loops. Immutable, so that threads can share it."""
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The model."""
     @property
-    def positions(self) -> _Array: ...
+    def positions(self) -> _Array:
+        """Positions of all joints, concatenated in the order of the file; (p,)."""
     @property
-    def joints(self) -> dict[str, _Array]: ...
+    def joints(self) -> dict[str, _Array]:
+        """Position of each movable joint, by joint name; (1,), or one entry per position of the joint."""
     @property
-    def degrees_of_freedom(self) -> int: ...
+    def degrees_of_freedom(self) -> int:
+        """Degrees of freedom at this pose; a floating base counts 6."""
     @property
-    def is_singular(self) -> bool: ...
+    def is_singular(self) -> bool:
+        """True if branches cross at this pose."""
     @property
-    def closure_residual(self) -> float | None: ...
+    def closure_residual(self) -> float | None:
+        """Largest closure error of all loops, m; None without loops."""
     @property
-    def findings(self) -> list[Diagnostic]: ...
-    def link_frame(self, link: str, *, frame: _Frame | None = None) -> _Array: ...
-    def mass_matrix(self) -> _Array: ...
-    def constraint_matrix(self) -> _Array: ...
-    def contact_row(self, contact: Contact) -> _Array: ...
+    def findings(self) -> list[Diagnostic]:
+        """Findings about the pose, as in reports of the command line: joints outside their limits, loops open as drawn,
+        another assembly mode, an unclear rank."""
+    def link_frame(self, link: str, *, frame: _Frame | None = None) -> _Array:
+        """The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4,
+        4). frame may be omitted if the pose has no base_pose: both frames are then the same."""
+    def mass_matrix(self) -> _Array:
+        """M over the coordinates, kg, kg·m, kg·m²; (n, n), armatures included."""
+    def constraint_matrix(self) -> _Array:
+        """A: Jacobian of closures, couplings and held points over the coordinates; (m, n)."""
+    def contact_row(self, contact: Contact) -> _Array:
+        """j: closing speed of the gap at unit rates, m, 1; (n,)."""
     def point_jacobian(
         self, link: str, point: ArrayLike, *, frame: _Frame | None = None
-    ) -> _Array: ...
+    ) -> _Array:
+        """Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
+        link_frame."""
     def inverse_operational_inertia(
         self, contact: Contact, *, frame: _Frame | None = None
-    ) -> _Array: ...
+    ) -> _Array:
+        """Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
+        for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
+        of the root link or of the world, as for link_frame."""
     def contact_map(
         self, link: str, points: ArrayLike, normals: ArrayLike, *, against: str | None = None
-    ) -> tuple[_Array, _Array, NDArray[np.uint8]]: ...
+    ) -> tuple[_Array, _Array, NDArray[np.uint8]]:
+        """m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of
+        the link, of any nonzero length, in the link's frame. Costs some nanoseconds per contact, by Φ about the middle
+        of the points. Returns effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN if unknown; status (N,)
+        uint8: 0 finite, 1 immovable, 2 massless, 3 no answer."""
     def principal_masses(
         self, link: str, point: ArrayLike, *, against: str | None = None
-    ) -> list[_PrincipalMass] | None: ...
-    def effective_mass_gradient(self, contact: Contact) -> dict[str, _Array] | None: ...
-    def effective_mass_rate(self, contact: Contact, velocities: _Positions) -> float | None: ...
+    ) -> list[_PrincipalMass] | None:
+        """The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, lightest
+        first, as dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit
+        vector, link's frame, (3,)). None if a mass has no answer."""
+    def effective_mass_gradient(self, contact: Contact) -> dict[str, _Array] | None:
+        """Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
+        (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
+        motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
+        Exact to rounding. None unless m̄ is finite."""
+    def effective_mass_rate(self, contact: Contact, velocities: _Positions) -> float | None:
+        """dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
+        are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
+        Velocities of a Response are admissible. Exact to rounding. None unless m̄ is finite."""
     def accelerations(
         self,
         velocities: _Positions | None = None,
@@ -330,117 +460,203 @@ class Pose:
         gravity: ArrayLike | None = None,
         forces: Sequence[tuple[str, ArrayLike, ArrayLike]] = ...,
         frame: _Frame | None = None,
-    ) -> Accelerations: ...
-    def advanced_along(self, response: Response, distance: float) -> Pose | None: ...
-    def outside_limits(self) -> dict[str, tuple[float, tuple[float, float]]]: ...
-    def rank(self) -> _PoseRank: ...
-    def respond(self, contact: Contact, *, route: _Route = "auto") -> Response: ...
+    ) -> Accelerations:
+        """Accelerations of a tree at joint velocities (a dict; other joints are at rest), base (6,): the twist of a
+        floating root (angular, linear), gravity (3,) m/s², zero by default, and forces: a list of (link, point (3,) m
+        in the link's frame, force (3,) N). base, gravity and forces have the axes of the root link or of the world, as
+        for link_frame. Raises InputError with loops, mimics or held points."""
+    def advanced_along(self, response: Response, distance: float) -> Pose | None:
+        """The pose after a motion along v* of a response at this pose until the gap has closed by a distance (m; negative:
+        opened), with the loops closed again: exact to second order. None if the loops do not close there, or if nothing
+        moves."""
+    def outside_limits(self) -> dict[str, tuple[float, tuple[float, float]]]:
+        """Joints outside their limits: joint to (position, (lower, upper)), rad or m."""
+    def rank(self) -> _PoseRank:
+        """Rank report of A at this pose: "rank"; "gap", the least gap between counted singular values and those taken as
+        zero (None without rows); "is_clear"; "is_singular"."""
+    def respond(self, contact: Contact, *, route: _Route = "auto") -> Response:
+        """m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n))."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Travel:
+    """Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
+    share it."""
     def __new__(cls, pose: Pose, link: str, point: ArrayLike, direction: ArrayLike) -> Travel: ...
     @property
-    def link(self) -> str: ...
+    def link(self) -> str:
+        """The link of the point."""
     @property
-    def point(self) -> _Array: ...
+    def point(self) -> _Array:
+        """The point, m, link's frame; (3,)."""
     @property
-    def direction(self) -> _Array: ...
-    def displacement(self, pose: Pose) -> float: ...
-    def rate(self, pose: Pose, joint: str) -> float | None: ...
-    def driver(self, pose: Pose, *, set: Sequence[str] = ...) -> str: ...
+    def direction(self) -> _Array:
+        """Unit vector, world axes; (3,)."""
+    def displacement(self, pose: Pose) -> float:
+        """Displacement of the point at a pose of the same model, m."""
+    def rate(self, pose: Pose, joint: str) -> float | None:
+        """ds/dq at a pose: displacement per motion of a driving joint, m/rad or m/m. The loops stay closed and other
+        drivers are at rest. None at a change point, at a dead centre of the joint, and for a joint that cannot drive."""
+    def driver(self, pose: Pose, *, set: Sequence[str] = ...) -> str:
+        """The joint that turns furthest with the point at a pose, among the joints that can drive the point. Joints in set
+        are excluded. Raises NoAnswerError if no joint moves the point."""
     def pose(
         self, start: Pose, displacement: float, *, driver: str | None = None, q: _Positions | None = None
-    ) -> Pose: ...
+    ) -> Pose:
+        """The pose with a given displacement of the point (m), followed from the pose start along its branch. driver: the
+        joint that moves; None: the result of `driver`. q: positions of other driving joints, as for Model.pose; None:
+        all at zero. Raises NoAnswerError beyond the range in which the displacement is monotonic; the message gives the
+        nearest reachable value."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Accelerations:
+    """Accelerations of a moving mechanism."""
     @property
-    def joints(self) -> dict[str, _Array]: ...
-    def point(self, link: str, point: ArrayLike, *, frame: _Frame | None = None) -> _Array: ...
+    def joints(self) -> dict[str, _Array]:
+        """Rates of the velocities of each movable joint, by joint name: rad/s², m/s²; (1,), or one entry per velocity of
+        the joint."""
+    def point(self, link: str, point: ArrayLike, *, frame: _Frame | None = None) -> _Array:
+        """Acceleration of a point (m, link's frame) of a link, m/s²; (3,). Axes of the root link or of the world, as for
+        Pose.link_frame."""
 
 @final
 class Response:
+    """m̄ at a contact of a pose, and the quantities derived from it."""
     @property
-    def effective_mass(self) -> float | None: ...
+    def effective_mass(self) -> float | None:
+        """m̄, kg; None unless finite."""
     @property
-    def status(self) -> _Status: ...
+    def status(self) -> _Status:
+        """"finite"; "immovable": no admissible motion closes the gap; "massless": a motion without energy closes it."""
     @property
-    def error(self) -> float | None: ...
+    def error(self) -> float | None:
+        """Error of m̄, kg: the sum of the known parts of the error budget; None if the rounding or the closing part is
+        unknown."""
     @property
-    def error_budget(self) -> _ErrorBudget: ...
+    def error_budget(self) -> _ErrorBudget:
+        """Parts of the error budget, kg: "rounding", "closing", "file"; None for a part without a measure."""
     @property
-    def route(self) -> Literal["dense", "articulated"]: ...
+    def route(self) -> Literal["dense", "articulated"]:
+        """"dense" or "articulated"."""
     @property
-    def degrees_of_freedom(self) -> int: ...
+    def degrees_of_freedom(self) -> int:
+        """dim ker A at the pose, a floating base's 6 included."""
     @property
-    def singular_pose(self) -> bool: ...
+    def singular_pose(self) -> bool:
+        """True if branches cross at the pose: m̄ is then a lower bound that no branch attains."""
     @property
-    def remarks(self) -> list[str]: ...
+    def remarks(self) -> list[str]:
+        """Remarks about the result."""
     @property
-    def findings(self) -> list[Diagnostic]: ...
+    def findings(self) -> list[Diagnostic]:
+        """Findings about the pose and the result, as in reports of the command line. At a singular pose, its branches are
+        followed."""
     @property
-    def joint_velocities(self) -> dict[str, _Array]: ...
+    def joint_velocities(self) -> dict[str, _Array]:
+        """v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m."""
     @property
-    def base_velocity(self) -> _Array: ...
+    def base_velocity(self) -> _Array:
+        """v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed, root link's axes; (6,)."""
     @property
-    def contributions(self) -> dict[str, float] | None: ...
+    def contributions(self) -> dict[str, float] | None:
+        """Share of each link in the kinetic energy at unit closing speed, by link name; None unless finite."""
     @property
-    def rotor_contributions(self) -> dict[str, float] | None: ...
+    def rotor_contributions(self) -> dict[str, float] | None:
+        """Share of each rotor (armature) in the kinetic energy at unit closing speed, by joint name; None unless finite."""
     @property
-    def point_world(self) -> _Array: ...
+    def point_world(self) -> _Array:
+        """The contact point in the world, m; (3,)."""
     @property
-    def normal_world(self) -> _Array: ...
-    def branch_limits(self) -> list[float | None]: ...
+    def normal_world(self) -> _Array:
+        """The normal in the world, out of the contact link; (3,)."""
+    def branch_limits(self) -> list[float | None]:
+        """Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does
+        not close."""
     def point_velocity(
         self, link: str, point: ArrayLike, *, frame: _Frame | None = None
-    ) -> _Array | None: ...
-    def against_mass(self, mass: float) -> Response: ...
+    ) -> _Array | None:
+        """Velocity of a point of a link at unit closing speed, relative to the contact's other side; (3,). Its length is
+        the motion ratio. Axes of the root link or of the world, as for Pose.link_frame. None if the response has no
+        motion, or if a massless motion leaves the velocity undetermined."""
+    def against_mass(self, mass: float) -> Response:
+        """The response with a free body of this mass (kg) as the other side."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class MatrixResponse:
+    """m̄ from matrices, with its error, rank report and remarks."""
     @property
-    def effective_mass(self) -> float | None: ...
+    def effective_mass(self) -> float | None:
+        """m̄, in the unit of M (kg); None unless finite."""
     @property
-    def status(self) -> _Status: ...
+    def status(self) -> _Status:
+        """"finite"; "immovable": no motion with A v = 0 closes the gap; "massless": a motion without energy closes it."""
     @property
-    def error(self) -> float | None: ...
+    def error(self) -> float | None:
+        """Bound on the error of m̄ from the accuracy of the entries and from rounding, kg; None if unknown, or if the rank
+        is unclear."""
     @property
-    def velocity(self) -> _Array: ...
+    def velocity(self) -> _Array:
+        """v*: velocities at unit closing speed, in the units of the coordinates; zero if immovable; (n,)."""
     @property
-    def degrees_of_freedom(self) -> int: ...
+    def degrees_of_freedom(self) -> int:
+        """Degrees of freedom: coordinates minus rank of A."""
     @property
-    def rank(self) -> _RankReport: ...
+    def rank(self) -> _RankReport:
+        """Rank report of A, with row numbers from 0: "rank"; "gap" (least gap between counted singular values and those
+        taken as zero; None without rows); "is_clear"; "redundant_rows"; "dependent_sets"; "small_rows" (counted rows
+        below the rounding of other rows)."""
     @property
-    def remarks(self) -> list[str]: ...
+    def remarks(self) -> list[str]:
+        """Remarks about the result."""
 
 @final
 class Sweep:
+    """m̄ of a contact at many configurations."""
     @property
-    def effective_mass(self) -> _Array: ...
+    def effective_mass(self) -> _Array:
+        """m̄, kg; NaN unless finite; (N,)."""
     @property
-    def error(self) -> _Array: ...
+    def error(self) -> _Array:
+        """Error of m̄, kg; NaN if not computed; (N,)."""
     @property
-    def status(self) -> NDArray[np.uint8]: ...
+    def status(self) -> NDArray[np.uint8]:
+        """0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to
+        rounding only: error is then the largest possible m̄ of the contact; uint8, (N,)."""
     @property
-    def remarks(self) -> NDArray[np.uint32]: ...
+    def remarks(self) -> NDArray[np.uint32]:
+        """Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only."""
     @property
-    def findings(self) -> list[Diagnostic]: ...
+    def findings(self) -> list[Diagnostic]:
+        """Findings about the rows: one per kind of remark, with the first row and the number of further rows. Pose.respond
+        at a row has the numbers."""
     @property
-    def gradient(self) -> _Array | None: ...
+    def gradient(self) -> _Array:
+        """Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). With loops,
+        only sums over admissible motions have a meaning. Raises NotComputedError unless the sweep had gradient=True."""
     @property
-    def inverse_operational_inertia(self) -> _Array | None: ...
-    def to_svg(self) -> str: ...
-    def _repr_html_(self) -> str: ...
+    def inverse_operational_inertia(self) -> _Array:
+        """Φ = J M_c⁻¹ Jᵀ of the contact link at the contact point, in root axes, angular part first: the inverse of the operational
+        inertia Λ; (N, 6, 6). The block [:, 3:, 3:] is that of forces, 1/kg. Raises NotComputedError unless the sweep had
+        inverse_operational_inertia=True."""
+    def to_svg(self) -> str:
+        """The picture as SVG: m̄ over the row number."""
+    def _repr_html_(self) -> str:
+        """Description and plot of the sweep, for notebooks."""
     def __len__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 def load(
     path: str | os.PathLike[str], *, accept: Sequence[str] = ..., max_size: int = ...
-) -> Model: ...
-def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model: ...
+) -> Model:
+    """Reads a URDF file, closed loops and couplings included.
+
+    accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: size limit in bytes;
+    larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
+    notes. Raises LoadError, with every error of the file."""
+def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model:
+    """Reads URDF from text. name replaces the file name in messages. Other parameters as for load."""
 def sweep_of_arrays(
     effective_mass: _Array,
     error: _Array,
@@ -450,22 +666,27 @@ def sweep_of_arrays(
     no_answer: str | None,
     gradient: _Array | None,
     inverse_operational_inertia: _Array | None,
-) -> Sweep: ...
-def set_threads(threads: int | None = None) -> None: ...
+) -> Sweep:
+    """Rebuilds a pickled sweep in another process."""
+def set_threads(threads: int | None = None) -> None:
+    """Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it."""
 def diagnostic_of_parts(
-    severity: str,
+    severity: _Severity,
     code: str,
     place: tuple[str | None, int | None, int | None, str | None],
     message: str,
-) -> Diagnostic: ...
+) -> Diagnostic:
+    """Rebuilds a pickled finding."""
 def joint_of_parts(
     names: tuple[str, str, str],
-    kind: str,
+    kind: _JointKind,
     limits: tuple[float, float] | None,
     mimics: str | None,
     positions: tuple[int, int],
-) -> Joint: ...
-def model_of_bytes(bytes: bytes, name: str, accept: Sequence[str]) -> Model: ...
+) -> Joint:
+    """Rebuilds a pickled joint."""
+def model_of_bytes(bytes: bytes, name: str, accept: Sequence[str]) -> Model:
+    """Rebuilds a pickled model in another process."""
 def effective_mass(
     M: Any,
     j: Any,
@@ -475,7 +696,22 @@ def effective_mass(
     rank_floor: float | None = None,
     accuracy: float | None = None,
     row_noise: float | None = None,
-) -> MatrixResponse: ...
+) -> MatrixResponse:
+    """Effective mass along a contact row of a system given by its matrices, in the unit of M (kg).
+
+    m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and A is None. M: (n, n), symmetric, positive
+    semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the
+    constraints, each row in any unit. Arrays may be dense with any strides (one contiguous block is read in place) or
+    sparse (made dense: the cost is O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the
+    coordinates: j, A and lengths are put in the order of M.
+
+    lengths: (n,), scale of each coordinate for rank decisions and for the test of whether the gap closes at all:
+    displacement per unit rate, in one unit for all coordinates: 1 for a slide in metres, a typical length for an angle.
+    Default: 1 for all. A finite m̄ does not depend on lengths, except for rounding. rank_floor: singular values of A
+    below this fraction of the largest count as zero, with each row scaled to 1; default 1e-10, or 10 times the accuracy
+    if larger. accuracy: relative error of the entries, 0 to 1e-3; default by the type of each array: 2.2e-16 (float64),
+    6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows of A with no entry above this value, in A's
+    unit, count as zero; default: 1e-14 of the largest entry of the rows that bind the same coordinates."""
 def effective_masses(
     M: ArrayLike,
     j: ArrayLike,
@@ -485,8 +721,14 @@ def effective_masses(
     rank_floor: float | None = None,
     accuracy: float | None = None,
     row_noise: float | None = None,
-) -> MatrixBatch: ...
-def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> list[Diagnostic]: ...
+) -> MatrixBatch:
+    """m̄, error and status for a batch: M (b, n, n) or (n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
+    batch axis is shared by the whole batch: one M with many j. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
+    unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
+    the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
+    failing problem."""
+def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> list[Diagnostic]:
+    """Findings about a batch, from the remarks of each problem and the numbers of the problems with small rows."""
 def sweep(
     model: Model | System | Assembly,
     contact: Contact,
@@ -501,7 +743,29 @@ def sweep(
     inverse_operational_inertia: bool = False,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-) -> Sweep: ...
+) -> Sweep:
+    """m̄ of a contact at the rows of q, on all processors. Results do not depend on the number of processors.
+
+    model: a Model, System or Assembly. q: (N, p) float64, rad, m: the positions of all joints in the order of the file,
+    with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides: a C-ordered array is read in
+    place, and an F-ordered array is the fastest. Other numeric types are converted.
+
+    joints: names of the driving joints in the columns of q, with one position each: (N, len(joints)). Other joints are
+    at 0 or follow; loops are closed, and each row continues from the row before, on one branch. Unreachable rows have
+    no answer.
+
+    A DataFrame is matched by its column names, which are those of joints or of Model.position_names, in any order.
+
+    points, normals: (N, 3), a contact point (m, in the contact link's frame) and a normal (in the frame of the contact's
+    normal, of any length) for each row, instead of those of the contact. A DataFrame has the columns x, y, z.
+
+    base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world: (7,), or (N, 7), one
+    for each row; default: the world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
+    first closed pose; otherwise these rows have no answer. Ctrl-C stops the sweep.
+
+    gradient, inverse_operational_inertia: True also computes Sweep.gradient, Sweep.inverse_operational_inertia. threads: number of
+    threads of this call, 1 to 1024; default: those of set_threads. progress: function of the numbers of finished rows and of all
+    rows, called about 20 times a second; its exceptions stop the sweep."""
 def load_suspension(
     path: str | os.PathLike[str],
     *,
@@ -514,18 +778,34 @@ def load_suspension(
     move: Mapping[str, Sequence[float]] | None = None,
     allow_outside: bool = False,
     worksheet: str | None = None,
-) -> Model: ...
-def suspension_templates() -> list[tuple[str, str]]: ...
-def suspension_template(name: str, *, unit: str = "mm", axes: str = "iso") -> str: ...
-def laws() -> list[tuple[str, str, str, str, bool, bool]]: ...
-def tools() -> list[tuple[str, str]]: ...
-def regions() -> list[tuple[str, str, float, float]]: ...
-def run_command(arguments: Sequence[str]) -> NoReturn: ...
+) -> Model:
+    """Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
+
+    side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
+    does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
+    sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
+    the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
+    Warnings and errors as for load."""
+def suspension_templates() -> list[tuple[str, str]]:
+    """Templates of sheets: name, title."""
+def suspension_template(name: str, *, unit: str = "mm", axes: str = "iso") -> str:
+    """Empty sheet of a template, to fill in: TOML text."""
+def laws() -> list[tuple[str, str, str, str, bool, bool]]:
+    """Contact laws: name, title, formula, source, exactness, need for the impact speed."""
+def tools() -> list[tuple[str, str]]:
+    """Simulators: name, title."""
+def regions() -> list[tuple[str, str, float, float]]:
+    """Body regions: name, title, mass (kg), stiffness (N/m)."""
+def run_command(arguments: Sequence[str]) -> NoReturn:
+    """Runs the command and ends the process with its exit code. The first argument is the program name."""
 
 # JSON reports; _reports and _kinematics convert them.
-def kinematics(model: Model, question: _Question) -> str: ...
-def check(model: Model) -> str: ...
-def mass_report(model: Model, contact: Contact | str, conditions: Conditions, damping: Damping | None) -> str: ...
+def kinematics(model: Model, question: _Question) -> str:
+    """Report on the kinematics of a suspension."""
+def check(model: Model) -> str:
+    """Summary of a model."""
+def mass_report(model: Model, contact: Contact | str, conditions: Conditions, damping: Damping | None) -> str:
+    """Report on one contact of a model, with the damper if damping is given."""
 def sweep_report(
     model: Model,
     contact: Contact | str,
@@ -534,7 +814,8 @@ def sweep_report(
     input: tuple[str, Sequence[str]] | None,
     random: tuple[int, int] | None,
     gradient: bool,
-) -> tuple[str, list[str]]: ...
+) -> tuple[str, list[str]]:
+    """Report on a contact at many rows of positions."""
 def map_report(
     model: Model,
     conditions: Conditions,
@@ -543,15 +824,21 @@ def map_report(
     shapes: str,
     edge: float | None,
     packages: Sequence[tuple[str, str]],
-) -> tuple[str, dict[str, dict[str, NDArray[Any]]], str]: ...
-def map_point_report(model: Model, contact: Contact | str, conditions: Conditions, directions: int) -> str: ...
-def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str: ...
+) -> tuple[str, dict[str, dict[str, NDArray[Any]]], str]:
+    """Maps of links: the report, the facets of each link as arrays, the picture as SVG."""
+def map_point_report(model: Model, contact: Contact | str, conditions: Conditions, directions: int) -> str:
+    """Report on directions at a point."""
+def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str:
+    """Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass."""
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
-) -> str: ...
+) -> str:
+    """Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
+    and seed."""
 def impact(
     model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
-) -> str: ...
+) -> str:
+    """Report on a rigid impact at a contact of a model."""
 def extremes(
     model: Model,
     contact: Contact | str,
@@ -560,7 +847,8 @@ def extremes(
     quantity: str,
     normals: str,
     starts: int,
-) -> str: ...
+) -> str:
+    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO"."""
 def safe_speed(
     model: Model,
     contact: Contact | str,
@@ -569,23 +857,33 @@ def safe_speed(
     vary: Sequence[str | tuple[str, float, float, int]] | None,
     input: tuple[str, Sequence[str]] | None,
     random: tuple[int, int] | None,
-) -> str: ...
+) -> str:
+    """Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
+    several world directions, the worst direction last."""
 def compare(
     designs: Sequence[Design],
     vary: Sequence[str | tuple[str, float, float, int]] | None,
     input: tuple[str, Sequence[str]] | None,
     random: tuple[int, int] | None,
-) -> tuple[str, list[str]]: ...
-def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]: ...
-def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]: ...
-def starting_study(model: Model, path: str | os.PathLike[str]) -> str: ...
-def study_schema() -> str: ...
-def damp_mass(mass: float, damping: Damping) -> str: ...
+) -> tuple[str, list[str]]:
+    """Compares several designs by one question, at the same rows of positions if rows are given."""
+def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]:
+    """Compares the designs of a study file: its model under a name, then its variants."""
+def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
+    """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep."""
+def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
+    """Initial study file for a model, which the file refers to by a path."""
+def study_schema() -> str:
+    """JSON schema of study files."""
+def damp_mass(mass: float, damping: Damping) -> str:
+    """Damper for an effective mass, kg."""
 def damp(
     model: Model,
     contact: Contact | str | None,
     stop: tuple[str, str | None] | None,
     conditions: Conditions,
     damping: Damping,
-) -> str: ...
-def impact_history(mass: float, damping: Damping, samples: int) -> _Array: ...
+) -> str:
+    """Damper for a contact of a model, or for a stop of a joint: (joint, None, "lower" or "upper")."""
+def impact_history(mass: float, damping: Damping, samples: int) -> _Array:
+    """Time (s), penetration (m), its rate (m/s) and force (N) during an impact; (samples, 4)."""

@@ -6,12 +6,13 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Union, cast
+from typing import Any, Literal, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _percuss, records
+from ._arguments import check_fields, checked
 from ._errors import InputError
 from ._percuss import Contact, Model
 
@@ -39,18 +40,21 @@ class Conditions:
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
     """
 
-    frame: str = "link"
+    frame: Literal["link", "world", "against"] = "link"
     against_mass: float | None = None
     set: Mapping[str, Position] = field(default_factory=dict)
     guess: Mapping[str, Position] = field(default_factory=dict)
     lock: Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
-    base: str = "fixed"
+    base: Literal["fixed", "floating"] = "fixed"
     estimate: Sequence[Any] | None = None
     travel: Sequence[Travel] = ()
     pose: str | os.PathLike[str] | None = None
     ratio_at: Sequence[Sequence[Any]] = ()
+
+    def __post_init__(self) -> None:
+        check_fields(self)
 
 
 @dataclass(frozen=True)
@@ -71,7 +75,7 @@ class Damping:
     exponent: float | None = None
     speed: float | None = None
     law: str = "kelvin-voigt"
-    separation: str | None = None
+    separation: Literal["force", "gap"] | None = None
     tools: Sequence[str] = ()
     accuracy: float | None = None
     time_step: float | None = None
@@ -79,6 +83,9 @@ class Damping:
     other_own_mass: float | None = None
     diagonal_ratio: float | None = None
     closed_loops: bool | None = None
+
+    def __post_init__(self) -> None:
+        check_fields(self)
 
 
 @dataclass(frozen=True)
@@ -89,6 +96,9 @@ class Design:
     model: Model
     contact: Contact | str
     conditions: Conditions | None = None
+
+    def __post_init__(self) -> None:
+        check_fields(self)
 
 
 @dataclass(frozen=True)
@@ -163,7 +173,7 @@ Report = records.Record
 
 
 class MapReport(records.MapRecord):
-    """Maps of links. facets: for each link a dict of arrays: points, normals, points_world (k, 3) m, area (k,) m²,
+    """Maps of links. facets: for each link a dict of arrays: points, normals (link's frame), points_world, normals_world (k, 3), m, area (k,) m²,
     effective_mass and error (k,) kg (NaN unless finite), status (k,) uint8."""
 
     def __init__(self, report: dict[str, Any], facets: dict[str, dict[str, NDArray[Any]]], svg: str) -> None:
@@ -206,11 +216,13 @@ def _with_rows(parts: tuple[str, list[str]]) -> Any:
     return report
 
 
+@checked
 def check(model: Model) -> records.CheckReport:
     """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
     return records.CheckReport.of(json.loads(_percuss.check(model)))
 
 
+@checked
 def mass(
     model: Model, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> records.MassReport:
@@ -219,6 +231,7 @@ def mass(
     return records.MassReport.of(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
 
 
+@checked
 def sweep_report(
     model: Model,
     contact: Contact | str,
@@ -243,13 +256,14 @@ def sweep_report(
     return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows, gradient)))
 
 
+@checked
 def map(
     model: Model,
     conditions: Conditions | None = None,
     *,
     against: str | None = None,
     links: Sequence[str] | None = None,
-    shapes: str = "auto",
+    shapes: Literal["auto", "collision", "visual"] = "auto",
     edge: float | None = None,
     packages: Mapping[str, str | os.PathLike[str]] | None = None,
 ) -> MapReport:
@@ -261,10 +275,13 @@ def map(
     """
     folders = [(name, os.fspath(path)) for name, path in (packages or {}).items()]
     named = None if links is None else list(links)
+    if named == []:
+        raise InputError("links is empty; expected names of links, or None for all links with a shape")
     report, facets, svg = _percuss.map_report(model, _asked(conditions), against, named, shapes, edge, folders)
     return MapReport(json.loads(report), facets, svg)
 
 
+@checked
 def map_point(
     model: Model, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> records.PointMapReport:
@@ -273,11 +290,13 @@ def map_point(
     return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
 
 
+@checked
 def damp(mass: float, damping: Damping) -> records.DampingReport:
     """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
     return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, damping)))
 
 
+@checked
 def damp_contact(
     model: Model, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
 ) -> records.DampingReport:
@@ -285,25 +304,28 @@ def damp_contact(
     return records.DampingReport.of(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
 
 
+@checked
 def damp_stop(
     model: Model,
     joint: str,
     damping: Damping,
     conditions: Conditions | None = None,
     *,
-    end: str | None = None,
+    end: Literal["lower", "upper"] | None = None,
 ) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
     damp --limit``."""
     return records.DampingReport.of(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
 
 
+@checked
 def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
     """Impact of a mass (kg) over time, with the approach speed damping.speed. Returns (samples, 4): time (s),
     penetration (m), penetration rate (m/s), force (N)."""
     return _percuss.impact_history(mass, damping, samples)
 
 
+@checked
 def explain(model: Model, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
@@ -312,6 +334,7 @@ def explain(model: Model, contact: Contact | str, conditions: Conditions | None 
     return None if found is None else records.Explanation.of(found)
 
 
+@checked
 def tolerate(
     model: Model,
     contact: Contact | str,
@@ -329,6 +352,7 @@ def tolerate(
     return None if found is None else records.ToleranceReport.of(found)
 
 
+@checked
 def compare(
     designs: Sequence[Design],
     *,
@@ -340,15 +364,19 @@ def compare(
 ) -> records.ComparisonReport:
     """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
     random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
+    if len(designs) < 2:
+        raise InputError(f"designs has {len(designs)} entries; expected two at least")
     asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
     return records.ComparisonReport.of(_with_rows(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
 
 
+@checked
 def compare_study(path: str | os.PathLike[str], name: str = "as given") -> records.ComparisonReport:
     """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
     return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path, name)))
 
 
+@checked
 def impact(
     model: Model,
     contact: Contact | str,
@@ -365,7 +393,7 @@ def impact(
     rate_limit: Mapping[str, Position] | None = None,
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
-    restitution_law: str = "energetic",
+    restitution_law: Literal["energetic", "poisson", "newton", "algebraic"] = "energetic",
     also: Sequence[str] = (),
     sticking: bool = False,
     stiffness_ratio: Sequence[float] = (),
@@ -393,9 +421,9 @@ def impact(
     impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
     if in_time and stiffness is None:
-        raise ValueError("in_time: the impact in time requires stiffness, that of the contact")
+        raise InputError("in_time: the impact in time requires stiffness, that of the contact")
     if in_time and friction is not None:
-        raise ValueError("in_time: the impact in time has no friction; expected friction=None")
+        raise InputError("in_time: the impact in time has no friction; expected friction=None")
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
     asked = _Impact(
         restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
@@ -405,6 +433,7 @@ def impact(
     return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
 
+@checked
 def extremes(
     model: Model,
     contact: Contact | str,
@@ -425,6 +454,7 @@ def extremes(
     return records.ExtremesReport.of(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, quantity, normals, starts)))
 
 
+@checked
 def safe_speed(
     model: Model,
     contact: Contact | str,
@@ -452,6 +482,7 @@ def safe_speed(
     return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
 
 
+@checked
 def safe_speed_directions(
     model: Model,
     contact: Contact | str,
@@ -470,6 +501,9 @@ def safe_speed_directions(
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
     direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
     along = [[float(x) for x in direction] for direction in directions]
+    for number, direction in enumerate(along):
+        if len(direction) != 3 or not np.isfinite(direction).all():
+            raise InputError(f"directions[{number}] is {direction}; expected three finite numbers")
     if not along and not worst:
         raise InputError("directions: none is given; give at least one, or worst=True")
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load, along, worst)
@@ -488,6 +522,7 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 }
 
 
+@checked
 def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
     """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Safe speeds
     in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
@@ -498,6 +533,7 @@ def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
     return cast("records.AnyRecord", _BY_SCHEMA[found["schema"].split("/")[0]].of(found))
 
 
+@checked
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Complete initial study of a model as TOML, with a contact. path: path of the model's file in the study,
     relative to the study's folder. As ``percuss init``."""

@@ -23,6 +23,7 @@ base_pose= of a sweep. Mimic joints follow their masters and are not read.
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -31,7 +32,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import InputError
+from ._errors import InputError, ModelWarning
 from ._gradients import rotation_of
 from ._percuss import Model, loads
 
@@ -191,11 +192,20 @@ class Converter:
     def of_pinocchio(cls, model: Model, other: Any) -> Converter:
         """For a pinocchio.Model with joints of the same names.
 
-        A free joint without a joint of its name in percuss is that of the base.
+        A free joint without a joint of its name in percuss is that of the base. A ModelWarning names mimics that move independently in the
+        other model: pinocchio.buildModelFromUrdf(path, mimic=True) reads them.
         """
         joints: dict[str, tuple[slice, slice, str]] = {}
+        masters = {joint.name: joint.mimics for joint in model.joints if joint.mimics}
         for number in range(1, int(other.njoints)):
             joint = other.joints[number]
+            if int(joint.nv) > 0 and (master := masters.get(str(other.names[number]))):
+                warnings.warn(
+                    f'joint "{other.names[number]}" follows "{master}" in percuss and moves independently in the Pinocchio model, so that '
+                    "effective masses differ; pinocchio.buildModelFromUrdf(path, mimic=True) reads mimics",
+                    ModelWarning,
+                    stacklevel=2,
+                )
             q, v = (int(joint.idx_q), int(joint.nq)), (int(joint.idx_v), int(joint.nv))
             joints[str(other.names[number])] = (slice(q[0], sum(q)), slice(v[0], sum(v)), str(joint.shortname()))
 

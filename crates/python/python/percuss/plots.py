@@ -51,12 +51,12 @@ def plot_map(report: MapReport, *, quantity: str = "effective_mass", ax: Any = N
         raise InputError(f"quantity is {quantity!r}; expected 'effective_mass', 'area' or 'error'")
     values = np.concatenate([facets[quantity] for facets in report.facets.values()])
     area = np.concatenate([facets["area"] for facets in report.facets.values()])
-    normals = np.concatenate([facets["normals"] for facets in report.facets.values()])
+    normals = np.concatenate([facets["normals_world"] for facets in report.facets.values()])
     known = np.isfinite(values) & (values > 0)
     if not known.any():
         raise NoAnswerError(f"no facet of the map has a {quantity}: nothing to draw")
     scale = LogNorm(values[known].min(), values[known].max())
-    drawn = Poly3DCollection(_squares(points[known], normals[known], area[known]), norm=scale)
+    drawn = Poly3DCollection(squares_of(points[known], normals[known], area[known]), norm=scale)
     drawn.set_array(values[known])
     axes.add_collection3d(drawn)
     _equal(axes, points[known])
@@ -64,7 +64,7 @@ def plot_map(report: MapReport, *, quantity: str = "effective_mass", ax: Any = N
     return axes
 
 
-def _squares(points: Any, normals: Any, area: Any) -> Any:
+def squares_of(points: Any, normals: Any, area: Any) -> Any:
     """Squares of the given areas about points, at right angles to the normals: (k, 4, 3)."""
     axis = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
     e1 = np.cross(normals, axis)
@@ -85,13 +85,8 @@ def _equal(axes: Any, points: Any) -> None:
     axes.set(xlabel="x (m)", ylabel="y (m)", zlabel="z (m)")
 
 
-def plot_ellipsoid(pose: Pose, link: str, point: ArrayLike, *, scale: float | None = None, ax: Any = None) -> Any:
-    """Ellipsoid of mobility at a point of a link, in root axes: half axes 1/√m̄ along the principal directions.
-
-    scale: metres per 1/√kg; default: the longest half axis is a tenth of the distance from the root, at least 0.1 m. The belted
-    surface of m̄ itself is not convex; this ellipsoid is nᵀ Φ n of the contact (Khatib 1987).
-    """
-    axes = _new_axes("3d") if ax is None else ax
+def ellipsoid_of(pose: Pose, link: str, point: ArrayLike, scale: float | None) -> tuple[Any, Any, Any, Any]:
+    """Centre (3,), half axes (3,) in m, directions (3, 3) by columns in root axes, and the principal masses."""
     principal = pose.principal_masses(link, point)
     if principal is None:
         raise NoAnswerError(f'the masses at the point of "{link}" have no principal directions: motions without mass')
@@ -102,14 +97,25 @@ def plot_ellipsoid(pose: Pose, link: str, point: ArrayLike, *, scale: float | No
     directions = frame[:3, :3] @ np.stack([np.asarray(p["direction"]) for p in principal], axis=1)
     if scale is None:
         scale = max(0.1, 0.1 * float(np.linalg.norm(centre))) / max(float(halves.max()), 1e-300)
+    return centre, halves * scale, directions, principal
+
+
+def plot_ellipsoid(pose: Pose, link: str, point: ArrayLike, *, scale: float | None = None, ax: Any = None) -> Any:
+    """Ellipsoid of mobility at a point of a link, in root axes: half axes 1/√m̄ along the principal directions.
+
+    scale: metres per 1/√kg; default: the longest half axis is a tenth of the distance from the root, at least 0.1 m. The belted
+    surface of m̄ itself is not convex; this ellipsoid is nᵀ Φ n of the contact (Khatib 1987).
+    """
+    axes = _new_axes("3d") if ax is None else ax
+    centre, halves, directions, principal = ellipsoid_of(pose, link, point, scale)
     turn, tilt = np.meshgrid(
         np.linspace(0, 2 * np.pi, _ELLIPSOID_POINTS), np.linspace(0, np.pi, _ELLIPSOID_POINTS // 2)
     )
     sphere = np.stack([np.cos(turn) * np.sin(tilt), np.sin(turn) * np.sin(tilt), np.cos(tilt)])
-    surface = np.einsum("ij,jkl->ikl", directions * (halves * scale), sphere) + centre[:, None, None]
+    surface = np.einsum("ij,jkl->ikl", directions * halves, sphere) + centre[:, None, None]
     axes.plot_surface(*surface, alpha=0.4)
     for k, mass in enumerate(principal):
-        end = centre + directions[:, k] * halves[k] * scale
+        end = centre + directions[:, k] * halves[k]
         axes.plot(*np.stack([centre, end], axis=1))
         known = mass["effective_mass"]
         axes.text(*end, "immovable" if known is None else f"{known:.3g} kg")

@@ -1,7 +1,7 @@
 //! Contacts, with links given by name.
 
 use crate::conversion::arrays::triple;
-use crate::conversion::errors::input;
+use crate::conversion::errors::{extract, input, of_argument};
 use percuss::nalgebra::Vector3;
 use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
 use pyo3::prelude::*;
@@ -59,22 +59,29 @@ fn name(frame: Frame) -> &'static str {
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=false))]
+    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame=None, turning=None), text_signature = "(link, point, normal=None, *, against=None, toward=None, normal_frame='link', turning=False)")]
     fn new(
-        link: String,
+        link: &Bound<'_, PyAny>,
         point: &Bound<'_, PyAny>,
         normal: Option<&Bound<'_, PyAny>>,
-        against: Option<String>,
-        toward: Option<(String, Bound<'_, PyAny>)>,
-        normal_frame: &str,
-        turning: bool,
+        against: Option<&Bound<'_, PyAny>>,
+        toward: Option<&Bound<'_, PyAny>>,
+        normal_frame: Option<&Bound<'_, PyAny>>,
+        turning: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let link = extract(link, "link")?;
+        let against = against.map(|given| extract(given, "against")).transpose()?;
+        let toward: Option<(String, Bound<'_, PyAny>)> =
+            toward.map(|given| extract(given, "toward")).transpose()?;
+        let normal_frame: String =
+            normal_frame.map_or_else(|| Ok("link".to_owned()), |given| extract(given, "normal_frame"))?;
+        let turning = turning.map_or(Ok(false), |given| extract(given, "turning"))?;
         let normal = match (normal, toward) {
             (Some(_), None) if turning => {
                 return Err(input("turning is of toward: a given normal does not turn with a line"));
             }
             (Some(normal), None) => {
-                NormalGiven::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
+                NormalGiven::Along(triple(normal, "normal")?, frame(&normal_frame, "normal_frame")?)
             }
             (None, Some((link, point))) => {
                 let point = triple(&point, "point of toward")?;
@@ -180,17 +187,21 @@ impl Contact {
 
     /// Resolves the link names in a mechanism.
     pub fn resolve(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
-        let find = |name: &str| mechanism.find_link(name).map_err(input);
+        let find = |name: &str, part: &str| {
+            mechanism.find_link(name).map_err(|error| of_argument(part)(input(error)))
+        };
         let normal = match &self.normal {
             NormalGiven::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
-            NormalGiven::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
+            NormalGiven::Toward(link, point) => {
+                Direction::Toward(find(link, "contact.toward")?, Vector3::from(*point))
+            }
             NormalGiven::TurningToward(link, point) => {
-                Direction::TurningToward(find(link)?, Vector3::from(*point))
+                Direction::TurningToward(find(link, "contact.toward")?, Vector3::from(*point))
             }
         };
         Ok(Resolved {
-            link: find(&self.link)?,
-            against: self.against.as_deref().map(find).transpose()?,
+            link: find(&self.link, "contact.link")?,
+            against: self.against.as_deref().map(|name| find(name, "contact.against")).transpose()?,
             point: self.point.into(),
             normal,
         })

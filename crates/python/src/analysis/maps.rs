@@ -3,7 +3,7 @@
 use crate::analysis::pose::Pose;
 use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{float64_matrix, shape, triple};
-use crate::conversion::errors::input;
+use crate::conversion::errors::{input, of_argument};
 use crate::conversion::labels::AXES;
 use crate::conversion::threads::interruptible_if_large;
 use numpy::ndarray::{ArrayView2, s};
@@ -39,7 +39,8 @@ fn contact_map_about<'a>(
 ) -> PyResult<ContactMap<'a>> {
     let mechanism = &pose.model.read.mechanism;
     let link = mechanism.find_link(link).map_err(input)?;
-    let against = against.map(|link| mechanism.find_link(link)).transpose().map_err(input)?;
+    let against = against.map(|link| mechanism.find_link(link)).transpose();
+    let against = against.map_err(|error| of_argument("against")(input(error)))?;
     pose.pose.contact_map(link, against, centre, reach).map_err(input)
 }
 
@@ -90,7 +91,8 @@ pub fn contact_map<'py>(
     let count = points.shape()[0];
     for (what, array) in [("points", &points), ("normals", &normals)] {
         if array.shape() != [count, 3] {
-            let expected = if what == "points" { "(N, 3)".to_owned() } else { shape(&[count, 3]) };
+            let expected =
+                if what == "points" { "(N, 3)".to_owned() } else { shape(&[count, 3]) + ", as points" };
             return Err(input(format_args!(
                 "{what} has shape {}; expected {expected}",
                 shape(array.shape())

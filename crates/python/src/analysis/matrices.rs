@@ -296,8 +296,8 @@ pub fn effective_mass(
     Ok(MatrixResponse(found))
 }
 
-/// m̄, error and status for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
-/// batch axis is shared by the whole batch. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
+/// m̄, error and status for a batch: M (b, n, n) or (n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
+/// batch axis is shared by the whole batch: one M with many j. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
 /// unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
 /// the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
 /// failing problem.
@@ -317,23 +317,26 @@ pub fn effective_masses<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let given = MatrixArguments { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
     let shapes = Shapes {
-        mass: (&[3], "(b, n, n)"),
+        mass: (&[2, 3], "(b, n, n) or (n, n)"),
         row: (&[1, 2], "(b, n) or (n,)"),
         constraints: (&[2, 3], "(b, m, n) or (m, n)"),
     };
     let Matrices { mass, row, constraints: rows, reading } = given.read(&shapes)?;
     let (mass, row, rows) = (Block::of(&mass), Block::of(&row), rows.as_ref().map(Block::of));
-    let count = mass.shape[0];
-    let batches = |block: &Block<'_>, what: &str, axes: usize| match block.shape.len() == axes {
-        true if block.shape[0] != count => Err(input(format_args!(
-            "{what} has shape {}, M {}: their batches differ",
-            shape(&block.shape),
-            shape(&mass.shape)
-        ))),
-        _ => Ok(()),
+    let given = [Some(("M", &mass, 3)), Some(("j", &row, 2)), rows.as_ref().map(|rows| ("A", rows, 3))];
+    let batches = given.into_iter().flatten().filter(|(_, block, axes)| block.shape.len() == *axes);
+    let batches: Vec<(&str, &[usize])> = batches.map(|(name, block, _)| (name, &block.shape[..])).collect();
+    let Some((first, of_first)) = batches.first().copied() else {
+        return Err(input("M, j, A: none has a batch axis; effective_mass solves one problem"));
     };
-    batches(&row, "j", 2)?;
-    rows.as_ref().map_or(Ok(()), |rows| batches(rows, "A", 3))?;
+    let count = of_first[0];
+    if let Some((name, other)) = batches.iter().find(|(_, other)| other[0] != count) {
+        return Err(input(format_args!(
+            "{name} has shape {}, {first} {}: their batches differ",
+            shape(other),
+            shape(of_first)
+        )));
+    }
     let options = reading.options();
     let one = |c: usize| -> Result<Solved, PyErr> {
         if interruption::is_requested() {

@@ -5,7 +5,7 @@ use crate::analysis::model::Model;
 use crate::analysis::pose::Pose;
 use crate::analysis::system::{configuration, numbers};
 use crate::conversion::arrays::{list, triple};
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::nalgebra::{Matrix3, Vector3};
@@ -53,12 +53,14 @@ impl Travel {
     /// matter.
     #[new]
     fn new(
-        pose: &Pose,
-        link: &str,
+        pose: &Bound<'_, PyAny>,
+        link: &Bound<'_, PyAny>,
         point: &Bound<'_, PyAny>,
         direction: &Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let on = pose.model.read.mechanism.find_link(link).map_err(input)?;
+        let pose: PyRef<'_, Pose> = errors::extract(pose, "pose")?;
+        let link: String = errors::extract(link, "link")?;
+        let on = pose.model.read.mechanism.find_link(&link).map_err(input)?;
         let (point, direction) = (triple(point, "point")?, triple(direction, "direction")?);
         let travel = Moved::new(&pose.pose, on, point.into(), direction.into()).map_err(errors::travel)?;
         Ok(Self { model: pose.model.clone(), start: pose.clone(), travel })
@@ -111,7 +113,7 @@ impl Travel {
         self.check_model(pose)?;
         let mechanism = &self.model.read.mechanism;
         let taken = set.iter().map(|joint| mechanism.find_joint(joint)).collect::<Result<Vec<_>, _>>();
-        let taken = taken.map_err(input)?;
+        let taken = taken.map_err(|error| of_argument("set")(input(error)))?;
         let driver =
             self.travel.driver(&pose.pose, &|joint| taken.contains(&joint)).map_err(errors::travel)?;
         Ok(mechanism.joint(driver).name().to_owned())
@@ -135,9 +137,12 @@ impl Travel {
         let others = configuration(mechanism, q.map(|q| q.as_any()), None)?;
         let driver = match driver {
             Some(name) => name.to_owned(),
-            None => self.driver(start, q.map_or(Ok(Vec::new()), |q| q.keys().extract())?)?,
+            None => {
+                let set = q.map_or(Ok(Vec::new()), |q| q.keys().extract());
+                self.driver(start, set.map_err(of_argument("q"))?)?
+            }
         };
-        let driver = mechanism.find_joint(&driver).map_err(input)?;
+        let driver = mechanism.find_joint(&driver).map_err(|error| of_argument("driver")(input(error)))?;
         if !displacement.is_finite() {
             return Err(input(format_args!("displacement is {displacement}; expected a finite number, m")));
         }
@@ -216,7 +221,7 @@ pub fn effective_mass_rate(
     contact: &Contact,
     given: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Option<f64>> {
-    let velocities = velocities(&pose.model.read.mechanism, given)?;
+    let velocities = velocities(&pose.model.read.mechanism, given).map_err(of_argument("velocities"))?;
     let gradient = effective_mass_gradient(py, pose, contact)?;
     refuse_opening(pose, &velocities)?;
     Ok(gradient.map(|gradient| gradient.rate(&velocities)))
@@ -328,7 +333,7 @@ pub fn accelerations(
     axes: &Matrix3<f64>,
 ) -> PyResult<Accelerations> {
     let mechanism = &pose.model.read.mechanism;
-    let velocities = velocities(mechanism, given)?;
+    let velocities = velocities(mechanism, given).map_err(of_argument("velocities"))?;
     let in_root = |vector: Vector3<f64>| axes.tr_mul(&vector);
     let base = twist(base, "base")?;
     let base = Twist::new(in_root(base.angular), in_root(base.linear));

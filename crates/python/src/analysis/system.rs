@@ -3,7 +3,7 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::arrays::{Numbers, list, triple};
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::interruptible_if_large;
 use percuss::nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use percuss::spatial::{Transform, rotation_from_quaternion};
@@ -127,17 +127,17 @@ pub fn configuration(
             let q = Numbers::of(q, "q", &[1], "one dimension, or a dict of joints")?;
             let q = q.in_order_of("q", &position_names(mechanism), ": the positions of all joints")?;
             let q: Vec<f64> = q.array.as_array().iter().copied().collect();
-            Configuration::from_positions(mechanism, &q).map_err(input)?
+            Configuration::from_positions(mechanism, &q).map_err(|error| of_argument("q")(input(error)))?
         }
         _ => Configuration::zero(mechanism),
     };
     if let Some(by_name) = q.and_then(|q| q.cast::<PyDict>().ok()) {
-        for (joint, values) in numbers(Some(by_name), "position")? {
-            found.set(&joint, &values).map_err(input)?;
+        for (joint, values) in numbers(Some(by_name), "position").map_err(of_argument("q"))? {
+            found.set(&joint, &values).map_err(|error| of_argument("q")(input(error)))?;
         }
     }
-    for (joint, values) in numbers(guess, "guess")? {
-        found.guess(&joint, &values).map_err(input)?;
+    for (joint, values) in numbers(guess, "guess").map_err(of_argument("guess"))? {
+        found.guess(&joint, &values).map_err(|error| of_argument("guess")(input(error)))?;
     }
     Ok(found)
 }
@@ -209,9 +209,12 @@ impl System {
         hold: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let hold = hold.iter().map(|hold| link_point_vector(hold, "hold", "normal"));
-        let hold = hold.collect::<PyResult<_>>()?;
-        let given =
-            GivenConditions { base: base(root)?, lock, armature: numbers(armature, "armature")?, hold };
+        let hold = hold.collect::<PyResult<_>>().map_err(of_argument("hold"))?;
+        let armature = numbers(armature, "armature").map_err(of_argument("armature"))?;
+        let find = |joint: &String| model.read.mechanism.find_joint(joint).map(drop).map_err(input);
+        lock.iter().try_for_each(find).map_err(of_argument("lock"))?;
+        armature.iter().try_for_each(|(joint, _)| find(joint)).map_err(of_argument("armature"))?;
+        let given = GivenConditions { base: base(root)?, lock, armature, hold };
         let mut conditions = Conditions::new().base(given.base);
         for joint in &given.lock {
             conditions = conditions.lock(joint);

@@ -10,7 +10,7 @@ use crate::analysis::system::{
 };
 use crate::conversion::arrays::Numbers;
 use crate::conversion::diagnostic::Diagnostic;
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::labels::Labels;
 use crate::conversion::pickle::{Rebuilt, result_of};
 use crate::conversion::threads::interruptible_if_large;
@@ -322,7 +322,7 @@ impl Workspace {
         if let Some(at) = positions.iter().position(|x| !x.is_finite()) {
             return Err(input(format_args!("q[{at}] is {}; expected finite numbers", positions[at])));
         }
-        let answer = self.batch.effective_mass(positions).map_err(input)?;
+        let answer = self.batch.effective_mass(positions).map_err(|error| of_argument("q")(input(error)))?;
         self.positions.clear();
         self.positions.extend_from_slice(positions);
         answer

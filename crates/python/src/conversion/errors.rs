@@ -3,13 +3,17 @@
 use crate::conversion::diagnostic::Diagnostic;
 use percuss::study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
 use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, Severity, TravelError};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyAny;
 use std::fmt::Display;
 
+pyo3::import_exception!(percuss._errors, ArgumentTypeError);
 pyo3::import_exception!(percuss._errors, InputError);
 pyo3::import_exception!(percuss._errors, LoadError);
 pyo3::import_exception!(percuss._errors, ModelWarning);
 pyo3::import_exception!(percuss._errors, NoAnswerError);
+pyo3::import_exception!(percuss._errors, NotComputedError);
 mod named {
     pyo3::import_exception!(percuss._errors, AssemblyError);
 }
@@ -18,6 +22,50 @@ use named::AssemblyError as LoopsError;
 /// `InputError`: an invalid argument.
 pub fn input(error: impl Display) -> PyErr {
     InputError::new_err(error.to_string())
+}
+
+/// `ArgumentTypeError`: an argument of a wrong type.
+pub fn argument_type(error: impl Display) -> PyErr {
+    ArgumentTypeError::new_err(error.to_string())
+}
+
+/// `NotComputedError`: an attribute that was not requested.
+pub fn not_computed(error: impl Display) -> PyErr {
+    NotComputedError::new_err(error.to_string())
+}
+
+/// Conversion for `map_err`: the same error with the name of the argument before its message. Errors of loading and missing answers
+/// stay as they are.
+pub fn of_argument(name: &str) -> impl Fn(PyErr) -> PyErr {
+    move |error| {
+        Python::attach(|py| {
+            let message = error.value(py).to_string();
+            let message = match message.starts_with(name) {
+                true => message,
+                false => format!("{name}: {message}"),
+            };
+            if error.is_instance_of::<LoadError>(py) || error.is_instance_of::<NoAnswerError>(py) {
+                error
+            } else if error.get_type(py).is(py.get_type::<InputError>()) {
+                input(message)
+            } else if error.is_instance_of::<PyTypeError>(py)
+                || error.is_instance_of::<PyValueError>(py)
+                || error.is_instance_of::<PyOverflowError>(py)
+            {
+                argument_type(message)
+            } else {
+                error
+            }
+        })
+    }
+}
+
+/// Value of an argument of a constructor.
+///
+/// # Errors
+/// `ArgumentTypeError` with the name of the argument.
+pub fn extract<'a, 'py, T: FromPyObject<'a, 'py>>(given: &'a Bound<'py, PyAny>, name: &str) -> PyResult<T> {
+    given.extract().map_err(|error: T::Error| of_argument(name)(error.into()))
 }
 
 /// `NoAnswerError`: a valid question without an answer.
@@ -106,12 +154,13 @@ pub fn study_file(error: StudyFileError) -> PyErr {
     }
 }
 
-/// Issues a `ModelWarning` for each warning of a file. Notes are only in the model's diagnostics.
+/// Issues a `ModelWarning` for each warning of a file, at the line of the caller: the functions that read files are called by
+/// `percuss._arguments.converted`. Notes are only in the model's diagnostics.
 pub fn warn(py: Python<'_>, found: &[DiagnosticRecord]) -> PyResult<()> {
     let category = py.get_type::<ModelWarning>();
     for record in found.iter().filter(|record| record.severity == Severity::Warning) {
         let text = std::ffi::CString::new(record.line().replace('\0', "\u{fffd}"))?;
-        PyErr::warn(py, &category, &text, 1)?;
+        PyErr::warn(py, &category, &text, 2)?;
     }
     Ok(())
 }

@@ -154,8 +154,11 @@ pub fn interruptible_if_large<T: Send>(
     if size >= LARGE { interruptible(py, work) } else { detached_here(py, work) }
 }
 
-/// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once: the thread then completes the work and drops its result.
-/// For work that cannot be stopped, such as the reading of a file.
+/// Flags of the threads of [`abandonable`], kept for the next call. The flag of an interrupted call is never used again.
+static FLAGS: Mutex<Vec<&'static AtomicBool>> = Mutex::new(Vec::new());
+
+/// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once: the thread stops at its next pose, response or element of a
+/// file, and drops its result. For work with steps that take longer than a reaction to Ctrl-C.
 ///
 /// # Errors
 /// RuntimeError: a thread cannot be started. KeyboardInterrupt, or the exception of another signal handler.
@@ -173,7 +176,10 @@ pub fn abandonable<T: Send + 'static>(
         Some(pool) => pool.install(work),
     };
     let (sender, receiver) = channel();
+    let kept = FLAGS.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    let stop: &'static AtomicBool = kept.unwrap_or_else(|| Box::leak(Box::default()));
     let run = move || {
+        interruption::stop_this_thread_by(stop);
         // After an interruption nobody receives the result.
         let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
     };
@@ -182,8 +188,14 @@ pub fn abandonable<T: Send + 'static>(
     let found = py.detach(move || {
         loop {
             match receiver.recv_timeout(CHECK_INTERVAL) {
-                Ok(found) => return Ok(found),
-                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Ok(found) => {
+                    FLAGS.lock().unwrap_or_else(PoisonError::into_inner).push(stop);
+                    return Ok(found);
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    Python::attach(|py| py.check_signals())
+                        .inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
+                }
                 Err(RecvTimeoutError::Disconnected) => {
                     return Err(PyRuntimeError::new_err("the computation ended without a result"));
                 }

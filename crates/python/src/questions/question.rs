@@ -3,7 +3,7 @@
 use crate::analysis::contact::{Contact, frame};
 use crate::analysis::system::{base, link_point_vector, numbers};
 use crate::conversion::arrays::{list, triple};
-use crate::conversion::errors::input;
+use crate::conversion::errors::{input, of_argument};
 use percuss::contact::Separation;
 use percuss::contact::exports::Tool;
 use percuss::study::{
@@ -104,16 +104,21 @@ impl Conditions<'_> {
             frame,
             normal_frame: frame,
             against_mass: self.against_mass,
-            set: positions(self.set.as_ref(), "set")?,
-            guess: positions(self.guess.as_ref(), "guess")?,
-            travel: self.travel.iter().map(travel).collect::<PyResult<_>>()?,
+            set: positions(self.set.as_ref(), "set").map_err(of_argument("set"))?,
+            guess: positions(self.guess.as_ref(), "guess").map_err(of_argument("guess"))?,
+            travel: self.travel.iter().map(travel).collect::<PyResult<_>>().map_err(of_argument("travel"))?,
             pose: self.pose.as_deref().map(pose).transpose()?,
             lock: self.lock.clone(),
-            hold: self.hold.iter().map(hold).collect::<PyResult<_>>()?,
-            armature: numbers(self.armature.as_ref(), "armature")?,
+            hold: self.hold.iter().map(hold).collect::<PyResult<_>>().map_err(of_argument("hold"))?,
+            armature: numbers(self.armature.as_ref(), "armature").map_err(of_argument("armature"))?,
             base: base(&self.base)?,
-            estimate: self.estimate.as_ref().map(estimate).transpose()?,
-            ratio_at: self.ratio_at.iter().map(ratio_point).collect::<PyResult<_>>()?,
+            estimate: self.estimate.as_ref().map(estimate).transpose().map_err(of_argument("estimate"))?,
+            ratio_at: self
+                .ratio_at
+                .iter()
+                .map(ratio_point)
+                .collect::<PyResult<_>>()
+                .map_err(of_argument("ratio_at"))?,
             ..MassQuestion::without_contact()
         })
     }
@@ -192,7 +197,9 @@ impl Damping {
         for name in &self.tools {
             match name.as_str() {
                 "all" => question.tools.extend(Tool::ALL),
-                name => question.tools.push(Tool::from_name(name).map_err(input)?),
+                name => question
+                    .tools
+                    .push(Tool::from_name(name).map_err(|error| of_argument("tools")(input(error)))?),
             }
         }
         question.tools.dedup();

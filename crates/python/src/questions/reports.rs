@@ -2,7 +2,7 @@
 
 use crate::analysis::maps::code;
 use crate::analysis::model::Model;
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -80,7 +80,7 @@ pub fn tolerate(
     tolerance: &str,
     samples: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let tolerance = Tolerance::parse(tolerance).map_err(input)?;
+    let tolerance = Tolerance::parse(tolerance).map_err(|error| of_argument("tolerance")(input(error)))?;
     let sampling = samples.map(|(count, seed)| Sampling { count, seed });
     contact_report(py, model, contact, &conditions, |model, question| {
         study::tolerance_report(model, question, tolerance, sampling)
@@ -175,6 +175,9 @@ fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict
     arrays.set_item("points", triples(&|record| record.point_link)?)?;
     arrays.set_item("normals", triples(&|record| record.normal_link)?)?;
     arrays.set_item("points_world", triples(&|record| record.point_world)?)?;
+    let turned = skin.facets.iter().flat_map(|facet| <[f64; 3]>::from(skin.frame.vector(&facet.normal)));
+    let turned = PyArray1::from_vec(py, turned.collect());
+    arrays.set_item("normals_world", turned.reshape([count, 3])?)?;
     let numbers = |of: &dyn Fn(&study::FacetRecord<'_>) -> f64| {
         PyArray1::from_vec(py, records.iter().map(of).collect())
     };

@@ -43,6 +43,16 @@ impl Columns<'_> {
         self.remarks[at] = self.reported_bits(remarks);
     }
 
+    /// Marks a row without a pose.
+    pub fn set_without_answer(&mut self, at: usize) {
+        self.set(at, None, None, RemarkFlags::NO_ANSWER);
+        let count = self.masses.len();
+        for numbers in [&mut self.gradients, &mut self.inverses].into_iter().flatten() {
+            let width = numbers.len() / count;
+            numbers[at * width..(at + 1) * width].fill(f64::NAN);
+        }
+    }
+
     /// Bits of the findings, without that of a missing base pose if the sweep has a base pose.
     pub fn reported_bits(&self, remarks: RemarkFlags) -> u32 {
         let base = if self.has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };

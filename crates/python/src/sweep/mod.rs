@@ -16,20 +16,23 @@ use crate::conversion::threads::Threads;
 use crate::sweep::columns::{Columns, zeros};
 use crate::sweep::portions::{Progress, run_fixed_portions};
 use crate::sweep::row_contacts::{BasePose, RowContacts};
-use crate::sweep::rows::{RowQuestion, is_finite, nonfinite_error, solve_all_positions, solve_tree};
+use crate::sweep::rows::{
+    Block, RowQuestion, is_finite, nonfinite_error, optional_chunks, solve_all_positions, solve_tree,
+};
 use numpy::ndarray::s;
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods,
 };
 use percuss::study::row_findings;
 use percuss::{
-    Assembly as Assembled, Configuration, Contact as Resolved, DrivenPath, JointId, Pose as Posed,
-    RemarkFlags, RowAnswer, RowHandler, RowPath,
+    Assembly as Assembled, BatchDerivatives, BatchPositions, Configuration, Contact as Resolved, DrivenPath,
+    JointId, Pose as Posed, RemarkFlags, RowAnswer, RowHandler, RowPath,
 };
 use percuss_render::{Figure, Panel, Series, Style};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
+use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Numbers of an inverse operational inertia: 6×6.
@@ -52,13 +55,9 @@ pub struct Sweep {
     /// Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only.
     #[pyo3(get)]
     remarks: Py<PyArray1<u32>>,
-    /// Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). None
-    /// unless asked for. With loops, only sums over admissible motions have a meaning.
-    #[pyo3(get)]
+    /// Gradients, if requested.
     gradient: Option<Py<PyArray2<f64>>>,
-    /// Φ = J M_c⁻¹ Jᵀ of the contact link at the contact point, in root axes, angular part first: the inverse of the operational
-    /// inertia Λ; (N, 6, 6). The block [:, 3:, 3:] is that of forces, 1/kg. None unless asked for.
-    #[pyo3(get)]
+    /// Inverse operational inertias, if requested.
     inverse_operational_inertia: Option<Py<PyArray3<f64>>>,
     /// Link name in the title of the picture.
     link: String,
@@ -90,7 +89,7 @@ fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, 
     } else if let Ok(model) = model_or_assembly.cast::<Model>() {
         from_system(&System::unconstrained(model.get())?)
     } else {
-        Err(PyTypeError::new_err(format!(
+        Err(errors::argument_type(format_args!(
             "model is {} ({}); expected a Model, as percuss.load reads it from a file, a System or an Assembly",
             model_or_assembly.repr()?,
             model_or_assembly.get_type().name()?
@@ -139,7 +138,7 @@ pub fn sweep(
     threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Sweep> {
-    let (threads, progress) = (Threads::of(threads)?, Progress(progress));
+    let (threads, progress) = (Threads::of(threads)?, Progress::of(progress)?);
     let (model, assembly) = model_and_assembly(model)?;
     let joints = joints.map(column_names).transpose()?;
     let (names, hint) = match &joints {
@@ -191,12 +190,6 @@ pub fn sweep(
             let position_indices = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
                 true => solve_tree(py, question, &model, &q, &position_indices, columns)?,
-                false if contacts.is_some() || gradient || inverse_operational_inertia => {
-                    return Err(input(
-                        "points, normals, a base_pose for each row, gradient and inverse_operational_inertia need the positions of \
-                         all joints if the model has loops: give q without joints, with the positions of a Pose in each row",
-                    ));
-                }
                 false => {
                     let path = PathColumns {
                         model: &model,
@@ -207,8 +200,10 @@ pub fn sweep(
                         columns,
                         first: 0,
                         no_answer: None,
+                        positions: Vec::new(),
+                        unreached: Vec::new(),
                     };
-                    no_answer = path.solve(py, &q, (threads, &progress))?;
+                    no_answer = path.solve(py, &q, question)?;
                 }
             }
         }
@@ -297,7 +292,25 @@ struct PathColumns<'a> {
     first: usize,
     /// Reason of the first row without an answer.
     no_answer: Option<String>,
+    /// Positions of all joints of the rows of the portion, row by row.
+    positions: Vec<f64>,
+    /// Rows of the portion without a pose; their entries in `positions` are those of the assembly.
+    unreached: Vec<usize>,
 }
+
+/// Findings about a pose, which no contact changes.
+const POSE_FINDINGS: u32 = RemarkFlags::SINGULAR_POSE.bits()
+    | RemarkFlags::OTHER_ASSEMBLY.bits()
+    | RemarkFlags::DRAWN_OPEN.bits()
+    | RemarkFlags::INEXACT_LOOPS.bits()
+    | RemarkFlags::DRIVER_OFF_ZERO.bits()
+    | RemarkFlags::OFF_TARGET.bits()
+    | RemarkFlags::OUTSIDE_LIMITS.bits()
+    | RemarkFlags::WEAKLY_CONSTRAINED.bits()
+    | RemarkFlags::UNCLEAR_MOBILITY.bits();
+
+/// Rows of a portion that a thread solves at once.
+const PATH_BLOCK: usize = 64;
 
 impl PathColumns<'_> {
     /// Solves all rows; returns the reason of the first row without an answer.
@@ -305,24 +318,81 @@ impl PathColumns<'_> {
         mut self,
         py: Python<'_>,
         q: &PyReadonlyArray2<'_, f64>,
-        options: (Threads, &Progress<'_>),
+        question: RowQuestion<'_>,
     ) -> PyResult<Option<String>> {
         let zero = Configuration::zero(&self.model.read.mechanism);
-        let start = self.assembly.pose(&zero).map_err(errors::assembly)?;
-        let mut path = RowPath::new(Some(Arc::new(start)));
+        let start = Arc::new(self.assembly.pose(&zero).map_err(errors::assembly)?);
+        let mut path = RowPath::new(Some(Arc::clone(&start)));
+        let is_followed_only = question.contacts.is_none()
+            && self.columns.gradients.is_none()
+            && self.columns.inverses.is_none();
+        let RowQuestion { batch, contacts, threads, progress } = question;
         let view = q.as_array();
         let mut values = Vec::new();
-        run_fixed_portions(py, view.nrows(), options, |rows| {
+        run_fixed_portions(py, view.nrows(), (threads, progress), |rows| {
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
             if !is_finite(&values) {
                 return Err(nonfinite_error(view, rows));
             }
             self.first = rows.start;
+            self.positions.clear();
+            self.unreached.clear();
             path.follow(&values, rows.len(), &mut self);
-            Ok(())
+            match is_followed_only {
+                true => Ok(()),
+                false => self.solve_at_positions((batch, contacts), rows, start.positions()),
+            }
         })?;
         Ok(self.no_answer)
+    }
+
+    /// Solves the rows of a portion at the positions that the path reached: with a contact for each row, gradients or inverse inertias.
+    /// `substitute`: positions for rows without a pose.
+    fn solve_at_positions(
+        &mut self,
+        (batch, contacts): (&BatchDerivatives, Option<&RowContacts>),
+        rows: Range<usize>,
+        substitute: &[f64],
+    ) -> PyResult<()> {
+        let (width, count) = (substitute.len(), self.columns.masses.len());
+        for row in &self.unreached {
+            let first = (row - rows.start) * width;
+            self.positions[first..first + width].copy_from_slice(substitute);
+        }
+        let common = self.columns.reported_bits(batch.batch().remarks());
+        let columns = &mut self.columns;
+        let of_poses: Vec<u32> =
+            columns.remarks[rows.clone()].iter().map(|bits| bits & POSE_FINDINGS).collect();
+        columns.codes[rows.clone()].fill(0);
+        columns.remarks[rows.clone()].fill(common);
+        let masses = columns.masses[rows.clone()].par_chunks_mut(PATH_BLOCK);
+        let errors = columns.errors[rows.clone()].par_chunks_mut(PATH_BLOCK);
+        let codes = columns.codes[rows.clone()].par_chunks_mut(PATH_BLOCK);
+        let remarks = columns.remarks[rows.clone()].par_chunks_mut(PATH_BLOCK);
+        let gradients = optional_chunks(columns.gradients.as_deref_mut(), count, &rows, PATH_BLOCK);
+        let inverses = optional_chunks(columns.inverses.as_deref_mut(), count, &rows, PATH_BLOCK);
+        let derivatives = gradients.into_par_iter().zip(inverses);
+        let blocks = masses.zip(errors).zip(codes.zip(remarks)).zip(derivatives).enumerate();
+        let (positions, has_base_pose) = (&self.positions, columns.has_base_pose);
+        let done = blocks.try_for_each(|(number, (((masses, errors), (codes, remarks)), derivatives))| {
+            let first = number * PATH_BLOCK;
+            let last = first + masses.len();
+            let contacts = contacts.map(|all| all.of_rows(rows.start + first..rows.start + last));
+            let positions =
+                BatchPositions::Rows { values: &positions[first * width..last * width], stride: width };
+            let (gradients, inverses) = derivatives;
+            let block = Block { masses, errors, codes, remarks, gradients, inverses };
+            block.solve(batch, positions, contacts, has_base_pose)
+        });
+        done.map_err(input)?;
+        for (row, bits) in rows.zip(of_poses) {
+            self.columns.remarks[row] |= bits;
+        }
+        for row in std::mem::take(&mut self.unreached) {
+            self.columns.set_without_answer(row);
+        }
+        Ok(())
     }
 }
 
@@ -354,6 +424,15 @@ impl RowHandler for PathColumns<'_> {
 
     fn receive(&mut self, row: usize, _: &[f64], answer: RowAnswer<'_, (), String>) {
         let at = self.first + row;
+        match &answer {
+            RowAnswer::Followed { positions, .. } => self.positions.extend_from_slice(positions),
+            RowAnswer::Posed(pose) => self.positions.extend_from_slice(pose.positions()),
+            RowAnswer::Unreached(_) => {
+                let width = self.model.position_count();
+                self.positions.resize(self.positions.len() + width, 0.0);
+                self.unreached.push(at);
+            }
+        }
         let done = match answer {
             RowAnswer::Followed { mass: (mass, error), answer, .. } => {
                 let mass = Some(percuss::EffectiveMass::Finite(mass));
@@ -368,6 +447,13 @@ impl RowHandler for PathColumns<'_> {
             self.no_answer.get_or_insert(reason);
         }
     }
+}
+
+/// Array of a sweep that was requested.
+fn requested<T>(array: Option<&Py<T>>, py: Python<'_>, name: &str) -> PyResult<Py<T>> {
+    array.map(|array| array.clone_ref(py)).ok_or_else(|| {
+        errors::not_computed(format_args!("{name} was not requested; call percuss.sweep(…, {name}=True)"))
+    })
 }
 
 /// Rebuilds a pickled sweep in another process.
@@ -400,6 +486,21 @@ impl Sweep {
         let rows = flags.as_array();
         let rows = rows.iter().map(|bits| RemarkFlags::from_bits(*bits));
         row_findings(rows, self.no_answer.as_deref()).into_iter().map(Diagnostic).collect()
+    }
+
+    /// Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). With loops,
+    /// only sums over admissible motions have a meaning. Raises NotComputedError unless the sweep had gradient=True.
+    #[getter]
+    fn gradient(&self, py: Python<'_>) -> PyResult<Py<PyArray2<f64>>> {
+        requested(self.gradient.as_ref(), py, "gradient")
+    }
+
+    /// Φ = J M_c⁻¹ Jᵀ of the contact link at the contact point, in root axes, angular part first: the inverse of the operational
+    /// inertia Λ; (N, 6, 6). The block [:, 3:, 3:] is that of forces, 1/kg. Raises NotComputedError unless the sweep had
+    /// inverse_operational_inertia=True.
+    #[getter]
+    fn inverse_operational_inertia(&self, py: Python<'_>) -> PyResult<Py<PyArray3<f64>>> {
+        requested(self.inverse_operational_inertia.as_ref(), py, "inverse_operational_inertia")
     }
 
     /// Arrays of the sweep, for pickle.

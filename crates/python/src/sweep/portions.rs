@@ -1,5 +1,6 @@
 //! Portions of rows, with a check for Ctrl-C after each.
 
+use crate::conversion::errors;
 use crate::conversion::threads::{Threads, detached, interruptible_on};
 use pyo3::prelude::*;
 use std::ops::Range;
@@ -19,9 +20,20 @@ const FEW: usize = 16;
 const PORTION_DURATION: Duration = Duration::from_millis(50);
 
 /// Function of the caller that receives the number of finished rows and of all rows.
-pub struct Progress<'a>(pub Option<&'a Bound<'a, PyAny>>);
+pub struct Progress<'a>(Option<&'a Bound<'a, PyAny>>);
 
-impl Progress<'_> {
+impl<'a> Progress<'a> {
+    /// Refuses what cannot be called.
+    pub fn of(given: Option<&'a Bound<'a, PyAny>>) -> PyResult<Self> {
+        match given {
+            Some(given) if !given.is_callable() => Err(errors::argument_type(format_args!(
+                "progress is {}; expected a function of the finished and of all rows",
+                given.repr()?
+            ))),
+            _ => Ok(Self(given)),
+        }
+    }
+
     /// Reports finished rows; an exception of the function stops the sweep.
     fn report(&self, done: usize, count: usize) -> PyResult<()> {
         self.0.map_or(Ok(()), |function| function.call1((done, count)).map(|_| ()))

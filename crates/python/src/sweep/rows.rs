@@ -10,7 +10,8 @@ use crate::sweep::row_contacts::RowContacts;
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::{
-    BatchAnswer, BatchDerivatives, BatchError, BatchPositions, Configuration, JointId, RemarkFlags,
+    BatchAnswer, BatchContacts, BatchDerivatives, BatchError, BatchPositions, Configuration, JointId,
+    RemarkFlags,
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -83,7 +84,6 @@ fn solve_rows(
         let errors = columns.errors[rows.clone()].par_chunks_mut(block);
         let codes = columns.codes[rows.clone()].par_chunks_mut(block);
         let remarks = columns.remarks[rows.clone()].par_chunks_mut(block);
-        let base = if columns.has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
         let gradients = optional_chunks(columns.gradients.as_deref_mut(), count, &rows, block);
         let inverses = optional_chunks(columns.inverses.as_deref_mut(), count, &rows, block);
         let derivatives = gradients.into_par_iter().zip(inverses);
@@ -95,35 +95,14 @@ fn solve_rows(
             let Some(positions) = layout.block_positions(q, row_positions.clone(), &mut buffer) else {
                 return Err(BlockFailure::NotFinite);
             };
-            // `codes` already holds the code of finite masses, and `remarks` no finding.
+            // `remarks` holds no finding.
             if common_remarks != 0 {
                 remarks.fill(common_remarks);
             }
-            let mut other = |at: usize, answer: BatchAnswer| {
-                remarks[at] = answer.remarks.bits() & !base;
-                let rounding = answer.is_massless_to_rounding();
-                codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { mass_and_code(answer.mass).1 };
-            };
             let contacts = contacts.map(|contacts| contacts.of_rows(row_positions));
             let (gradients, inverses) = derivatives;
-            let done = match (gradients, inverses, contacts) {
-                (None, None, None) => batch.batch().run_columns(positions, masses, errors, other),
-                (None, None, Some(contacts)) => {
-                    batch.batch().run_contacts(positions, contacts, masses, errors, other)
-                }
-                (gradients, inverses, contacts) => {
-                    let mut done = Ok(());
-                    if let Some(to) = gradients {
-                        let columns = (&mut *masses, &mut *errors);
-                        done = batch.gradients(positions, contacts, columns, to, &mut other);
-                    }
-                    if let (Some(to), Ok(())) = (inverses, &done) {
-                        let columns = (masses, errors);
-                        done = batch.inverse_operational_inertias(positions, contacts, columns, to, other);
-                    }
-                    done
-                }
-            };
+            let block = Block { masses, errors, codes, remarks, gradients, inverses };
+            let done = block.solve(batch, positions, contacts, columns.has_base_pose);
             done.map_err(BlockFailure::Refused)?;
             buffers().push(buffer);
             Ok(())
@@ -133,6 +112,56 @@ fn solve_rows(
             BlockFailure::Refused(error) => input(error),
         })
     })
+}
+
+/// Results of some rows, in the cache of one thread. `codes` holds the code of finite masses, `remarks` the findings of all rows.
+pub struct Block<'a> {
+    pub masses: &'a mut [f64],
+    pub errors: &'a mut [f64],
+    pub codes: &'a mut [u8],
+    pub remarks: &'a mut [u32],
+    pub gradients: Option<&'a mut [f64]>,
+    pub inverses: Option<&'a mut [f64]>,
+}
+
+impl Block<'_> {
+    /// Solves the rows of a block, with a contact of their own if given.
+    ///
+    /// # Errors
+    /// The refusal of a batch.
+    pub fn solve(
+        self,
+        batch: &BatchDerivatives,
+        positions: BatchPositions<'_>,
+        contacts: Option<BatchContacts<'_>>,
+        has_base_pose: bool,
+    ) -> Result<(), BatchError> {
+        let Self { masses, errors, codes, remarks, gradients, inverses } = self;
+        let base = if has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
+        let mut other = |at: usize, answer: BatchAnswer| {
+            remarks[at] = answer.remarks.bits() & !base;
+            let rounding = answer.is_massless_to_rounding();
+            codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { mass_and_code(answer.mass).1 };
+        };
+        match (gradients, inverses, contacts) {
+            (None, None, None) => batch.batch().run_columns(positions, masses, errors, other),
+            (None, None, Some(contacts)) => {
+                batch.batch().run_contacts(positions, contacts, masses, errors, other)
+            }
+            (gradients, inverses, contacts) => {
+                if let Some(to) = gradients {
+                    let columns = (&mut *masses, &mut *errors);
+                    batch.gradients(positions, contacts, columns, to, &mut other)?;
+                }
+                match inverses {
+                    Some(to) => {
+                        batch.inverse_operational_inertias(positions, contacts, (masses, errors), to, other)
+                    }
+                    None => Ok(()),
+                }
+            }
+        }
+    }
 }
 
 /// Reason for a failed block.
@@ -187,7 +216,7 @@ impl<'a> Rows<'a> {
 }
 
 /// Blocks of a matrix of results for a range of its rows; `None` for each block if the matrix is not wanted.
-fn optional_chunks<'a>(
+pub fn optional_chunks<'a>(
     values: Option<&'a mut [f64]>,
     count: usize,
     rows: &Range<usize>,

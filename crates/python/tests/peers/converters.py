@@ -7,6 +7,7 @@ and the closing speed by velocities agree.
 import argparse
 import importlib.util
 import sys
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +66,32 @@ def closing_speeds(model, converter, q, v, point, link="third"):
     return (jacobian @ velocities[order])[-3:]
 
 
+def mimics(pin):
+    """A joint that follows another: independent in Pinocchio, with a warning, unless its reader is told to read mimics."""
+    text = urdf().replace('<joint name="b_branch" type="revolute">', '<joint name="b_branch" type="revolute"><mimic joint="z_hinge" multiplier="-2"/>')
+    model = percuss.loads(text)
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        percuss.converters.Converter.of_pinocchio(model, pin.buildModelFromXML(text))
+        independent = [str(warning.message) for warning in found]
+        percuss.converters.Converter.of_pinocchio(model, pin.buildModelFromXML(text, mimic=True))
+    assert len(found) == len(independent) == 1 and '"b_branch" follows "z_hinge"' in independent[0], found
+    peer = pin.buildModelFromXML(text, mimic=True)
+    data, converter = peer.createData(), percuss.converters.Converter.of_pinocchio(model, peer)
+    normal = np.array([0.6, 0.0, 0.8])
+    for number in range(10):
+        q = pin.randomConfiguration(peer, np.full(peer.nq, -1.0), np.full(peer.nq, 1.0))
+        mass = pin.crba(peer, data, q)
+        mass = np.triu(mass) + np.triu(mass, 1).T
+        pin.framesForwardKinematics(peer, data, q)
+        pin.computeJointJacobians(peer, data, q)
+        jacobian = pin.getFrameJacobian(peer, data, peer.getFrameId("fourth", pin.FrameType.BODY), pin.LOCAL_WORLD_ALIGNED)
+        row = normal @ jacobian[:3]
+        contact = percuss.Contact("fourth", [0, 0, 0], normal, normal_frame="world")
+        response = model.pose(converter.positions(q)).respond(contact)
+        check(f"Pinocchio, mimics {number}", 1 / response.effective_mass, row @ np.linalg.solve(mass, row))
+
+
 def pinocchio():
     import pinocchio as pin
 
@@ -107,6 +134,7 @@ def pinocchio():
             expected = system.pose(converter.positions(q), **given).respond(contact).effective_mass
             found = again.pose(of_built.positions(q), **given).respond(contact).effective_mass
             check(f"from_pinocchio, floating {floating}, {number}", found, expected)
+    mimics(pin)
     try:
         percuss.converters.Converter.of_pinocchio(percuss.load(ROOT / "models/six_r_arm.urdf"), peer)
         check("a model of other joints is refused", 0, 1)

@@ -217,16 +217,16 @@ pub(super) fn lengths(given: Option<&[f64]>, n: usize) -> Result<Vec<f64>, Matri
 pub(super) fn options(rank_floor: f64, row_noise: f64, accuracies: [f64; 3]) -> Result<(), MatrixError> {
     if !(rank_floor > 0.0 && rank_floor <= MOST_FLOOR) {
         let expected = "a number above 0, at most 0.1";
-        return Err(MatrixError::Option { option: "the floor of the rank", got: rank_floor, expected });
+        return Err(MatrixError::Option { option: "rank_floor", got: rank_floor, expected });
     }
     if !(0.0..=LARGEST_ENTRY).contains(&row_noise) {
         let expected = "a number from 0 to 1e100";
-        return Err(MatrixError::Option { option: "the noise of rows of A", got: row_noise, expected });
+        return Err(MatrixError::Option { option: "row_noise", got: row_noise, expected });
     }
     match accuracies.into_iter().find(|accuracy| !(0.0..=MOST_ACCURACY).contains(accuracy)) {
         Some(got) => {
             let expected = "a number from 0 to 1e-3";
-            Err(MatrixError::Option { option: "the accuracy of the entries", got, expected })
+            Err(MatrixError::Option { option: "accuracy", got, expected })
         }
         None => Ok(()),
     }
