@@ -9,7 +9,7 @@ use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
 use crate::forces::ForceElements;
-use crate::limits::MAX_SHIFT;
+use crate::limits::{MAX_CAMBER, MAX_SHIFT, MAX_TOE};
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
@@ -117,8 +117,8 @@ impl SheetReader<'_> {
         let bodies = self.bodies(template, frame, points_side, inertia_unit);
         let chassis = self.chassis(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
-        let camber = self.angle("wheel.camber");
-        let toe = self.angle("wheel.toe");
+        let camber = self.entries.wheel_angle(self.findings, "wheel.camber", MAX_CAMBER);
+        let toe = self.entries.wheel_angle(self.findings, "wheel.toe", MAX_TOE);
         let axle_inertia =
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
@@ -128,6 +128,7 @@ impl SheetReader<'_> {
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let design = Design {
+            unit: frame.unit,
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,
@@ -468,11 +469,6 @@ impl SheetReader<'_> {
         Some((values[0], spot))
     }
 
-    /// Reads an angle, rad; 0 if absent.
-    fn angle(&mut self, key: &str) -> f64 {
-        self.scalar(key, Quantity::Angle).map_or(0.0, |(angle, _)| angle)
-    }
-
     /// Wheel of the options, or else of the sheet.
     fn wheel(&mut self, frame: Frame, inertia_unit: &'static Unit) -> Option<Wheel> {
         let mass = self.scalar("wheel.mass", Quantity::Mass);
@@ -498,15 +494,25 @@ impl SheetReader<'_> {
 
     /// Reads the links to which springs and similar parts are attached, by section.
     fn attachments(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
-        let mut on = BTreeMap::new();
+        let (mut on, mut assumed) = (BTreeMap::new(), Vec::new());
         for (section, default) in &template.on {
             let key = format!("{section}.on");
             let found = self.entries.text(self.findings, &key, "the name of a link");
+            if !self.entries.has(&key)
+                && !template.has_usual_body(section)
+                && let Some(spot) = self.entries.spot_in(&format!("points.{section}_"))
+            {
+                assumed.push((&**section, spot));
+            }
             let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
             if let Err(message) = template.check_holder(section, &link) {
                 self.findings.error("unknown-link", &spot, message);
             }
             on.insert(&**section, (link, spot));
+        }
+        let (sections, spots): (Vec<&str>, Vec<Spot>) = assumed.into_iter().unzip();
+        if let Some(spot) = spots.first() {
+            self.findings.warning("assumed-body", spot, template.assumed_bodies(&sections));
         }
         on
     }
