@@ -3,13 +3,14 @@
 use crate::args::MassFormat;
 use crate::files::csv;
 use crate::files::table_style::round_to_digits;
+use crate::terminal::explanation::body_of;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_hanging;
 use percuss_study::{
-    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, StudyFile,
-    contact_list, contact_list_of,
+    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
+    StudyFile, contact_list, contact_list_of,
 };
 use std::fmt::Write;
 
@@ -45,11 +46,16 @@ pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Re
     }
 }
 
+/// Named contact of a result.
+fn named(contact: &ListedContact) -> Option<&NamedContactRecord> {
+    contact.report.as_ref()?.named_contact.as_ref()
+}
+
 /// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel
 /// travel at the pose of the result (mm), closing of the contact per wheel travel, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
-    let named = report.and_then(|report| report.named_contact.as_ref());
+    let named = named(contact);
     // A contact without a gap is evaluated at the pose of the question, which has its own travel.
     let travel = named.filter(|named| named.gap.is_some()).and_then(|named| named.wheel_travel.first());
     let ratio = |report: &MassReport| report.motion_ratios.first()?.contact_per_wheel;
@@ -65,8 +71,8 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
 }
 
 /// Table of masses, gaps, wheel travels and motion ratios.
-pub fn mass_table(report: &ContactListReport) -> Table<5> {
-    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "contact/wheel"]);
+pub fn mass_table(report: &ContactListReport) -> Table<6> {
+    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "contact/wheel", "on"]);
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
         let shown =
@@ -76,7 +82,8 @@ pub fn mass_table(report: &ContactListReport) -> Table<5> {
             (Some(report), None) => report.status.name().to_owned(),
             (None, None) => "none".to_owned(),
         };
-        table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4)]);
+        let on = named(contact).map_or_else(|| "–".to_owned(), body_of);
+        table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4), on]);
     }
     table
 }
@@ -113,9 +120,8 @@ fn text(report: &ContactListReport) -> String {
 /// Meaning of the columns.
 pub fn explanation(report: &ContactListReport) -> String {
     let mut out = String::new();
-    let named =
-        || report.contacts.iter().filter_map(|contact| contact.report.as_ref()?.named_contact.as_ref());
-    out += if named().any(|named| named.brought_to_touch) || named().all(|named| named.gap.is_none()) {
+    let all = || report.contacts.iter().filter_map(named);
+    out += if all().any(|named| named.brought_to_touch) || all().all(|named| named.gap.is_none()) {
         "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
     } else {
         "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
@@ -130,7 +136,7 @@ pub fn explanation(report: &ContactListReport) -> String {
     if let Some(joint) = held {
         let _ = writeln!(out, "It is given with the joint {joint} held, which moves in the impact.");
     }
-    if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
+    if report.contacts.iter().any(has_no_ratio) && all().any(|named| !named.wheel_travel.is_empty()) {
         out += "It is not given where more than the wheel can move, such as the other wheel of an\naxle: see percuss kinematics.\n";
     }
     out
@@ -147,12 +153,14 @@ fn table_as_csv(report: &ContactListReport) -> String {
         "wheel_travel_mm",
         "motion_ratio",
         "damping",
+        "on",
     ];
     let mut out = csv::line(&header.map(str::to_owned));
     for contact in &report.contacts {
         let status = contact.report.as_ref().map_or("none", |report| report.status.name());
         let mut cells = vec![contact.name.clone(), contact.kind.to_owned(), status.to_owned()];
         cells.extend(numbers(contact).map(csv::cell));
+        cells.push(named(contact).map_or_else(String::new, body_of));
         out += &csv::line(&cells);
     }
     out

@@ -37,9 +37,13 @@ fn estimate_name(question: &MassQuestion) -> String {
 /// Name of a motion ratio. `of`: its motion, as in [`percuss_study::SweepHeading`] or the name of the varied column.
 pub fn motion_ratio_name(of: Option<&str>) -> String {
     match of {
-        Some("estimate") => "contact per travel of A".to_owned(),
+        Some("estimate") => "contact per travel of the point of the estimate".to_owned(),
         Some(motion @ ("heave" | "roll")) => format!("contact per {motion}"),
-        Some(_) | None => "contact per travel".to_owned(),
+        Some(of) => match of.strip_prefix("travel:") {
+            Some(link) => format!("contact per travel of {link}"),
+            None => "contact per travel".to_owned(),
+        },
+        None => "contact per travel".to_owned(),
     }
 }
 

@@ -3,7 +3,10 @@
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, WheelTravelRecord};
+use percuss_study::{
+    EstimateRecord, Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, UPWARDS,
+    WheelTravelRecord,
+};
 use std::fmt::Write;
 
 /// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
@@ -110,20 +113,34 @@ pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
         None if ratio.one_travel => String::new(),
         None => "; for the motion of this impact only".to_owned(),
     };
-    format!(
-        "{}, closing of the contact per {}{whole}",
-        ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number),
-        if ratio.direction == [0.0, 0.0, 1.0] {
-            format!("upward travel of {}", ratio.link)
-        } else {
-            format!("travel of {} along {} (world axes)", ratio.link, triple(&ratio.direction))
-        },
-    )
+    format!("{}{whole}", ratio_per_travel(ratio.contact_per_wheel, &ratio.link, Some(ratio.direction)))
+}
+
+/// Motion ratio of the estimate with its definition.
+pub fn estimate_ratio(estimate: &EstimateRecord) -> String {
+    let point = if estimate.point_link == [0.0; 3] {
+        estimate.links[0].clone()
+    } else {
+        format!("{} m of {}", triple(&estimate.point_link), estimate.links[0])
+    };
+    ratio_per_travel(estimate.motion_ratio, &point, estimate.direction)
+}
+
+/// Motion ratio per travel of a point along a direction, or along its path.
+fn ratio_per_travel(ratio: Option<f64>, point: &str, direction: Option<[f64; 3]>) -> String {
+    let travel = match direction {
+        Some(UPWARDS) => format!("upward travel of {point}"),
+        Some(direction) => format!("travel of {point} along {} (world axes)", triple(&direction)),
+        None => format!("length of the path of {point}"),
+    };
+    let ratio = ratio.map_or_else(|| "infinite".to_owned(), number);
+    format!("{ratio}, closing of the contact per {travel}")
 }
 
 /// Name, gap and wheel travel of a named contact.
 pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)> {
-    let mut facts = vec![("contact", format!("{} ({})", contact.name, contact.kind))];
+    let mut facts =
+        vec![("contact", format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
     if let (Some(drawn), Some(gap)) = (contact.gap_as_drawn, contact.gap) {
         let drawn = format!("{} as drawn", millimetres(drawn));
         facts.push(match (contact.brought_to_touch, gap) {
@@ -153,6 +170,14 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
         facts.extend(contact.wheel_travel.iter().map(|wheel| ("wheel travel", travel(wheel))));
     }
     facts
+}
+
+/// Body of a named contact, with the damper of a stop on its rod.
+pub fn body_of(contact: &NamedContactRecord) -> String {
+    match &contact.element {
+        Some(element) => format!("{element} of {}", contact.on),
+        None => contact.on.clone(),
+    }
 }
 
 /// Length in mm with two decimals and the unit.

@@ -234,11 +234,8 @@ impl<'a> Sweep<'a> {
 
 /// Motion of the motion ratio of the rows; `None` for rows without a motion ratio.
 fn motion_ratio_of(prepared: &PreparedQuestion, layout: &RowLayout) -> Option<String> {
-    if prepared.question.estimate.is_some() {
-        return Some("estimate".to_owned());
-    }
-    let travel = layout.columns.last().filter(|_| layout.travels())?;
-    Some(travel.name.clone())
+    let travel = layout.columns.last().filter(|_| layout.travels()).map(|travel| travel.name.clone());
+    travel.or_else(|| prepared.question.estimate.is_some().then(|| "estimate".to_owned()))
 }
 
 /// True if a joint is among the varied columns.

@@ -194,7 +194,9 @@ impl Corner {
             return None;
         }
         let other = distance_from_box(&self.origin(chassis_seat), joints);
-        let is_exchanged = distance_from_box(&at, joints) > other + EXCHANGED_SEATS;
+        let distance = distance_from_box(&at, joints);
+        // A seat that is far from everything is a wrong point, not the other one.
+        let is_exchanged = distance > other + EXCHANGED_SEATS && distance <= MAX_DISTANCE_FROM_JOINTS;
         (is_exchanged && !joints.is_empty()).then_some((*chassis_seat, other))
     }
 

@@ -5,7 +5,7 @@ use super::sensitivity::effect_text;
 use crate::commands::contact_list;
 use crate::commands::mass::{conditions, headline, method};
 use crate::files::html::Page;
-use crate::terminal::explanation::named_contact;
+use crate::terminal::explanation::{estimate_ratio, named_contact};
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
 use percuss_study::{ContactListReport, DiagnosticRecord, MassReport, StudyMass};
@@ -119,7 +119,7 @@ pub(super) fn add_estimate(report: &MassReport, page: &mut Page) {
     let value = |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
     page.facts([
         ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
-        ("motion ratio", value(estimate.motion_ratio, "(contact per travel of A)")),
+        ("motion ratio", estimate_ratio(estimate)),
         ("estimate", value(estimate.estimate, "kg")),
         ("off by", estimate.error_percent.map_or("–".to_owned(), |x| format!("{} %", short_number(x)))),
     ]);
