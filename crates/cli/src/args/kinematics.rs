@@ -113,7 +113,7 @@ impl KinematicsArgs {
             let name = variable.name();
             let refuse = |why: String| Failure::bad_input(format!("--{name}: {why}"));
             if !text.contains(':') {
-                let Length(length) = text.parse().map_err(|error| refuse(format!("{error}")))?;
+                let length = variable.length(text).map_err(|error| refuse(error.to_string()))?;
                 question.state.push((variable, length));
             } else if let Some((other, _)) = &question.range {
                 return Err(refuse(format!("--{} has a range already; give one length here", other.name())));

@@ -7,7 +7,7 @@ use crate::terminal::explanation::body_of;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::wrap_hanging;
+use crate::terminal::wrap::{wrap_hanging, wrap_message};
 use percuss_study::{
     ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
     StudyFile, contact_list, contact_list_of,
@@ -88,18 +88,21 @@ pub fn mass_table(report: &ContactListReport) -> Table<6> {
     table
 }
 
-/// Kinds of contacts between parts that always touch: no damper is chosen for an impact at them.
-const ALWAYS_TOUCHING: [&str; 2] = ["spring", "damper"];
-
-/// Table of dampers of the contacts that can hit; `None` without dampers.
+/// Table of dampers, with the reason for a missing one; `None` without dampers. No damper is chosen for an impact at parts that always
+/// touch.
 pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
+    let is_requested = report.contacts.iter().any(|contact| numbers(contact)[4].is_some());
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
-    for contact in report.contacts.iter().filter(|contact| !ALWAYS_TOUCHING.contains(&contact.kind)) {
-        if let [.., Some(damping)] = numbers(contact) {
-            dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
-        }
+    for contact in &report.contacts {
+        let text = match (named(contact), numbers(contact)) {
+            (Some(named), _) if named.always_touches() => "none: its parts always touch".to_owned(),
+            (_, [.., Some(damping)]) => number(round_to_digits(damping, DIGITS)),
+            (_, [None, ..]) => "none: no effective mass".to_owned(),
+            _ => "none".to_owned(),
+        };
+        dampers.row([contact.name.clone(), text]);
     }
-    (dampers.rows().len() > 1).then_some(dampers)
+    is_requested.then_some(dampers)
 }
 
 /// The list as text: a table, and the reasons of missing results below it.
@@ -116,6 +119,10 @@ fn text(report: &ContactListReport) -> String {
     }
     out
 }
+
+/// Reason for a missing motion ratio.
+pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given where more than the wheel can move, such as the other wheel of an axle: \
+                                   percuss sweep --heave or --roll gives it per travel of both wheels, percuss kinematics all of them.";
 
 /// Meaning of the columns.
 pub fn explanation(report: &ContactListReport) -> String {
@@ -137,7 +144,7 @@ pub fn explanation(report: &ContactListReport) -> String {
         let _ = writeln!(out, "It is given with the joint {joint} held, which moves in the impact.");
     }
     if report.contacts.iter().any(has_no_ratio) && all().any(|named| !named.wheel_travel.is_empty()) {
-        out += "It is not given where more than the wheel can move, such as the other wheel of an\naxle: see percuss kinematics.\n";
+        let _ = writeln!(out, "{}", wrap_message(NO_MOTION_RATIO));
     }
     out
 }

@@ -74,6 +74,44 @@ fn numbers_without_a_unit_get_a_hint() {
     assert!(speed.stdout.contains("rotor inertias       none given"), "{}{}", speed.stdout, speed.stderr);
 }
 
+/// Messages about travels name the flag and a form that works there; a travel of metres is a number without a unit.
+#[test]
+fn travels_get_the_form_that_works() {
+    let folder = Scratch::new("own-travels");
+    let sheet =
+        |name: &str| root().join(format!("models/suspensions/{name}.toml")).to_string_lossy().into_owned();
+    let (corner, axle) = (sheet("double-wishbone"), sheet("solid-axle-panhard"));
+    for words in [
+        ["sweep", "--wheel-travel", "-80:80:3"],
+        ["mass", "--wheel-travel", "80"],
+        ["mass", "--heave", "-80"],
+    ] {
+        let given = [&words[..1], &[&*corner, "--at", "bump_stop"], &words[1..]].concat();
+        fails(&folder, 2, &given, &["without a unit is in metres", "80mm"]);
+    }
+    fails(&folder, 2, &["kinematics", &corner, "--wheel-travel", "80"], &["without a unit is in metres"]);
+    let range = "travel:wheel_centre_left:0,0,0:0,0,1=FROM:TO:COUNT";
+    let sweep = ["sweep", &axle, "--at", "spring_left", "--wheel-travel"];
+    fails(&folder, 2, &[&sweep[..], &["-5mm:5mm:3"]].concat(), &[range]);
+    // That form is accepted, with the prefix and without it.
+    let rows = |of: &str| {
+        let vary = of.replace("FROM:TO:COUNT", "-5mm:5mm:3");
+        done(&folder, &["sweep", &axle, "--at", "spring_left", "--vary", &vary])
+    };
+    assert_eq!(rows(range), rows(range.trim_start_matches("travel:")));
+    // Several contacts of an axle: the missing ratio has its reason.
+    let compared = done(&folder, &["compare", &axle, "--at", "spring_left,spring_right"]);
+    assert!(compared.contains("No ratio contact/wheel is given"), "{compared}");
+    // Designs whose stops touch at different travels.
+    let text = fs::read_to_string(&corner).expect("a sheet");
+    assert!(text.contains("gap = 30.0"));
+    let other = folder.write("other.toml", &text.replace("gap = 30.0", "gap = 40.0"));
+    let compared = done(&folder, &["compare", &corner, &other, "--at", "bump_stop"]);
+    assert!(compared.contains("each at its own touch: double-wishbone after 61.17 mm"), "{compared}");
+    let at_travel = ["compare", &corner, &other, "--at", "bump_stop", "--wheel-travel", "20mm"];
+    assert!(!done(&folder, &at_travel).contains("own touch"));
+}
+
 /// A slow impact on a soft contact does not rebound under gravity: the line of the restitution says so.
 #[test]
 fn a_restitution_that_gravity_prevents_is_named_at_the_number() {
@@ -237,7 +275,7 @@ fn messages_name_the_place_and_the_cause() {
     let side = percuss(&format!("mass {path} --at spring --wheel-travel 500mm"));
     assert_eq!(side.code, 1, "{}", side.stderr);
     let (cause, error) =
-        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: --travel"));
+        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: --wheel-travel"));
     assert!(cause.is_some() && cause < error, "{}", side.stderr);
     assert!(side.stderr.contains("change the sign of its y"), "{}", side.stderr);
 }

@@ -37,6 +37,13 @@ pub struct NamedContactRecord {
     pub wheel_travel: Vec<WheelTravelRecord>,
 }
 
+impl NamedContactRecord {
+    /// True for a spring or damper, whose parts always touch.
+    pub fn always_touches(&self) -> bool {
+        [ContactKind::Spring, ContactKind::Damper].iter().any(|kind| kind.name() == self.kind)
+    }
+}
+
 /// Upward travel of a wheel centre, m.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WheelTravelRecord {

@@ -1,6 +1,7 @@
 //! Result of a contact: the number with its uncertainty, conditions, contributions, estimate and motion ratios.
 
 use super::findings::add_warnings;
+use super::results::first_with_result;
 use super::sensitivity::effect_text;
 use crate::commands::contact_list;
 use crate::commands::mass::{conditions, headline, method};
@@ -26,8 +27,10 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
         }
     }
     add_warnings(&listed.diagnostics, page);
-    if let Some(first) = listed.contacts.first() {
-        page.paragraph("", &format!("The details below are those of the first contact, {}.", first.name));
+    if let Some(first) = first_with_result(listed) {
+        let with_result = if listed.contacts.len() > count { " with a result" } else { "" };
+        let text = format!("The details below are those of the first contact{with_result}, {first}.");
+        page.paragraph("", &text);
     }
 }
 

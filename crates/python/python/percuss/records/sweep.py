@@ -120,6 +120,8 @@ class DesignRecord(Record):
     """Error bound of m̄, kg."""
     motion_ratio: float | None
     """Motion ratio: closing of the contact per upward travel of the wheel; None if the motions of the mechanism differ in it."""
+    travel_at_touch: float | None
+    """Upward travel of the wheel at the touch, m; None unless the contact is a stop that was brought to the touch."""
     difference_percent: float | None
     """Difference from m̄ of the reference, per cent of the reference."""
     difference_range_percent: list[float] | None

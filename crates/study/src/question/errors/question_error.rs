@@ -30,6 +30,8 @@ pub enum StudyError {
         why: String,
         /// Nearest displacement found, m, if a single travel is requested.
         nearest: Option<f64>,
+        /// Name of the motion of the wheels that gives the travel; `None` for a travel of a point.
+        motion: Option<&'static str>,
     },
     /// Stop that the mechanism cannot reach.
     #[error("{}", stop_not_reached(name, *gap, *nearest, why, Names::Fields))]
@@ -166,6 +168,9 @@ impl StudyError {
                 format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
             }
             StudyError::Assembly(error) => assembly_error_message(error, names),
+            StudyError::TravelNotReached { why, motion: Some(motion), .. } if names == Names::Flags => {
+                format!("--{motion}: {why}")
+            }
             StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
             StudyError::StopNotReached { name, gap, nearest, why } => {
                 stop_not_reached(name, *gap, *nearest, why, names)
@@ -182,7 +187,7 @@ impl StudyError {
 fn stop_not_reached(name: &str, gap: f64, nearest: Option<f64>, why: &str, names: Names) -> String {
     let travel = match names {
         Names::Fields => "",
-        Names::Flags => " (--travel)",
+        Names::Flags => " (--wheel-travel, --heave or --travel)",
         Names::Keys => " (pose.travel)",
     };
     let shown = 1e3 * gap;
