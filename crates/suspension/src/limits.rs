@@ -99,6 +99,8 @@ pub(crate) const STOP_FORCES: RangeInclusive<f64> = 100.0..=1e6;
 pub(crate) const MAX_TRACK: f64 = 3.0;
 /// Largest plausible distance of a joint of an upright from the centre of the wheel, m: more than the radius of the wheel of a truck.
 pub(crate) const MAX_UPRIGHT_REACH: f64 = 0.55;
+/// Largest plausible length of a spring or damper, m: that of a strut or of the fork of a motorcycle.
+pub(crate) const MAX_SPRING_LENGTH: f64 = 1.0;
 /// Distance by which the seat of a spring on the moving link is farther from its joints than the seat on the chassis, m, from which the
 /// two seats are regarded as exchanged. Springs and dampers are several times as long.
 pub(crate) const EXCHANGED_SEATS: f64 = 0.05;

@@ -260,11 +260,11 @@ pub fn remarks(report: &ComparisonReport) -> Vec<String> {
             && (travel - of_reference).abs() > limits::SAME_TRAVEL
         {
             remarks.push(format!(
-                "each at its own touch: {} after {:.2} mm of wheel travel, {} after {:.2} mm; --wheel-travel compares both at one travel",
+                "each at its own touch: {} after {} of wheel travel, {} after {}; --wheel-travel compares both at one travel",
                 reference.name,
-                1e3 * of_reference,
+                reference.unit.text(of_reference),
                 design.name,
-                1e3 * travel
+                reference.unit.text(travel)
             ));
         }
     }

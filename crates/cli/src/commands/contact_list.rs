@@ -12,6 +12,7 @@ use percuss_study::{
     ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
     StudyFile, contact_list, contact_list_of,
 };
+use percuss_suspension::LengthUnit;
 use std::fmt::Write;
 
 /// Significant digits of masses and damping coefficients in the text.
@@ -51,8 +52,8 @@ fn named(contact: &ListedContact) -> Option<&NamedContactRecord> {
     contact.report.as_ref()?.named_contact.as_ref()
 }
 
-/// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel
-/// travel at the pose of the result (mm), closing of the contact per wheel travel, damping coefficient (N·s/m).
+/// Numbers of a contact: m̄ (kg), gap (m; as drawn for a stop that was brought to the touch), wheel
+/// travel at the pose of the result (m), closing of the contact per wheel travel, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
     let named = named(contact);
@@ -61,10 +62,8 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let ratio = |report: &MassReport| report.motion_ratios.first()?.contact_per_wheel;
     [
         report.and_then(|report| report.effective_mass),
-        named
-            .and_then(|named| if named.brought_to_touch { named.gap_as_drawn } else { named.gap })
-            .map(|gap| 1e3 * gap),
-        travel.map(|wheel| 1e3 * wheel.travel),
+        named.and_then(|named| if named.brought_to_touch { named.gap_as_drawn } else { named.gap }),
+        travel.map(|wheel| wheel.travel),
         report.and_then(ratio),
         report.and_then(|report| report.damper.as_ref()?.damper.damping),
     ]
@@ -72,18 +71,23 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
 
 /// Table of masses, gaps, wheel travels and motion ratios.
 pub fn mass_table(report: &ContactListReport) -> Table<6> {
-    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "contact/wheel", "on"]);
+    let unit = report.contacts.iter().find_map(named).map_or(LengthUnit::Millimetre, |named| named.unit);
+    let [gap, travel] = ["gap", "wheel travel"].map(|name| format!("{name}, {}", unit.name()));
+    let mut table = Table::new(["contact", "m̄, kg", &gap, &travel, "contact/wheel", "on"]);
+    // The unit is in the header.
+    let length = |x: Option<f64>| {
+        x.map_or("–".to_owned(), |x| unit.text(x).trim_end_matches(unit.name()).trim_end().to_owned())
+    };
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
-        let shown =
-            |x: Option<f64>, decimals: usize| x.map_or("–".to_owned(), |x| format!("{x:.decimals$}"));
+        let ratio = ratio.map_or("–".to_owned(), |x| format!("{x:.4}"));
         let mass = match (&contact.report, mass) {
             (_, Some(mass)) => number(round_to_digits(mass, DIGITS)),
             (Some(report), None) => report.status.name().to_owned(),
             (None, None) => "none".to_owned(),
         };
         let on = named(contact).map_or_else(|| "–".to_owned(), body_of);
-        table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4), on]);
+        table.row([contact.name.clone(), mass, length(gap), length(travel), ratio, on]);
     }
     table
 }
@@ -166,7 +170,9 @@ fn table_as_csv(report: &ContactListReport) -> String {
     for contact in &report.contacts {
         let status = contact.report.as_ref().map_or("none", |report| report.status.name());
         let mut cells = vec![contact.name.clone(), contact.kind.to_owned(), status.to_owned()];
-        cells.extend(numbers(contact).map(csv::cell));
+        let [mass, gap, travel, ratio, damping] = numbers(contact);
+        let [gap, travel] = [gap, travel].map(|length| length.map(|x| 1e3 * x));
+        cells.extend([mass, gap, travel, ratio, damping].map(csv::cell));
         cells.push(named(contact).map_or_else(String::new, body_of));
         out += &csv::line(&cells);
     }

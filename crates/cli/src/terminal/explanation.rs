@@ -142,7 +142,7 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
     let mut facts =
         vec![("contact", format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
     if let (Some(drawn), Some(gap)) = (contact.gap_as_drawn, contact.gap) {
-        let drawn = format!("{} as drawn", millimetres(drawn));
+        let drawn = format!("{} as drawn", contact.unit.text(drawn));
         facts.push(match (contact.brought_to_touch, gap) {
             (true, _) if contact.touching.is_empty() => ("gap", format!("0, at the touch; {drawn}")),
             (true, _) => {
@@ -150,9 +150,9 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
                 ("gap", format!("0, at the touch, as that of {others}; {drawn}"))
             }
             (false, gap) if gap < 0.0 => {
-                ("gap", format!("{}: a penetration at this pose; {drawn}", millimetres(gap)))
+                ("gap", format!("{}: a penetration at this pose; {drawn}", contact.unit.text(gap)))
             }
-            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", millimetres(gap))),
+            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", contact.unit.text(gap))),
         });
     }
     if let Some(together) = contact.effective_mass_together {
@@ -163,7 +163,7 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
     }
     let travel = |wheel: &WheelTravelRecord| {
         let sense = if wheel.travel < 0.0 { "down" } else { "up" };
-        format!("{} {sense} from the pose as drawn, at {}", millimetres(wheel.travel.abs()), wheel.link)
+        format!("{} {sense} from the pose as drawn, at {}", contact.unit.text(wheel.travel.abs()), wheel.link)
     };
     // The travel of a contact without a gap is that of the question.
     if contact.gap.is_some() {
@@ -178,9 +178,4 @@ pub fn body_of(contact: &NamedContactRecord) -> String {
         Some(element) => format!("{element} of {}", contact.on),
         None => contact.on.clone(),
     }
-}
-
-/// Length in mm with two decimals and the unit.
-fn millimetres(metres: f64) -> String {
-    format!("{:.2} mm", 1e3 * metres)
 }

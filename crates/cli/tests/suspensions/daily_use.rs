@@ -112,6 +112,39 @@ fn travels_get_the_form_that_works() {
     assert!(!done(&folder, &at_travel).contains("own touch"));
 }
 
+/// A sheet in inches has pounds and results in inches; one message of a study has several findings without escaped line ends.
+#[test]
+fn inches_and_pounds_are_read_and_shown() {
+    let folder = Scratch::new("own-inches");
+    let sheet = done(&folder, &["template", "double-wishbone", "--unit", "in", "--axes", "adams"]);
+    let metric = done(&folder, &["template", "double-wishbone", "--unit", "mm"]);
+    let mass = |name: &str, text: &str| {
+        folder.write(name, text);
+        let json = done(&folder, &["mass", name, "--at", "bump_stop", "--format", "json"]);
+        serde_json::from_str::<Value>(&json).expect("JSON")["effective_mass"].as_f64().expect("finite")
+    };
+    assert!(sheet.contains("mass = 4.2\n") && metric.contains("mass = 4.2\n"));
+    let pounds = "mass = \"9.25941501576178 lb\"\n";
+    let [in_kg, in_lb] =
+        ["mass = 4.2\n", pounds].map(|by| mass("car.toml", &sheet.replacen("mass = 4.2\n", by, 1)));
+    // The pounds have fifteen digits.
+    assert!((in_lb / in_kg - 1.0).abs() < 1e-13, "{in_kg}, {in_lb}");
+    // Coordinates of the template are rounded to a ten-thousandth of an inch.
+    let of_metric = mass("metric.toml", &metric);
+    assert!((in_kg / of_metric - 1.0).abs() < 1e-3, "{in_kg}, {of_metric}");
+    folder.write("car.toml", &sheet);
+    let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop"]);
+    for words in ["at the touch; 1.181 in as drawn", "2.408 in up from the pose as drawn"] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let list = done(&folder, &["mass", "car.toml", "--at", "all"]);
+    assert!(list.contains("gap, in  wheel travel, in"), "{list}");
+    let wrong = "[model]\npath = \"car.toml\"\nmove = { lower_bal = [0, 0, 0.01], upper_bal = [0, 0, 0.01] }\n[contact]\nat = \"bump_stop\"\n";
+    folder.write("study.toml", wrong);
+    fails(&folder, 2, &["run", "study.toml"], &["lower_bal", "upper_bal"]);
+    assert!(!run(&folder, &["run", "study.toml"]).stderr.contains("\\n"));
+}
+
 /// A slow impact on a soft contact does not rebound under gravity: the line of the restitution says so.
 #[test]
 fn a_restitution_that_gravity_prevents_is_named_at_the_number() {

@@ -9,6 +9,7 @@ use nalgebra::DVector;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::Delassus;
 use percuss_mechanism::{ContactKind, JointKind, LinkId, Mechanism, NamedContact};
+use percuss_units::LengthUnit;
 use serde::Serialize;
 
 /// Named contact of a result. Lengths in m.
@@ -35,6 +36,9 @@ pub struct NamedContactRecord {
     pub effective_mass_together: Option<f64>,
     /// Upward travel of each wheel centre from the pose as drawn to the pose of the result.
     pub wheel_travel: Vec<WheelTravelRecord>,
+    /// Unit of lengths in texts.
+    #[serde(skip)]
+    pub unit: LengthUnit,
 }
 
 impl NamedContactRecord {
@@ -75,6 +79,7 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
         effective_mass_together: mass_together(pose, &stops),
         touching: touching.into_iter().filter(|name| name != contact.name()).collect(),
         wheel_travel: wheel_travels(prepared, pose, contact.name()),
+        unit: prepared.model.length_unit(),
     }))
 }
 

@@ -16,6 +16,7 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::{JointId, Mechanism, NamedContact};
+use percuss_units::LengthUnit;
 
 /// Pose of a question.
 ///
@@ -114,7 +115,13 @@ fn touch_pose(
     start: Pose,
 ) -> Result<Pose, StudyError> {
     let gap = stops[0].1.at(&start);
-    let not_reached = |nearest, why| StudyError::StopNotReached { name: name.to_owned(), gap, nearest, why };
+    let not_reached = |nearest, why| StudyError::StopNotReached {
+        name: name.to_owned(),
+        gap,
+        nearest,
+        unit: LengthUnit::Millimetre,
+        why,
+    };
     let toward =
         |gap: &Gap, driven: &[JointId]| match DrivenTravel::toward_stop(system, configuration, gap, driven) {
             Ok(travel) => Ok(Some(travel)),

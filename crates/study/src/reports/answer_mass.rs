@@ -107,13 +107,13 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
 fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) -> Vec<Finding> {
     let mut found = Vec::new();
     let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
-    let (name, millimetres) = (&contact.name, 1e3 * wheel.travel.abs());
+    let (name, travel) = (&contact.name, contact.unit.text(wheel.travel.abs()));
     let mut warn = |kind, message| found.push(Finding::about_result(kind, message));
     let stops = [("bump_stop", "rebound_stop", 1.0, "down"), ("rebound_stop", "bump_stop", -1.0, "up")];
     for (stop, other, sign, sense) in stops {
         if name.starts_with(stop) && sign * wheel.travel < -TOUCH_WRONG_WAY {
             let message = format!(
-                "{name} touches after the wheel has moved {sense} by {millimetres:.0} mm: is it the {other}, or are its pad and \
+                "{name} touches after the wheel has moved {sense} by {travel}: is it the {other}, or are its pad and \
                  face exchanged, or its direction reversed?"
             );
             warn(FindingKind::WrongWayStop, message);
@@ -121,7 +121,7 @@ fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) ->
     }
     if wheel.travel.abs() > FAR_TOUCH {
         let message = format!(
-            "{name} touches after {millimetres:.0} mm of wheel travel: check its gap with the unit, its points and its direction"
+            "{name} touches after {travel} of wheel travel: check its gap with the unit, its points and its direction"
         );
         warn(FindingKind::FarContactTravel, message);
     }

@@ -7,8 +7,8 @@ use super::plausibility::{
 use super::{AXLES, CHASSIS, Corner, RACK};
 use crate::findings::Findings;
 use crate::limits::{
-    EXCHANGED_SEATS, MAX_DISTANCE_FROM_JOINTS, MAX_TRACK, MAX_UPRIGHT_REACH, MAX_WHEEL_MASS, MIN_PART_SIZE,
-    MIN_TRACK,
+    EXCHANGED_SEATS, MAX_DISTANCE_FROM_JOINTS, MAX_SPRING_LENGTH, MAX_TRACK, MAX_UPRIGHT_REACH,
+    MAX_WHEEL_MASS, MIN_PART_SIZE, MIN_TRACK,
 };
 use crate::units::{FilePlaces, check_proportions};
 use percuss_mechanism::{Inertial, JointKind};
@@ -195,8 +195,9 @@ impl Corner {
         }
         let other = distance_from_box(&self.origin(chassis_seat), joints);
         let distance = distance_from_box(&at, joints);
-        // A seat that is far from everything is a wrong point, not the other one.
-        let is_exchanged = distance > other + EXCHANGED_SEATS && distance <= MAX_DISTANCE_FROM_JOINTS;
+        // A seat that is far from the other one is a wrong point, not an exchanged one.
+        let is_one_spring = (self.origin(chassis_seat) - at).norm() <= MAX_SPRING_LENGTH;
+        let is_exchanged = distance > other + EXCHANGED_SEATS && is_one_spring;
         (is_exchanged && !joints.is_empty()).then_some((*chassis_seat, other))
     }
 

@@ -15,7 +15,6 @@ use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{cut, quoted};
-use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::{Dimension, LengthUnit, Unit};
 use std::collections::BTreeMap;
@@ -175,7 +174,7 @@ impl SheetReader<'_> {
                 if !self.findings.has_errors() {
                     let message = format!(
                         "the key is missing; a template is expected, in the file or by `percuss import … --template NAME`: {}",
-                        template_names().join(", ")
+                        catalogue::template_names().join(", ")
                     );
                     let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
                     self.findings.error("missing-key", &spot, message);
@@ -185,10 +184,11 @@ impl SheetReader<'_> {
         };
         let found = catalogue::templates().find(|t| t.name == name);
         if found.is_none() {
+            let near = catalogue::suggestion(&name, catalogue::template_names());
             let message = format!(
-                "the template {} is not known; these are: {}",
+                "the template {} is not known{near} (the templates are {})",
                 quoted(&name),
-                template_names().join(", ")
+                catalogue::template_names().join(", ")
             );
             self.findings.error("unknown-template", &spot, message);
         }
@@ -584,16 +584,11 @@ impl SheetReader<'_> {
                 }
                 Some((_, (at, _))) => *at += by,
                 None => {
-                    let near = near_names(name, sheet.design.points.keys().copied());
-                    let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+                    let near = catalogue::suggestion(name, sheet.design.points.keys().copied());
                     let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
                     self.findings.error("unknown-point", &Spot::default(), message);
                 }
             }
         }
     }
-}
-
-fn template_names() -> Vec<&'static str> {
-    catalogue::templates().map(|t| &*t.name).collect()
 }

@@ -16,6 +16,7 @@ use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
 use crate::reports::compare::design_changes::{DesignChange, design_changes};
 use crate::sweep::sweep_rows::sweep_report;
+use percuss_units::LengthUnit;
 use serde::Serialize;
 
 /// Model and question of a design.
@@ -72,6 +73,9 @@ pub struct DesignRecord {
     pub motion_ratio: Option<f64>,
     /// Upward travel of the wheel at the touch, m; null unless the contact is a stop that was brought to the touch.
     pub travel_at_touch: Option<f64>,
+    /// Unit of lengths in texts.
+    #[serde(skip)]
+    pub unit: LengthUnit,
     /// Difference from m̄ of the reference, per cent of the reference.
     pub difference_percent: Option<f64>,
     /// Smallest and largest difference over the rows, per cent.
@@ -212,6 +216,7 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         effective_mass_error: None,
         motion_ratio: None,
         travel_at_touch: None,
+        unit: design.model.length_unit(),
         difference_percent: None,
         difference_range_percent: None,
         changes: Vec::new(),
