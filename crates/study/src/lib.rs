@@ -131,7 +131,7 @@ pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Too
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
-pub use study_file::tables::kinematics::StudyKinematics;
+pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
 pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
 pub use study_file::tables::model::{Acceptable, ModelTable};

@@ -14,10 +14,10 @@ use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
-use percuss_render::{Figure, Panel, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
-    Model, Names, RowSource, StudyFigure, StudyFile, compare, contact_names,
+    Model, Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
 };
 use std::fmt::{Display, Write as _};
 use std::path::Path;
@@ -404,6 +404,21 @@ fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
     names
 }
 
+/// Marks at the wheel travels at which the stops of some designs touch, for rows over the travel of the wheels.
+fn touches(report: &ComparisonReport, designs: &[usize]) -> Vec<Mark> {
+    let motions = [WheelMotion::WheelTravel, WheelMotion::Heave].map(WheelMotion::name);
+    let is_travel = report.varied.first().is_some_and(|varied| motions.contains(&varied.name.as_str()));
+    let travels = designs.iter().filter_map(|i| report.designs[*i].travel_at_touch);
+    let mut marks: Vec<Mark> = Vec::new();
+    for travel in travels.filter(|_| is_travel) {
+        let x = 1e3 * travel;
+        if !marks.iter().any(|mark| (mark.x - x).abs() <= 1e3 * limits::SAME_TRAVEL) {
+            marks.push(Mark { x, label: "touch".into() });
+        }
+    }
+    marks
+}
+
 /// Figure of some designs.
 fn figure_of(
     report: &ComparisonReport,
@@ -459,6 +474,6 @@ fn figure_of(
         subtitle: model_names(report, designs).join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels,
-        ..Figure::default()
+        marks: touches(report, designs),
     })
 }

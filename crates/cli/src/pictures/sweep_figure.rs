@@ -72,6 +72,8 @@ pub fn sweep_figure(
     // One curve per value of the outer range.
     let mut masses: Vec<(f64, Curve)> = Vec::new();
     let mut marks = Vec::new();
+    // Value of the axis and gap of the last row.
+    let mut last: Option<(f64, f64)> = None;
     let end = sweep.run(&mut |row| {
         bar.inc(1);
         let values = row.varied.values();
@@ -88,6 +90,17 @@ pub fn sweep_figure(
         }
         estimates.push((x, row.estimate));
         ratios.push((x, row.motion_ratio));
+        let gap = row.gap.flatten();
+        // Between two rows the gap is nearly linear in the travel.
+        if let (Some((last_x, last_gap)), Some(gap)) = (last, gap)
+            && last_gap * gap <= 0.0
+            && last_gap != gap
+            && outer.is_none()
+        {
+            let touch = last_x + (x - last_x) * last_gap / (last_gap - gap);
+            marks.push(Mark { x: touch, label: "touch".into() });
+        }
+        last = gap.filter(|gap| *gap != 0.0).map(|gap| (x, gap));
         if row.singular_pose == Some(true) && marks.len() < MAX_MARKS {
             marks.push(Mark { x, label: "singular".into() });
         }

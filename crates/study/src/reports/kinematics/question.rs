@@ -6,6 +6,8 @@ use crate::question::travel::given_travel::{GivenTravel, GivenTravelError};
 use crate::question::travel::moved::WheelMotion;
 use crate::question::travel::vary::{Vary, VaryError};
 use percuss_units::{Dimension, Quantity};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Variable of the state of a suspension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +51,9 @@ impl KinematicVariable {
 }
 
 /// Position of the axle in the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
 pub enum AxlePosition {
     /// Front axle.
     Front,
