@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cars import CARRIERS, MIDDLE
+from cars import AXLES, CARRIERS, MIDDLE
 from sheets import INERTIAS, LENGTHS, random_build, random_car, random_spelling, written
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -206,6 +206,8 @@ def exchanged_seats(rng, car, spelling, text):
     """The points of a spring or damper are exchanged, with their distances from the link far apart."""
     changed = copy.deepcopy(car)
     pairs = [pair for pair in (("spring_seat", "spring_chassis_seat"), ("damper_seat", "damper_chassis_seat")) if pair[0] in car.points]
+    # A rod of an axle may be as near to one seat as to the other, and one wheel of an axle has no motion ratio.
+    pairs = [pair for pair in pairs if car.template not in AXLES or car.on[pair[0].removesuffix("_seat")] == "axle"]
     if not pairs:
         return None
     one, other = pairs[int(rng.integers(len(pairs)))]

@@ -112,6 +112,27 @@ fn travels_get_the_form_that_works() {
     assert!(!done(&folder, &at_travel).contains("own touch"));
 }
 
+/// Exchanged seats of a spring: a finding about the points in every result, and one about the motion at the spring.
+#[test]
+fn exchanged_seats_are_named_in_every_result() {
+    let folder = Scratch::new("own-seats");
+    for template in ["double-wishbone", "pushrod-rocker", "macpherson-strut"] {
+        let sheet = done(&folder, &["template", template]);
+        let swapped = sheet
+            .replace("\nspring_seat =", "\nOTHER =")
+            .replace("\nspring_chassis_seat =", "\nspring_seat =");
+        folder.write("car.toml", &swapped.replace("\nOTHER =", "\nspring_chassis_seat ="));
+        for (contact, words) in
+            [("bump_stop", "exchange the two points"), ("spring", "extends while the wheel moves up")]
+        {
+            let told = run(&folder, &["mass", "car.toml", "--at", contact]).stderr.replace("\n  ", " ");
+            assert!(told.contains(words), "{template} {contact}: {told}");
+        }
+        folder.write("car.toml", &sheet);
+        assert!(!run(&folder, &["mass", "car.toml", "--at", "spring"]).stderr.contains("warning"));
+    }
+}
+
 /// A sheet in inches has pounds and results in inches; one message of a study has several findings without escaped line ends.
 #[test]
 fn inches_and_pounds_are_read_and_shown() {

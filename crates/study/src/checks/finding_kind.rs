@@ -60,6 +60,7 @@ finding_kinds! {
     DriverOffZero = "driver-off-zero", Warning, Branch;
     DriversChosen = "drivers-chosen", Note, Branch;
     ExportsOwnLaw = "exports-own-law", Note, Report;
+    ExtendingElement = "extending-element", Warning, Report;
     FarContactTravel = "far-contact-travel", Warning, Report;
     FarFromGuess = "far-from-guess", Warning, Pose;
     FarPoint = "far-point", Warning, Model;

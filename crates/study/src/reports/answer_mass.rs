@@ -13,7 +13,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
-use crate::reports::motion_ratio::motion_ratios;
+use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_dynamics::PointVelocity;
 
@@ -31,6 +31,8 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let named_contact = named_contact(evaluated)?;
     let mut report = MassReport::of(evaluated);
     let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact));
+    let found =
+        found.chain(named_contact.iter().filter_map(|contact| extension_finding(contact, &motion_ratios)));
     report.diagnostics.extend(found.map(Into::into));
     let prepared = &evaluated.prepared;
     if let Some(stops) =
@@ -100,6 +102,17 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
         Err(error) => return Err(error),
     }
     Ok(report)
+}
+
+/// Finding about a spring or damper that extends while the wheel moves up.
+fn extension_finding(contact: &NamedContactRecord, ratios: &[MotionRatioRecord]) -> Option<Finding> {
+    let wheel = contact.wheel_travel.first().filter(|_| contact.always_touches())?;
+    let ratio = ratios.iter().find(|ratio| ratio.link == wheel.link)?.contact_per_wheel?;
+    let message = format!(
+        "the {} {} extends while the wheel moves up (motion ratio {ratio:.3}): are its two points exchanged?",
+        contact.kind, contact.name
+    );
+    (ratio < 0.0).then(|| Finding::about_result(FindingKind::ExtendingElement, message))
 }
 
 /// Findings about the way to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
