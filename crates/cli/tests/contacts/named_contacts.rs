@@ -334,6 +334,18 @@ fn wheels_heave_and_roll() {
         let expected = travel(heave + roll, heave - roll);
         assert!((found / expected - 1.0).abs() < 1e-10, "{heave} {roll}: {found}, {expected}");
     }
+    // A range of one motion beside a constant of the other, in any order of the rows.
+    for (ranged, constant, from, to) in [("heave", "roll", -0.04, 0.04), ("roll", "heave", 0.03, -0.03)] {
+        let rows = percuss(&format!("sweep {axle} --{ranged} {from}:{to}:5 --{constant} 15mm"));
+        assert_eq!(rows.code, 0, "{}", rows.stderr);
+        let rows = crate::support::Sweep::read(&rows.stdout);
+        for row in 0..5 {
+            let value = rows.number(row, ranged).expect("a value");
+            let single = mass(&format!("{axle} --{ranged} {value} --{constant} 15mm"));
+            let found = rows.number(row, "effective_mass").expect("finite");
+            assert!((found / single - 1.0).abs() < 1e-9, "{ranged} {value}: {found}, {single}");
+        }
+    }
     // Rows of a sweep are the single poses, in any order.
     for (motion, from, to) in [("heave", -0.05, 0.05), ("roll", 0.03, -0.03)] {
         let rows = percuss(&format!("sweep {axle} --{motion} {from}:{to}:5"));
