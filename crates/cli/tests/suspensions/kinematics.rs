@@ -452,55 +452,6 @@ fn the_end_of_heave_and_roll_names_the_dead_centre() {
     }
 }
 
-/// The table of a study has the data of the vehicle that the command has as flags.
-#[test]
-fn a_study_has_the_data_of_the_vehicle() {
-    let folder = Scratch::new("kinematics-vehicle");
-    let sheet = done(&folder, &["template", "double-wishbone"]);
-    folder.write("car.toml", &sheet.replace("[spring]\n", "[spring]\nrate = \"28 N/mm\"\n"));
-    let columns = "anti_dive,body_frequency,wheel_hop_frequency";
-    let study = |bias: &str| {
-        format!(
-            "[model]\npath = \"car.toml\"\n[kinematics]\nvary = \"wheel-travel=-20mm:20mm:3\"\ncolumns = [\"{}\"]\nvehicle = {{ axle = \
-             \"front\", brake_bias = {bias}, cg_height = \"500 mm\", wheelbase = 2.6, sprung_mass = 350, tyre_rate = \"200 N/mm\" }}\n",
-            columns.replace(',', "\", \"")
-        )
-    };
-    folder.write("study.toml", &study("\"60%\""));
-    let of_command = done(
-        &folder,
-        &[
-            "kinematics",
-            "car.toml",
-            "--wheel-travel",
-            "-20mm:20mm:3",
-            "--columns",
-            columns,
-            "--axle",
-            "front",
-            "--brake-bias",
-            "60%",
-            "--cg-height",
-            "500mm",
-            "--wheelbase",
-            "2.6",
-            "--sprung-mass",
-            "350",
-            "--tyre-rate",
-            "200N/mm",
-        ],
-    );
-    assert!(of_command.contains("anti dive") && of_command.contains("wheel hop frequency"), "{of_command}");
-    assert_eq!(done(&folder, &["run", "study.toml"]), of_command);
-    folder.write("study.toml", &study("1.6"));
-    let refused = run(&folder, &["run", "study.toml"]);
-    assert!(
-        refused.code == 2 && refused.stderr.contains("kinematics.vehicle.brake_bias"),
-        "{}",
-        refused.stderr
-    );
-}
-
 #[test]
 fn questions_without_an_answer_are_refused() {
     refused("kinematics models/double_wishbone.urdf", &["no suspension sheet"]);
