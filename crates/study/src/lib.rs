@@ -61,7 +61,7 @@ pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, 
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
-pub use question::travel::moved::{Moved, WheelMotion};
+pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
 pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
@@ -131,7 +131,7 @@ pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Too
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
-pub use study_file::tables::kinematics::StudyKinematics;
+pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
 pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
 pub use study_file::tables::model::{Acceptable, ModelTable};

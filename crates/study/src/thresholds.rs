@@ -12,6 +12,8 @@ pub(crate) const MOST_TURNS_VARIED: f64 = 2.0;
 /// Wheel travel (m) against the sense of a bump or rebound stop beyond which it touches the wrong way. A stop drawn in touch is
 /// a fraction of a millimetre off.
 pub(crate) const TOUCH_WRONG_WAY: f64 = 1e-3;
+/// Largest wheel travel of a question, m: no vehicle has a longer one, and a number of millimetres is above.
+pub(crate) const MAX_WHEEL_TRAVEL: f64 = 2.0;
 /// Wheel travel (m) to the touch of a stop that few vehicles have: gaps in a wrong unit lead to more.
 pub(crate) const FAR_TOUCH: f64 = 0.2;
 /// Cosine of the angle between the direction of a stop and the motion of its pad (60°), below which a note names the angle: a rocker

@@ -79,6 +79,11 @@ impl Findings {
         self.list.iter().any(|f| f.code == code && f.spot.path.as_deref() == Some(path))
     }
 
+    /// True if a finding has this code.
+    pub fn has_code(&self, code: &str) -> bool {
+        self.list.iter().any(|f| f.code == code)
+    }
+
     /// Removes warnings and notes with these codes; another finding states their common cause.
     pub fn remove(&mut self, codes: &[&str]) {
         self.list.retain(|f| f.severity == Severity::Error || !codes.contains(&f.code));

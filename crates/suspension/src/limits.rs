@@ -79,8 +79,31 @@ pub(crate) const LEAST_CARRIER_SIZE: f64 = 0.15;
 pub(crate) const WHEEL_GYRATION_RADII: RangeInclusive<f64> = 0.15..=2.0;
 /// Shortest plausible rod between an axle and the chassis, m: a wrong sign of y at one end makes a Panhard rod shorter.
 pub(crate) const MIN_CENTRAL_LENGTH: f64 = 0.1;
-/// Gap of a stop, m, below which a positive number is in another unit: stops are not adjusted to a fifth of a millimetre.
-pub(crate) const MIN_STOP_GAP: f64 = 2e-4;
+/// Plausible positive gaps of a stop as drawn, m: stops are not adjusted to a fifth of a millimetre, and no wheel travels further.
+pub(crate) const STOP_GAPS: RangeInclusive<f64> = 2e-4..=0.4;
+/// Largest usual camber, rad: 10°; racing tyres run at up to 6°.
+pub(crate) const MAX_CAMBER: f64 = 10.0 * RADIANS_PER_DEGREE;
+/// Largest usual toe at the design position, rad: 5°; cars have below 1°.
+pub(crate) const MAX_TOE: f64 = 5.0 * RADIANS_PER_DEGREE;
+/// Radians per degree.
+const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// Usual rates of springs, N/m: from a light motorcycle or kart to the leaf springs of trucks and the heave springs of racing cars.
+pub(crate) const SPRING_RATES: RangeInclusive<f64> = 1e3..=2e6;
+/// Usual magnitudes of the force of a spring at the design position, N: up to the springs of trucks. A smaller one is in kN.
+pub(crate) const PRELOADS: RangeInclusive<f64> = 20.0..=1e5;
+/// Usual compressions at the end of the curve of a stop, m: from 1 mm for a hard one to 300 mm for a long foam stop.
+pub(crate) const STOP_DEPTHS: RangeInclusive<f64> = 1e-3..=0.3;
+/// Usual forces at the end of the curve of a stop, N: a smaller one is in kN.
+pub(crate) const STOP_FORCES: RangeInclusive<f64> = 100.0..=1e6;
+/// Largest plausible track, m: vehicles on roads are at most 2.6 m wide.
+pub(crate) const MAX_TRACK: f64 = 3.0;
+/// Largest plausible distance of a joint of an upright from the centre of the wheel, m: more than the radius of the wheel of a truck.
+pub(crate) const MAX_UPRIGHT_REACH: f64 = 0.55;
+/// Largest plausible length of a spring or damper, m: that of a strut or of the fork of a motorcycle.
+pub(crate) const MAX_SPRING_LENGTH: f64 = 1.0;
+/// Distance by which the seat of a spring on the moving link is farther from its joints than the seat on the chassis, m, from which the
+/// two seats are regarded as exchanged. Springs and dampers are several times as long.
+pub(crate) const EXCHANGED_SEATS: f64 = 0.05;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger
 /// distance suggests a value from another vehicle or in other axes. For a joint the limit is twice as large: one end of a
 /// trailing arm is 0.7 m away from all other joints.
@@ -96,6 +119,10 @@ pub(crate) const MAX_SIGN_DISTANCE_RATIO: f64 = 0.4;
 pub(crate) const GRAMS_PER_KILOGRAM: f64 = 1000.0;
 /// Share of parts that are too heavy, from which all masses are regarded as grams; a smaller share indicates typing errors.
 pub(crate) const LEAST_SHARE_IN_GRAMS: f64 = 0.5;
+/// Largest distance between two positions of one hardpoint, m: rounding of differences of positions.
+pub(crate) const SAME_POINT: f64 = 1e-9;
+/// Median length of the links of a corner, m, above which a small track is no sign of a wrong unit of the file.
+pub(crate) const MIN_LINK_LENGTH: f64 = 0.1;
 /// Resolution of lengths in messages, m.
 pub(crate) const MESSAGE_LENGTH: f64 = 1e-4;
 

@@ -2,7 +2,8 @@
 
 use super::findings::{Findings, Spot};
 use crate::limits::{
-    MAX_ARM_LENGTH, MAX_VEHICLE_EXTENT, MESSAGE_LENGTH, MIN_TRACK, MIN_VEHICLE_EXTENT, USUAL_TRACKS,
+    MAX_ARM_LENGTH, MAX_VEHICLE_EXTENT, MESSAGE_LENGTH, MIN_LINK_LENGTH, MIN_TRACK, MIN_VEHICLE_EXTENT,
+    USUAL_TRACKS,
 };
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
@@ -77,6 +78,11 @@ impl Frame {
     }
 }
 
+/// Number with four significant digits for messages, without the rounding errors of a conversion.
+pub(super) fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// Unit, axes and side of the positions in a file. Converts positions of the left side (ISO 8855, m) for messages.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FilePlaces {
@@ -116,12 +122,13 @@ impl FilePlaces {
 
 /// Refuses a vehicle with a farthest coordinate (m) beyond the limit: the lengths are in another unit.
 pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
-    let (size, name) = (unit.of_metres(far), unit.name());
+    let (size, name) = (short(unit.of_metres(far)), unit.name());
     if far > MAX_VEHICLE_EXTENT {
         let other = if unit == LengthUnit::Metre { "mm" } else { "another unit" };
         let message = format!(
-            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. If the file is in {other}, \
+            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {} m out. If the file is in {other}, \
              {}; if only this number is wrong, correct it",
+            short(far),
             unit_remedy(if unit == LengthUnit::Metre { "mm" } else { "UNIT" })
         );
         findings.error("wrong-unit", spot, message);
@@ -175,7 +182,7 @@ pub(super) fn check_proportions(
              suspension is so large. {remedy}"
         );
         findings.error("wrong-unit", spot, message);
-    } else if track < MIN_TRACK && !fitting.is_empty() {
+    } else if track < MIN_TRACK && !fitting.is_empty() && link.is_none_or(|link| link < MIN_LINK_LENGTH) {
         let message = format!(
             "with coordinates in {stated}, the track would be only {:.0} mm: a model of a vehicle. {remedy}",
             1e3 * track

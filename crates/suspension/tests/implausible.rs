@@ -125,3 +125,133 @@ fn masses_in_grams_are_one_finding() {
         assert_eq!(found.iter().filter(|d| d.code == "implausible-mass").count(), usize::from(has_upright));
     }
 }
+
+/// The only finding about a sheet in which the line of a key in a section is replaced; `None` without a finding.
+fn finding_with(text: &str, section: &str, key: &str, line: &str) -> Option<Diagnostic> {
+    let lines = lines_of(text, key);
+    let (at, ..) = lines.iter().find(|(_, of, _)| of == section).unwrap_or_else(|| panic!("{section}.{key}"));
+    let mut found = findings(&with_line(text, *at, line), &ImportOptions::default());
+    assert!(found.len() <= 1, "{line}: {found:?}");
+    found.pop()
+}
+
+/// Values in another unit or of an impossible size are one finding with the key, the line and the value as written.
+#[test]
+fn values_in_other_units_are_one_finding() {
+    let in_mm = TemplateOptions { unit: LengthUnit::Millimetre, axes: VehicleAxes::Adams };
+    let text = template_sheet("double-wishbone", &in_mm).expect("a template");
+    for (section, key, line, code, words) in [
+        ("wheel", "camber", "camber = \"-1.5 rad\"", "implausible-angle", "\"-1.5 rad\" is -85.94°"),
+        ("wheel", "camber", "camber = \"-12 deg\"", "implausible-angle", "at most 10° are usual"),
+        ("wheel", "toe", "toe = \"0.2 rad\"", "implausible-angle", "\"0.2 rad\" is 11.46°"),
+        ("points", "wheel_centre", "wheel_centre = [0, -76, 300]", "astray-wheel", "a track of 152 mm"),
+        ("points", "wheel_centre", "wheel_centre = [0, -7600, 300]", "astray-wheel", "y = -7600 mm"),
+        ("points", "wheel_centre", "wheel_centre = [0, 760, 300]", "wrong-side", "y = 760 mm"),
+        ("bump_stop", "gap", "gap = 0.028", "implausible-gap", "the gap is 0.028 mm; 0.2 to 400 mm"),
+        ("bump_stop", "gap", "gap = \"28 m\"", "implausible-gap", "the gap is 28000 mm"),
+        ("bump_stop", "gap", "gap = -20", "overlapping-stop", "write bump_stop.gap as a positive number"),
+        (
+            "spring",
+            "on",
+            "on = \"lower_arm\"\nrate = \"85 kN/mm\"",
+            "implausible-force",
+            "\"85 kN/mm\"; a rate",
+        ),
+        ("spring", "on", "on = \"lower_arm\"\nrate = \"28 N/m\"", "implausible-force", "check its unit"),
+        (
+            "spring",
+            "on",
+            "on = \"lower_arm\"\nrate = \"28 N/mm\"\npreload = \"6100 kN\"",
+            "implausible-force",
+            "\"6100 kN\"; a preload",
+        ),
+        (
+            "bump_stop",
+            "on",
+            "on = \"lower_arm\"\ndeflections = [0, 0.01, 0.03]\nforces = [0, 700, 5200]",
+            "implausible-curve",
+            "the last deflection is 0.03 mm",
+        ),
+        (
+            "bump_stop",
+            "on",
+            "on = \"lower_arm\"\ndeflections = [0, 10, 30]\nforces = [0, 0.7, 5.2]",
+            "implausible-curve",
+            "the last force is 5.2 N",
+        ),
+    ] {
+        let found = finding_with(&text, section, key, line).unwrap_or_else(|| panic!("{line}: no finding"));
+        assert_eq!(found.code, code, "{found}");
+        assert!(found.message.contains(words) && found.line.is_some(), "{line}: {found}");
+    }
+    for (section, key, line) in [
+        ("wheel", "camber", "camber = \"-0.05 rad\""),
+        ("wheel", "toe", "toe = \"-0.4 deg\""),
+        ("bump_stop", "gap", "gap = 0.5"),
+        ("spring", "on", "on = \"lower_arm\"\nrate = \"85 N/mm\"\npreload = 6100"),
+        ("bump_stop", "on", "on = \"lower_arm\"\ndeflections = [0, 10, 30]\nforces = [0, 700, 5200]"),
+    ] {
+        assert_eq!(finding_with(&text, section, key, line), None, "{line}");
+    }
+}
+
+/// Exchanged seats of springs and dampers, and joints far from the wheel, are one finding for every template, unit and convention of axes.
+#[test]
+fn astray_seats_and_joints_are_one_finding() {
+    let (mut exchanged, mut astray) = (0, 0);
+    for (template, _) in template_names() {
+        for unit in LengthUnit::ALL {
+            for axes in VehicleAxes::ALL {
+                let text = template_sheet(template, &TemplateOptions { unit, axes }).expect("a template");
+                for pair in [["spring_seat", "spring_chassis_seat"], ["damper_seat", "damper_chassis_seat"]] {
+                    let changed = format!("\n{text}").replace(&format!("\n{} =", pair[1]), "\nOTHER =");
+                    let changed = changed.replace(&format!("\n{} =", pair[0]), &format!("\n{} =", pair[1]));
+                    let changed = changed.replace("\nOTHER =", &format!("\n{} =", pair[0]));
+                    let found = findings(&changed, &ImportOptions::default());
+                    let of_seats: Vec<_> = found.iter().filter(|d| d.code == "exchanged-seats").collect();
+                    let [finding] = &of_seats[..] else { panic!("{template} {pair:?}: {found:?}") };
+                    assert!(finding.message.contains(&format!("{} on ", pair[0])), "{finding}");
+                    assert!(finding.message.contains(&format!(" {}", unit.name())), "{finding}");
+                    exchanged += 1;
+                }
+                let of_ball = lines_of(&text, "lower_ball").into_iter().find(|(_, of, _)| of == "points");
+                let Some((at, _, ball)) = of_ball.filter(|_| template.starts_with("double")) else {
+                    continue;
+                };
+                let lower = unit.of_metres(0.67);
+                let line = format!("lower_ball = [{}, {}, {}]", ball[0] + lower, ball[1], ball[2]);
+                let found = findings(&with_line(&text, at, &line), &ImportOptions::default());
+                assert_eq!(found.len(), 1, "{template}: {found:?}");
+                assert!(
+                    found[0].code == "astray-point"
+                        && found[0].element.as_deref() == Some("points.lower_ball"),
+                    "{found:?}"
+                );
+                astray += 1;
+            }
+        }
+    }
+    assert!(exchanged == 18 * 8 * 2 && astray > 0, "{exchanged}, {astray}");
+}
+
+/// A section without `on` is a warning with the assumed and the possible links, unless one body is usual.
+#[test]
+fn an_assumed_body_is_named() {
+    for (template, _) in template_names() {
+        let text = template_sheet(template, &TemplateOptions::default()).expect("a template");
+        let without: String =
+            text.lines().filter(|line| !line.starts_with("on = ")).map(|l| format!("{l}\n")).collect();
+        let found = findings(&without, &ImportOptions::default());
+        let is_usual = template.starts_with("solid") || ["swing-arm", "telescopic-fork"].contains(&template);
+        if is_usual {
+            assert_eq!(found.len(), 0, "{template}: {found:?}");
+            continue;
+        }
+        assert!(found.iter().all(|d| d.code == "assumed-body") && found.len() <= 1, "{template}: {found:?}");
+        if template == "double-wishbone-rods" {
+            let message = &found[0].message;
+            assert!(message.contains("bump_stop (upright is assumed)"), "{message}");
+            assert!(message.contains("lower_back_rod"), "{message}");
+        }
+    }
+}

@@ -66,7 +66,16 @@ fn unknown_keys_list_the_known_ones() {
             "[spring]\nstiffness = \"28 N/mm\"\n",
             ["\"spring.stiffness\"", "the keys of [spring] are on, rate, preload"],
         ),
-        ("[spring]\n", "[sprung]\nmass = 300\n[spring]\n", ["the sections are spring, points", "rack"]),
+        (
+            "[spring]\n",
+            "[sprung]\nmass = 300\n[spring]\n",
+            ["did you mean [spring]?", "the sections are spring, points"],
+        ),
+        (
+            "[bump_stop]\n",
+            "[bumpstop]\ngap = 20\n[bump_stop]\n",
+            ["did you mean [bump_stop]?", "bumpstop.gap"],
+        ),
         ("unit = \"mm\" ", "mass_unit = \"g\"\nunit = \"mm\" ", ["the keys of the head are", "inertia_unit"]),
     ] {
         assert!(text.contains(from), "{from}");

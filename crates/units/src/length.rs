@@ -44,6 +44,24 @@ impl LengthUnit {
         self.unit().to_si(length)
     }
 
+    /// Unit of results about a file in this unit: inches for inches, otherwise millimetres.
+    pub fn of_results(self) -> Self {
+        match self {
+            Self::Inch => Self::Inch,
+            Self::Metre | Self::Centimetre | Self::Millimetre => Self::Millimetre,
+        }
+    }
+
+    /// Length (m) as text in this unit, to about a hundredth of a millimetre.
+    pub fn text(self, metres: f64) -> String {
+        let decimals = match self {
+            Self::Metre => 5,
+            Self::Centimetre | Self::Inch => 3,
+            Self::Millimetre => 2,
+        };
+        format!("{:.decimals$} {}", self.of_metres(metres), self.name())
+    }
+
     /// Converts metres to this unit.
     pub fn of_metres(self, length: f64) -> f64 {
         self.unit().from_si(length)
@@ -63,5 +81,7 @@ mod tests {
         }
         assert_eq!(LengthUnit::Millimetre.to_metres(12.0), 0.012);
         assert_eq!(LengthUnit::Inch.to_metres(1.0), 0.0254);
+        assert_eq!(LengthUnit::Inch.of_results().text(0.03), "1.181 in");
+        assert_eq!(LengthUnit::Metre.of_results().text(0.03), "30.00 mm");
     }
 }

@@ -63,6 +63,11 @@ const fn degree(name: &'static str) -> Unit {
     Unit { per_si: 180.0 / PI, ..unit(name, Dimension::Angle, PI / 180.0, 1.0) }
 }
 
+/// International avoirdupois pound, kg (exact).
+const POUND: f64 = 0.45359237;
+/// Weight of a pound at standard gravity 9.80665 m/s², N (exact).
+const POUND_FORCE: f64 = 4.4482216152605;
+
 /// All units: SI value = number · factor / divisor. The first unit of a dimension is the one of a number without a unit.
 ///
 /// Divisors keep 12 mm = 0.012 m exact, because 1/1000 is not a binary number.
@@ -77,16 +82,20 @@ static UNITS: &[Unit] = &[
     unit("kg", Dimension::Mass, 1.0, 1.0),
     unit("g", Dimension::Mass, 1.0, 1e3),
     unit("t", Dimension::Mass, 1e3, 1.0),
+    unit("lb", Dimension::Mass, POUND, 1.0),
     unit("kg m2", Dimension::Inertia, 1.0, 1.0),
     unit("kg cm2", Dimension::Inertia, 1.0, 1e4),
     unit("kg mm2", Dimension::Inertia, 1.0, 1e6),
     unit("g mm2", Dimension::Inertia, 1.0, 1e9),
     unit("t mm2", Dimension::Inertia, 1.0, 1e3),
+    unit("lb in2", Dimension::Inertia, POUND * 254.0 * 254.0, 1e8),
     unit("N/m", Dimension::Stiffness, 1.0, 1.0),
     unit("MN/m", Dimension::Stiffness, 1e6, 1.0),
     unit("kN/mm", Dimension::Stiffness, 1e6, 1.0),
     unit("kN/m", Dimension::Stiffness, 1e3, 1.0),
     unit("N/mm", Dimension::Stiffness, 1e3, 1.0),
+    unit("lbf/in", Dimension::Stiffness, POUND_FORCE * 1e4, 254.0),
+    unit("lb/in", Dimension::Stiffness, POUND_FORCE * 1e4, 254.0),
     unit("N·m/rad", Dimension::RotationalStiffness, 1.0, 1.0),
     unit("Nm/rad", Dimension::RotationalStiffness, 1.0, 1.0),
     unit("N·m/deg", Dimension::RotationalStiffness, 180.0, PI),
@@ -99,6 +108,7 @@ static UNITS: &[Unit] = &[
     unit("deg/s", Dimension::AngularSpeed, PI, 180.0),
     unit("N", Dimension::Force, 1.0, 1.0),
     unit("kN", Dimension::Force, 1e3, 1.0),
+    unit("lbf", Dimension::Force, POUND_FORCE, 1.0),
     unit("N/cm2", Dimension::Pressure, 1e4, 1.0),
     unit("N/mm2", Dimension::Pressure, 1e6, 1.0),
     unit("MPa", Dimension::Pressure, 1e6, 1.0),

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cars import CARRIERS, MIDDLE
+from cars import AXLES, CARRIERS, MIDDLE
 from sheets import INERTIAS, LENGTHS, random_build, random_car, random_spelling, written
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -121,8 +121,104 @@ def about_the_origin(rng, car, spelling, text):
     return changed
 
 
+def replaced(text, section, key, value):
+    """The sheet with another value of a key in a section; None without the section."""
+    head = f"\n[{section}]\n"
+    if head not in text:
+        return None
+    before, rest = text.split(head, 1)
+    lines = rest.split("\n")
+    end = next((i for i, line in enumerate(lines) if line.startswith("[")), len(lines))
+    kept = [line for line in lines[:end] if not line.startswith(f"{key} = ")]
+    return before + head + "\n".join([f"{key} = {value}", *kept, *lines[end:]])
+
+
+def camber_in_radians(rng, car, spelling, text):
+    """The camber of some degrees is written in rad, or has ten times its value."""
+    angle = rng.uniform(0.5, 3) * rng.choice([-1, 1])
+    return replaced(text, "wheel", "camber", f'"{angle} rad"' if rng.integers(2) else f'"{10 * angle + 8 * np.sign(angle)} deg"')
+
+
+def wheel_y(rng, car, spelling, text):
+    """The lateral coordinate of the wheel centre is ten times too large or too small, or has the wrong sign."""
+    if car.template in MIDDLE:
+        return None
+    changed = copy.deepcopy(car)
+    changed.points["wheel_centre"][1] *= rng.choice([10, 0.1, -1])
+    return changed
+
+
+def far_ball(rng, car, spelling, text):
+    """A joint of the upright is 0.67 m away from the wheel."""
+    names = [name for name in ("lower_ball", "upper_ball") if name in car.points]
+    if not names or "upright" not in car.bodies:
+        return None
+    changed = copy.deepcopy(car)
+    name = str(rng.choice(names))
+    direction = rng.choice([-1.0, 1.0])
+    changed.points[name] = changed.points["wheel_centre"] + np.array([direction * 0.67, -0.04, rng.uniform(-0.1, 0.1)])
+    return changed
+
+
+def gap_in_metres(rng, car, spelling, text):
+    """The gap of a stop is a number of metres in a sheet in another unit."""
+    names = [name for name, keys in car.stops.items() if keys.gap is not None]
+    if not names or spelling[0] in ("m", "in"):
+        return None
+    changed = copy.deepcopy(car)
+    name = str(rng.choice(names))
+    # 30 mm are 0.03 mm in a sheet in mm, and 0.3 mm in one in cm.
+    changed.stops[name].gap *= LENGTHS[spelling[0]]
+    return changed if changed.stops[name].gap < 2e-4 else None
+
+
+def rate_of_another_unit(rng, car, spelling, text):
+    """The rate of the spring is a thousand times too large or too small."""
+    return replaced(text, "spring", "rate", '"%g kN/mm"' % rng.uniform(15, 150) if rng.integers(2) else '"%g N/m"' % rng.uniform(15, 150))
+
+
+def preload_of_another_unit(rng, car, spelling, text):
+    """The preload of the spring is a thousand times too large, or in kN without a unit."""
+    with_rate = replaced(text, "spring", "rate", '"40 N/mm"')
+    value = rng.uniform(2, 9)
+    return with_rate and replaced(with_rate, "spring", "preload", f'"{1e3 * value} kN"' if rng.integers(2) else value)
+
+
+def curve(text, section, deflections, forces):
+    with_forces = replaced(text, section, "forces", forces)
+    return with_forces and replaced(with_forces, section, "deflections", deflections)
+
+
+def deflections_in_metres(rng, car, spelling, text):
+    """The deflections of the curve of a stop are in m."""
+    if spelling[0] not in ("mm", "cm"):
+        return None
+    return curve(text, "bump_stop", "[0.0, 0.01, %g]" % rng.uniform(0.02, 0.06), "[0.0, 700.0, 5200.0]")
+
+
+def forces_in_kilonewtons(rng, car, spelling, text):
+    """The forces of the curve of a stop are in kN without a unit."""
+    depth = rng.uniform(0.02, 0.06) / LENGTHS[spelling[0]]
+    return curve(text, "bump_stop", f"[0.0, {depth / 3}, {depth}]", "[0.0, 0.7, %g]" % rng.uniform(2, 9))
+
+
+def exchanged_seats(rng, car, spelling, text):
+    """The points of a spring or damper are exchanged, with their distances from the link far apart."""
+    changed = copy.deepcopy(car)
+    pairs = [pair for pair in (("spring_seat", "spring_chassis_seat"), ("damper_seat", "damper_chassis_seat")) if pair[0] in car.points]
+    # A rod of an axle may be as near to one seat as to the other, and one wheel of an axle has no motion ratio.
+    pairs = [pair for pair in pairs if car.template not in AXLES or car.on[pair[0].removesuffix("_seat")] == "axle"]
+    if not pairs:
+        return None
+    one, other = pairs[int(rng.integers(len(pairs)))]
+    changed.points[one], changed.points[other] = car.points[other], car.points[one]
+    return changed
+
+
 MISTAKES = [
     other_unit, other_inertia_unit, other_sign, other_height, other_side, other_axes, grams, all_grams, tonnes, about_the_origin,
+    camber_in_radians, wheel_y, far_ball, gap_in_metres, rate_of_another_unit, preload_of_another_unit, deflections_in_metres,
+    forces_in_kilonewtons, exchanged_seats,
 ]  # fmt: skip
 
 

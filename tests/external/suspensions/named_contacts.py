@@ -22,8 +22,8 @@ RATIO = 1e-8
 OWN_ERROR = 1e-11
 # Gap that remains, m: percuss ends its search at 1e-9; the own minimum is of second order in a step of 1e-5.
 REMAINING = 2e-9
-# Gap that remains in a message, m: two decimals in mm.
-REMAINING_IN_MESSAGE = 1e-5
+# Gap that remains in a message, m: two decimals in mm, three in inches.
+REMAINING_IN_MESSAGE = 1.3e-5
 
 
 class Tally:
@@ -202,7 +202,7 @@ def compare_alone(checker, file, name, entry, remaining, where):
         checker.verdict(abs(mass / expected - 1) <= AT_TOUCH, f"{where}: {mass}, {expected} in the list: {message}")
         return
     checker.verdict(code == 1 and "cannot be reached" in message, f"{where}: exit code {code}: {message}")
-    stated = re.search(r"and ([0-9.]+) mm remain", message)
+    stated = re.search(r"and ([0-9.]+) (mm|in) remain", message)
     if stated and remaining is not None:
-        off = abs(1e-3 * float(stated[1]) - remaining)
+        off = abs({"mm": 1e-3, "in": 0.0254}[stated[2]] * float(stated[1]) - remaining)
         checker.verdict(off <= REMAINING_IN_MESSAGE, f"{where}: {message}; own program: {1e3 * remaining:.3f} mm remain")

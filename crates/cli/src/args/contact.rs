@@ -5,8 +5,8 @@ use clap::Args;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::{CONDITIONS, POSE};
 use percuss_study::{
-    ConditionsTable, ContactTable, GivenTravel, Hold, Length, MassQuestion, Moved, Names, PoseTable,
-    QuestionTables, Vary, WheelMotion,
+    ConditionsTable, ContactTable, GivenTravel, Hold, MassQuestion, Names, PoseTable, QuestionTables, Vary,
+    WheelMotion,
 };
 use std::path::Path;
 
@@ -105,9 +105,8 @@ impl ContactArgs {
     fn wheel_travels(&self) -> Result<Vec<GivenTravel>, Failure> {
         let lengths = self.wheel_motions().filter(|(_, text)| !text.contains(':'));
         let travel = |(motion, text): (WheelMotion, &String)| {
-            let Length(distance) =
-                text.parse().map_err(|error| Failure::bad_input(format!("--{}: {error}", motion.name())))?;
-            Ok(GivenTravel { moved: Moved::Wheels(motion), distance })
+            GivenTravel::parse(&format!("{}={text}", motion.name()))
+                .map_err(|error| Failure::bad_input(format!("--{}: {error}", motion.name())))
         };
         lengths.map(travel).collect()
     }

@@ -3,27 +3,15 @@
 use crate::args::model::ModelArgs;
 use crate::args::output::{KinematicsFormat, WritingArgs};
 use crate::terminal::failure::Failure;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT, POSE};
 use percuss_study::{
-    AxlePosition, KinematicTarget, KinematicVariable, KinematicsQuestion, Length, PositiveMass, Ratio,
-    Stiffness, TargetSearch, TorqueReaction, UnknownCoordinate, VehicleData, WheelMotion,
+    KinematicTarget, KinematicVariable, KinematicsQuestion, Length, TargetSearch, UnknownCoordinate,
+    VehicleTable, WheelMotion,
 };
 
 /// Heading of the search for coordinates.
 const SEARCH: &str = "Search";
-/// Heading of the data of the vehicle.
-const VEHICLE: &str = "Vehicle";
-
-/// Position of the axle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AxleArg {
-    /// Front axle.
-    Front,
-    /// Rear axle.
-    Rear,
-}
-
 /// Flags of `percuss kinematics`.
 #[derive(Debug, Args)]
 pub struct KinematicsArgs {
@@ -43,33 +31,8 @@ pub struct KinematicsArgs {
     /// Displacement of the rack to the left.
     #[arg(long, value_name = "TRAVEL", allow_hyphen_values = true, help_heading = POSE)]
     pub steer: Option<String>,
-    /// Position of the axle: front, rear.
-    #[arg(long, value_name = "AXLE", value_enum, help_heading = VEHICLE)]
-    pub axle: Option<AxleArg>,
-    /// Share of the front axle in the braking force: 0.6, 60%.
-    #[arg(long, value_name = "SHARE", help_heading = VEHICLE)]
-    pub brake_bias: Option<Ratio>,
-    /// Share of this axle in the driving force: 1, 40%.
-    #[arg(long, value_name = "SHARE", help_heading = VEHICLE)]
-    pub drive_share: Option<Ratio>,
-    /// Height of the vehicle's centre of mass above the ground.
-    #[arg(long, value_name = "LENGTH", help_heading = VEHICLE)]
-    pub cg_height: Option<Length>,
-    /// Distance of the axles.
-    #[arg(long, value_name = "LENGTH", help_heading = VEHICLE)]
-    pub wheelbase: Option<Length>,
-    /// The brakes are on the vehicle body: the braking force acts at the wheel centre.
-    #[arg(long, help_heading = VEHICLE)]
-    pub inboard_brakes: bool,
-    /// The driving torque comes from the vehicle body by a shaft: the driving force acts at the wheel centre.
-    #[arg(long, help_heading = VEHICLE)]
-    pub inboard_drive: bool,
-    /// Sprung mass above one wheel (kg), for the natural frequencies.
-    #[arg(long, value_name = "KG", help_heading = VEHICLE)]
-    pub sprung_mass: Option<PositiveMass>,
-    /// Vertical rate of the tyre, with its unit: 200N/mm; without it, the tyre is rigid.
-    #[arg(long, value_name = "RATE", help_heading = VEHICLE)]
-    pub tyre_rate: Option<Stiffness>,
+    #[command(flatten)]
+    pub vehicle: VehicleTable,
     /// Search the coordinate of a hardpoint, x, y or z in the axes of the sheet: rocker_back.z.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
     pub solve: Vec<UnknownCoordinate>,
@@ -107,13 +70,17 @@ impl KinematicsArgs {
             (KinematicVariable::Wheels(WheelMotion::Heave), &self.heave),
             (KinematicVariable::Wheels(WheelMotion::Roll), &self.roll),
         ];
-        let mut question = KinematicsQuestion { vehicle: self.vehicle()?, ..KinematicsQuestion::default() };
+        let vehicle = self.vehicle.data().map_err(|(key, why)| {
+            let name = key.rsplit('.').next().unwrap_or(key).replace('_', "-");
+            Failure::bad_input(format!("--{name} is {why}"))
+        })?;
+        let mut question = KinematicsQuestion { vehicle, ..KinematicsQuestion::default() };
         for (variable, text) in given {
             let Some(text) = text else { continue };
             let name = variable.name();
             let refuse = |why: String| Failure::bad_input(format!("--{name}: {why}"));
             if !text.contains(':') {
-                let Length(length) = text.parse().map_err(|error| refuse(format!("{error}")))?;
+                let length = variable.length(text).map_err(|error| refuse(error.to_string()))?;
                 question.state.push((variable, length));
             } else if let Some((other, _)) = &question.range {
                 return Err(refuse(format!("--{} has a range already; give one length here", other.name())));
@@ -155,37 +122,6 @@ impl KinematicsArgs {
         }
         let search = TargetSearch { unknowns: self.solve.clone(), targets: self.required.clone(), within };
         Ok((!self.solve.is_empty()).then_some(search))
-    }
-
-    /// Data of the vehicle.
-    fn vehicle(&self) -> Result<VehicleData, Failure> {
-        let reaction = |inboard| if inboard { TorqueReaction::Inboard } else { TorqueReaction::Outboard };
-        let positive = |flag: &str, value: Option<f64>| match value {
-            Some(x) if !(x.is_finite() && x > 0.0) => {
-                Err(Failure::bad_input(format!("{flag} is {x}; more than 0 is expected")))
-            }
-            value => Ok(value),
-        };
-        let share = |flag: &str, value: Option<Ratio>| match value {
-            Some(Ratio(x)) if !(0.0..=1.0).contains(&x) => {
-                Err(Failure::bad_input(format!("{flag} is {x}; a share between 0 and 1 is expected")))
-            }
-            value => Ok(value.map(|Ratio(x)| x)),
-        };
-        Ok(VehicleData {
-            axle: self.axle.map(|axle| match axle {
-                AxleArg::Front => AxlePosition::Front,
-                AxleArg::Rear => AxlePosition::Rear,
-            }),
-            brake_bias: share("--brake-bias", self.brake_bias)?,
-            drive_share: share("--drive-share", self.drive_share)?,
-            cg_height: positive("--cg-height", self.cg_height.map(|Length(x)| x))?,
-            wheelbase: positive("--wheelbase", self.wheelbase.map(|Length(x)| x))?,
-            brakes: reaction(self.inboard_brakes),
-            drive: reaction(self.inboard_drive),
-            sprung_mass: self.sprung_mass.map(|PositiveMass(mass)| mass),
-            tyre_rate: positive("--tyre-rate", self.tyre_rate.map(|Stiffness(rate)| rate.value))?,
-        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Command `percuss compare`, and the variants of a study.
 
 use crate::args::{CompareArgs, MassFormat};
+use crate::commands::contact_list::NO_MOTION_RATIO;
 use crate::files::csv::{self, Cell};
 use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
@@ -9,13 +10,14 @@ use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::motion_ratio_name;
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
+use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
-use percuss_render::{Figure, Panel, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
-    Model, Names, RowSource, StudyFigure, StudyFile, compare, contact_names,
+    Model, Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
 };
 use std::fmt::{Display, Write as _};
 use std::path::Path;
@@ -235,10 +237,10 @@ fn of_designs(report: &ComparisonReport, count: impl Display) -> String {
 fn text(report: &ComparisonReport) -> String {
     let title = of_designs(report, report.designs.len());
     let mut out = format!("effective mass of {title}\n\n{}", design_table(report));
-    for sentence in design_changes::sentences(report) {
+    for sentence in design_changes::sentences(report).into_iter().chain(remarks(report)) {
         let _ = write!(out, "\n{}", wrap_message(&sentence));
     }
-    if report.designs.iter().any(|design| design.reference.is_some()) {
+    if report.designs.iter().any(|design| design.reference.is_some()) || !remarks(report).is_empty() {
         out.push('\n');
     }
     for design in &report.designs {
@@ -247,6 +249,31 @@ fn text(report: &ComparisonReport) -> String {
         }
     }
     out
+}
+
+/// Remarks about the table: designs whose stops touch at different travels of the wheel, and missing motion ratios.
+pub fn remarks(report: &ComparisonReport) -> Vec<String> {
+    let mut remarks = Vec::new();
+    for design in &report.designs {
+        let Some(reference) = design.reference.map(|at| &report.designs[at]) else { continue };
+        if let (Some(travel), Some(of_reference)) = (design.travel_at_touch, reference.travel_at_touch)
+            && (travel - of_reference).abs() > limits::SAME_TRAVEL
+        {
+            remarks.push(format!(
+                "each at its own touch: {} after {} of wheel travel, {} after {}; --wheel-travel compares both at one travel",
+                reference.name,
+                reference.unit.text(of_reference),
+                design.name,
+                reference.unit.text(travel)
+            ));
+        }
+    }
+    let lacks_ratio =
+        |design: &DesignRecord| design.effective_mass.is_some() && design.motion_ratio.is_none();
+    if has_several_contacts(report) && report.designs.iter().any(lacks_ratio) {
+        remarks.push(NO_MOTION_RATIO.to_owned());
+    }
+    remarks
 }
 
 /// True if the designs have different contacts; their motion ratios are then shown as well.
@@ -350,7 +377,10 @@ pub fn contact_figures(report: &ComparisonReport, requested: &StudyFigure) -> Ve
         let of_contact = |i: &usize| *i == first || report.designs[*i].reference == Some(first);
         let designs: Vec<usize> = (0..report.designs.len()).filter(of_contact).collect();
         let contact = report.designs[first].contact.as_ref().unwrap_or(&report.designs[first].name);
-        let title = format!("Effective mass at {contact}");
+        let title = match &requested.title {
+            Some(title) => format!("{title}: {contact}"),
+            None => format!("Effective mass at {contact}"),
+        };
         figure_of(report, &StudyFigure { title: Some(title), y_limits: None, ..requested.clone() }, &designs)
             .ok()
     };
@@ -372,6 +402,21 @@ fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
         }
     }
     names
+}
+
+/// Marks at the wheel travels at which the stops of some designs touch, for rows over the travel of the wheels.
+fn touches(report: &ComparisonReport, designs: &[usize]) -> Vec<Mark> {
+    let motions = [WheelMotion::WheelTravel, WheelMotion::Heave].map(WheelMotion::name);
+    let is_travel = report.varied.first().is_some_and(|varied| motions.contains(&varied.name.as_str()));
+    let travels = designs.iter().filter_map(|i| report.designs[*i].travel_at_touch);
+    let mut marks: Vec<Mark> = Vec::new();
+    for travel in travels.filter(|_| is_travel) {
+        let x = 1e3 * travel;
+        if !marks.iter().any(|mark| (mark.x - x).abs() <= 1e3 * limits::SAME_TRAVEL) {
+            marks.push(Mark { x, label: "touch".into() });
+        }
+    }
+    marks
 }
 
 /// Figure of some designs.
@@ -429,6 +474,6 @@ fn figure_of(
         subtitle: model_names(report, designs).join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels,
-        ..Figure::default()
+        marks: touches(report, designs),
     })
 }

@@ -3,14 +3,16 @@
 use crate::args::MassFormat;
 use crate::files::csv;
 use crate::files::table_style::round_to_digits;
+use crate::terminal::explanation::body_of;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::wrap_hanging;
+use crate::terminal::wrap::{wrap_hanging, wrap_message};
 use percuss_study::{
-    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, StudyFile,
-    contact_list, contact_list_of,
+    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
+    StudyFile, contact_list, contact_list_of,
 };
+use percuss_suspension::LengthUnit;
 use std::fmt::Write;
 
 /// Significant digits of masses and damping coefficients in the text.
@@ -45,54 +47,66 @@ pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Re
     }
 }
 
-/// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel
-/// travel at the pose of the result (mm), closing of the contact per wheel travel, damping coefficient (N·s/m).
+/// Named contact of a result.
+fn named(contact: &ListedContact) -> Option<&NamedContactRecord> {
+    contact.report.as_ref()?.named_contact.as_ref()
+}
+
+/// Numbers of a contact: m̄ (kg), gap (m; as drawn for a stop that was brought to the touch), wheel
+/// travel at the pose of the result (m), closing of the contact per wheel travel, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
-    let named = report.and_then(|report| report.named_contact.as_ref());
+    let named = named(contact);
     // A contact without a gap is evaluated at the pose of the question, which has its own travel.
     let travel = named.filter(|named| named.gap.is_some()).and_then(|named| named.wheel_travel.first());
     let ratio = |report: &MassReport| report.motion_ratios.first()?.contact_per_wheel;
     [
         report.and_then(|report| report.effective_mass),
-        named
-            .and_then(|named| if named.brought_to_touch { named.gap_as_drawn } else { named.gap })
-            .map(|gap| 1e3 * gap),
-        travel.map(|wheel| 1e3 * wheel.travel),
+        named.and_then(|named| if named.brought_to_touch { named.gap_as_drawn } else { named.gap }),
+        travel.map(|wheel| wheel.travel),
         report.and_then(ratio),
         report.and_then(|report| report.damper.as_ref()?.damper.damping),
     ]
 }
 
 /// Table of masses, gaps, wheel travels and motion ratios.
-pub fn mass_table(report: &ContactListReport) -> Table<5> {
-    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "contact/wheel"]);
+pub fn mass_table(report: &ContactListReport) -> Table<6> {
+    let unit = report.contacts.iter().find_map(named).map_or(LengthUnit::Millimetre, |named| named.unit);
+    let [gap, travel] = ["gap", "wheel travel"].map(|name| format!("{name}, {}", unit.name()));
+    let mut table = Table::new(["contact", "m̄, kg", &gap, &travel, "contact/wheel", "on"]);
+    // The unit is in the header.
+    let length = |x: Option<f64>| {
+        x.map_or("–".to_owned(), |x| unit.text(x).trim_end_matches(unit.name()).trim_end().to_owned())
+    };
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
-        let shown =
-            |x: Option<f64>, decimals: usize| x.map_or("–".to_owned(), |x| format!("{x:.decimals$}"));
+        let ratio = ratio.map_or("–".to_owned(), |x| format!("{x:.4}"));
         let mass = match (&contact.report, mass) {
             (_, Some(mass)) => number(round_to_digits(mass, DIGITS)),
             (Some(report), None) => report.status.name().to_owned(),
             (None, None) => "none".to_owned(),
         };
-        table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4)]);
+        let on = named(contact).map_or_else(|| "–".to_owned(), body_of);
+        table.row([contact.name.clone(), mass, length(gap), length(travel), ratio, on]);
     }
     table
 }
 
-/// Kinds of contacts between parts that always touch: no damper is chosen for an impact at them.
-const ALWAYS_TOUCHING: [&str; 2] = ["spring", "damper"];
-
-/// Table of dampers of the contacts that can hit; `None` without dampers.
+/// Table of dampers, with the reason for a missing one; `None` without dampers. No damper is chosen for an impact at parts that always
+/// touch.
 pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
+    let is_requested = report.contacts.iter().any(|contact| numbers(contact)[4].is_some());
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
-    for contact in report.contacts.iter().filter(|contact| !ALWAYS_TOUCHING.contains(&contact.kind)) {
-        if let [.., Some(damping)] = numbers(contact) {
-            dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
-        }
+    for contact in &report.contacts {
+        let text = match (named(contact), numbers(contact)) {
+            (Some(named), _) if named.always_touches() => "none: its parts always touch".to_owned(),
+            (_, [.., Some(damping)]) => number(round_to_digits(damping, DIGITS)),
+            (_, [None, ..]) => "none: no effective mass".to_owned(),
+            _ => "none".to_owned(),
+        };
+        dampers.row([contact.name.clone(), text]);
     }
-    (dampers.rows().len() > 1).then_some(dampers)
+    is_requested.then_some(dampers)
 }
 
 /// The list as text: a table, and the reasons of missing results below it.
@@ -110,12 +124,15 @@ fn text(report: &ContactListReport) -> String {
     out
 }
 
+/// Reason for a missing motion ratio.
+pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given where more than the wheel can move, such as the other wheel of an axle: \
+                                   percuss sweep --heave or --roll gives it per travel of both wheels, percuss kinematics all of them.";
+
 /// Meaning of the columns.
 pub fn explanation(report: &ContactListReport) -> String {
     let mut out = String::new();
-    let named =
-        || report.contacts.iter().filter_map(|contact| contact.report.as_ref()?.named_contact.as_ref());
-    out += if named().any(|named| named.brought_to_touch) || named().all(|named| named.gap.is_none()) {
+    let all = || report.contacts.iter().filter_map(named);
+    out += if all().any(|named| named.brought_to_touch) || all().all(|named| named.gap.is_none()) {
         "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
     } else {
         "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
@@ -130,8 +147,8 @@ pub fn explanation(report: &ContactListReport) -> String {
     if let Some(joint) = held {
         let _ = writeln!(out, "It is given with the joint {joint} held, which moves in the impact.");
     }
-    if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
-        out += "It is not given where more than the wheel can move, such as the other wheel of an\naxle: see percuss kinematics.\n";
+    if report.contacts.iter().any(has_no_ratio) && all().any(|named| !named.wheel_travel.is_empty()) {
+        let _ = writeln!(out, "{}", wrap_message(NO_MOTION_RATIO));
     }
     out
 }
@@ -147,12 +164,16 @@ fn table_as_csv(report: &ContactListReport) -> String {
         "wheel_travel_mm",
         "motion_ratio",
         "damping",
+        "on",
     ];
     let mut out = csv::line(&header.map(str::to_owned));
     for contact in &report.contacts {
         let status = contact.report.as_ref().map_or("none", |report| report.status.name());
         let mut cells = vec![contact.name.clone(), contact.kind.to_owned(), status.to_owned()];
-        cells.extend(numbers(contact).map(csv::cell));
+        let [mass, gap, travel, ratio, damping] = numbers(contact);
+        let [gap, travel] = [gap, travel].map(|length| length.map(|x| 1e3 * x));
+        cells.extend([mass, gap, travel, ratio, damping].map(csv::cell));
+        cells.push(named(contact).map_or_else(String::new, body_of));
         out += &csv::line(&cells);
     }
     out

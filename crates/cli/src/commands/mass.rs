@@ -4,7 +4,7 @@ use crate::args::{MassArgs, MassFormat};
 use crate::commands::contact_list;
 use crate::files::csv;
 use crate::terminal::escape::line;
-use crate::terminal::explanation::{explanation, motion_ratio, named_contact};
+use crate::terminal::explanation::{estimate_ratio, explanation, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{
@@ -204,28 +204,29 @@ fn estimate_text(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
     let Some(estimate) = record.estimate else {
-        let none = format!("none: the speed of point A on {first} is undetermined");
+        let none = format!("none: the speed of the point on {first} is undetermined");
         return format!("\n{}", fact_line("estimate", &none));
     };
-    let off = record.error_percent.map_or_else(String::new, |p| {
-        // A value that rounds to zero is shown without a sign.
-        let p = if p.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { p };
-        format!("   ({p:+.2} %)")
-    });
+    let off =
+        record.error_percent.map_or_else(String::new, |p| format!("   ({:+.2} %)", without_rounding(p)));
     let mut out = format!("\n{}", fact_line("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
-    let ratio = record.motion_ratio.map_or_else(|| "infinite".to_owned(), number);
     let takes =
         format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
     out += &fact_line("  takes", &takes);
-    out += &fact_line("  motion ratio", &format!("{ratio}, closing of the contact per travel of A"));
+    out += &fact_line("  motion ratio", &line(&estimate_ratio(record)));
     if let Some(share) = record.share_left_out {
-        let percent = 100.0 * share;
+        let percent = without_rounding(100.0 * share);
         out += &fact_line(
             "  leaves out",
             &format!("{percent:.2} % of the effective mass, contributed by other links"),
         );
     }
     out
+}
+
+/// Percentage in which a value that rounds to zero has no sign.
+fn without_rounding(percent: f64) -> f64 {
+    if percent.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { percent }
 }
 
 /// Text for a robot arm without rotor inertias.

@@ -1,6 +1,7 @@
 //! Figure of kinematics over a travel: one panel per quantity; all motion ratios share a panel, and all forces.
 
 use crate::terminal::failure::Failure;
+use crate::terminal::limits;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{KinematicColumn, KinematicsReport};
 use std::path::Path;
@@ -32,6 +33,18 @@ fn panel_and_curve(column: &KinematicColumn) -> (String, String) {
     (label, curve)
 }
 
+/// True if two curves of one style coincide to [`limits::SAME_CURVE`] of their largest value, as those of a damper and of the stop on its rod.
+fn has_same_points(one: &Series, other: &Series) -> bool {
+    let largest = one.points.iter().filter_map(|(_, y)| *y).fold(0.0, |most: f64, y| most.max(y.abs()));
+    let is_near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= limits::SAME_CURVE * largest,
+        (a, b) => a == b,
+    };
+    one.style == other.style
+        && one.points.len() == other.points.len()
+        && one.points.iter().zip(&other.points).all(|(a, b)| a.0 == b.0 && is_near(a.1, b.1))
+}
+
 /// Figure of a report over a range; `selected`: true if the user selected the columns.
 pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Figure, Failure> {
     let Some(variable) = report.variable else {
@@ -57,7 +70,11 @@ pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Fi
         let style = if column.side == "right" { Style::Dashed } else { Style::Line };
         let series = Series { name, style, points: report.rows.iter().map(point).collect() };
         match panels.iter_mut().find(|panel| panel.y_label == y_label) {
-            Some(panel) => panel.series.push(series),
+            Some(panel) => match panel.series.iter_mut().find(|other| has_same_points(other, &series)) {
+                // A curve that covers another one carries both names.
+                Some(other) => other.name += &format!(", {}", series.name),
+                None => panel.series.push(series),
+            },
             None => panels.push(Panel { y_label, series: vec![series], ..Panel::default() }),
         }
     }

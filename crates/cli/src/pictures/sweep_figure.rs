@@ -37,9 +37,13 @@ fn estimate_name(question: &MassQuestion) -> String {
 /// Name of a motion ratio. `of`: its motion, as in [`percuss_study::SweepHeading`] or the name of the varied column.
 pub fn motion_ratio_name(of: Option<&str>) -> String {
     match of {
-        Some("estimate") => "contact per travel of A".to_owned(),
+        Some("estimate") => "contact per travel of the point of the estimate".to_owned(),
         Some(motion @ ("heave" | "roll")) => format!("contact per {motion}"),
-        Some(_) | None => "contact per travel".to_owned(),
+        Some(of) => match of.strip_prefix("travel:") {
+            Some(link) => format!("contact per travel of {link}"),
+            None => "contact per travel".to_owned(),
+        },
+        None => "contact per travel".to_owned(),
     }
 }
 
@@ -68,6 +72,8 @@ pub fn sweep_figure(
     // One curve per value of the outer range.
     let mut masses: Vec<(f64, Curve)> = Vec::new();
     let mut marks = Vec::new();
+    // Value of the axis and gap of the last row.
+    let mut last: Option<(f64, f64)> = None;
     let end = sweep.run(&mut |row| {
         bar.inc(1);
         let values = row.varied.values();
@@ -84,6 +90,17 @@ pub fn sweep_figure(
         }
         estimates.push((x, row.estimate));
         ratios.push((x, row.motion_ratio));
+        let gap = row.gap.flatten();
+        // Between two rows the gap is nearly linear in the travel.
+        if let (Some((last_x, last_gap)), Some(gap)) = (last, gap)
+            && last_gap * gap <= 0.0
+            && last_gap != gap
+            && outer.is_none()
+        {
+            let touch = last_x + (x - last_x) * last_gap / (last_gap - gap);
+            marks.push(Mark { x: touch, label: "touch".into() });
+        }
+        last = gap.filter(|gap| *gap != 0.0).map(|gap| (x, gap));
         if row.singular_pose == Some(true) && marks.len() < MAX_MARKS {
             marks.push(Mark { x, label: "singular".into() });
         }

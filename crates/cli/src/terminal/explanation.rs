@@ -3,7 +3,10 @@
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, WheelTravelRecord};
+use percuss_study::{
+    EstimateRecord, Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, UPWARDS,
+    WheelTravelRecord,
+};
 use std::fmt::Write;
 
 /// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
@@ -110,22 +113,36 @@ pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
         None if ratio.one_travel => String::new(),
         None => "; for the motion of this impact only".to_owned(),
     };
-    format!(
-        "{}, closing of the contact per {}{whole}",
-        ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number),
-        if ratio.direction == [0.0, 0.0, 1.0] {
-            format!("upward travel of {}", ratio.link)
-        } else {
-            format!("travel of {} along {} (world axes)", ratio.link, triple(&ratio.direction))
-        },
-    )
+    format!("{}{whole}", ratio_per_travel(ratio.contact_per_wheel, &ratio.link, Some(ratio.direction)))
+}
+
+/// Motion ratio of the estimate with its definition.
+pub fn estimate_ratio(estimate: &EstimateRecord) -> String {
+    let point = if estimate.point_link == [0.0; 3] {
+        estimate.links[0].clone()
+    } else {
+        format!("{} m of {}", triple(&estimate.point_link), estimate.links[0])
+    };
+    ratio_per_travel(estimate.motion_ratio, &point, estimate.direction)
+}
+
+/// Motion ratio per travel of a point along a direction, or along its path.
+fn ratio_per_travel(ratio: Option<f64>, point: &str, direction: Option<[f64; 3]>) -> String {
+    let travel = match direction {
+        Some(UPWARDS) => format!("upward travel of {point}"),
+        Some(direction) => format!("travel of {point} along {} (world axes)", triple(&direction)),
+        None => format!("length of the path of {point}"),
+    };
+    let ratio = ratio.map_or_else(|| "infinite".to_owned(), number);
+    format!("{ratio}, closing of the contact per {travel}")
 }
 
 /// Name, gap and wheel travel of a named contact.
 pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)> {
-    let mut facts = vec![("contact", format!("{} ({})", contact.name, contact.kind))];
+    let mut facts =
+        vec![("contact", format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
     if let (Some(drawn), Some(gap)) = (contact.gap_as_drawn, contact.gap) {
-        let drawn = format!("{} as drawn", millimetres(drawn));
+        let drawn = format!("{} as drawn", contact.unit.text(drawn));
         facts.push(match (contact.brought_to_touch, gap) {
             (true, _) if contact.touching.is_empty() => ("gap", format!("0, at the touch; {drawn}")),
             (true, _) => {
@@ -133,9 +150,9 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
                 ("gap", format!("0, at the touch, as that of {others}; {drawn}"))
             }
             (false, gap) if gap < 0.0 => {
-                ("gap", format!("{}: a penetration at this pose; {drawn}", millimetres(gap)))
+                ("gap", format!("{}: a penetration at this pose; {drawn}", contact.unit.text(gap)))
             }
-            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", millimetres(gap))),
+            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", contact.unit.text(gap))),
         });
     }
     if let Some(together) = contact.effective_mass_together {
@@ -146,7 +163,7 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
     }
     let travel = |wheel: &WheelTravelRecord| {
         let sense = if wheel.travel < 0.0 { "down" } else { "up" };
-        format!("{} {sense} from the pose as drawn, at {}", millimetres(wheel.travel.abs()), wheel.link)
+        format!("{} {sense} from the pose as drawn, at {}", contact.unit.text(wheel.travel.abs()), wheel.link)
     };
     // The travel of a contact without a gap is that of the question.
     if contact.gap.is_some() {
@@ -155,7 +172,10 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
     facts
 }
 
-/// Length in mm with two decimals and the unit.
-fn millimetres(metres: f64) -> String {
-    format!("{:.2} mm", 1e3 * metres)
+/// Body of a named contact, with the damper of a stop on its rod.
+pub fn body_of(contact: &NamedContactRecord) -> String {
+    match &contact.element {
+        Some(element) => format!("{element} of {}", contact.on),
+        None => contact.on.clone(),
+    }
 }

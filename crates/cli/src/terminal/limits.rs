@@ -19,6 +19,8 @@ pub const MIN_COLUMN: usize = 24;
 pub const BAND_INDENT: usize = 4;
 /// Error of the estimate, in percent, below which zero is shown: half of the last digit shown (two decimals).
 pub const ESTIMATE_ROUNDING: f64 = 0.005;
+/// Difference of wheel travels, m, below which two touches count as the same: half of the last digit shown.
+pub const SAME_TRAVEL: f64 = 5e-6;
 /// Drift of the mass, in percent, below which zero is shown: half of the last digit shown (three decimals).
 pub const DRIFT_ROUNDING: f64 = 5e-4;
 /// Component of a vector, relative to the largest, below which zero is shown: some tens of roundings.

@@ -173,7 +173,7 @@ fn stops_that_a_sweep_passes_are_warned_of() {
     let single = warned(&format!("{bar} --at seat --vary hinge=-1:-1:1"));
     assert!(
         single.contains(&format!(
-            "the pad is {beyond:.1} mm, measured along the stop, beyond the touch of plane"
+            "the pad is {beyond:.2} mm, measured along the stop, beyond the touch of plane"
         )),
         "{single}"
     );
@@ -251,12 +251,22 @@ fn one_joint_drives_the_stops_of_both_sides() {
     assert_eq!(line["named_contact"]["brought_to_touch"], true, "{line}");
 }
 
+/// Link that the key `on` in the section of a contact names.
+fn stated_body(sheet: &str, contact: &str) -> Option<String> {
+    let text = std::fs::read_to_string(root().join(sheet)).expect("a sheet");
+    let section = contact.trim_end_matches("_left").trim_end_matches("_right");
+    let rest = text.split(&format!("\n[{section}]\n")).nth(1)?;
+    let line =
+        rest.lines().take_while(|line| !line.starts_with('[')).find(|line| line.starts_with("on = "))?;
+    Some(line.split('"').nth(1)?.to_owned())
+}
+
 /// For every shipped sheet and stop: the gap is closed, the mass is that of the same contact given by link, point and
 /// normal at the same positions, and the imported URDF gives the same.
 #[test]
 fn stops_of_every_sheet_touch_and_survive_the_import() {
     let folder = Scratch::new("contacts-sheets");
-    let mut stops = 0;
+    let (mut stops, mut bodies) = (0, 0);
     for entry in std::fs::read_dir(root().join("models/suspensions")).expect("a folder") {
         let file = entry.expect("an entry").file_name().to_string_lossy().into_owned();
         if !file.ends_with(".toml") {
@@ -275,6 +285,12 @@ fn stops_of_every_sheet_touch_and_survive_the_import() {
         for (contact, again) in both {
             let name = contact["name"].as_str().expect("a name");
             assert_eq!(contact["name"], again["name"], "{sheet}");
+            let carrier = contact["report"]["named_contact"]["on"].as_str().expect("a body");
+            if let Some(stated) = stated_body(&sheet, name) {
+                let side = ["_left", "_right"].into_iter().find(|side| carrier.ends_with(side));
+                assert_eq!(carrier.trim_end_matches(side.unwrap_or_default()), stated, "{sheet}: {name}");
+                bodies += 1;
+            }
             let [report, again] = [contact, again].map(|contact| &contact["report"]);
             assert!(!report.is_null(), "{sheet}: {name}: {}", contact["problem"]);
             let [mass, of_urdf] = [report, again].map(|report| number(report, "effective_mass"));
@@ -301,6 +317,7 @@ fn stops_of_every_sheet_touch_and_survive_the_import() {
     }
     // Thirteen sheets with one side, five axles and a third spring with both; two stops on each side.
     assert_eq!(stops, 2 * 13 + 4 * 6);
+    assert!(bodies > 2 * stops - 20, "{bodies}");
 }
 
 /// Heave and roll move each wheel by the sum and the difference, at one pose and in a sweep.
@@ -316,6 +333,18 @@ fn wheels_heave_and_roll() {
         let found = mass(&format!("{axle} --heave {heave} --roll {roll}"));
         let expected = travel(heave + roll, heave - roll);
         assert!((found / expected - 1.0).abs() < 1e-10, "{heave} {roll}: {found}, {expected}");
+    }
+    // A range of one motion beside a constant of the other, in any order of the rows.
+    for (ranged, constant, from, to) in [("heave", "roll", -0.04, 0.04), ("roll", "heave", 0.03, -0.03)] {
+        let rows = percuss(&format!("sweep {axle} --{ranged} {from}:{to}:5 --{constant} 15mm"));
+        assert_eq!(rows.code, 0, "{}", rows.stderr);
+        let rows = crate::support::Sweep::read(&rows.stdout);
+        for row in 0..5 {
+            let value = rows.number(row, ranged).expect("a value");
+            let single = mass(&format!("{axle} --{ranged} {value} --{constant} 15mm"));
+            let found = rows.number(row, "effective_mass").expect("finite");
+            assert!((found / single - 1.0).abs() < 1e-9, "{ranged} {value}: {found}, {single}");
+        }
     }
     // Rows of a sweep are the single poses, in any order.
     for (motion, from, to) in [("heave", -0.05, 0.05), ("roll", 0.03, -0.03)] {

@@ -74,6 +74,97 @@ fn numbers_without_a_unit_get_a_hint() {
     assert!(speed.stdout.contains("rotor inertias       none given"), "{}{}", speed.stdout, speed.stderr);
 }
 
+/// Messages about travels name the flag and a form that works there; a travel of metres is a number without a unit.
+#[test]
+fn travels_get_the_form_that_works() {
+    let folder = Scratch::new("own-travels");
+    let sheet =
+        |name: &str| root().join(format!("models/suspensions/{name}.toml")).to_string_lossy().into_owned();
+    let (corner, axle) = (sheet("double-wishbone"), sheet("solid-axle-panhard"));
+    for words in [
+        ["sweep", "--wheel-travel", "-80:80:3"],
+        ["mass", "--wheel-travel", "80"],
+        ["mass", "--heave", "-80"],
+    ] {
+        let given = [&words[..1], &[&*corner, "--at", "bump_stop"], &words[1..]].concat();
+        fails(&folder, 2, &given, &["without a unit is in metres", "80mm"]);
+    }
+    fails(&folder, 2, &["kinematics", &corner, "--wheel-travel", "80"], &["without a unit is in metres"]);
+    let range = "travel:wheel_centre_left:0,0,0:0,0,1=FROM:TO:COUNT";
+    let sweep = ["sweep", &axle, "--at", "spring_left", "--wheel-travel"];
+    fails(&folder, 2, &[&sweep[..], &["-5mm:5mm:3"]].concat(), &[range]);
+    // That form is accepted, with the prefix and without it.
+    let rows = |of: &str| {
+        let vary = of.replace("FROM:TO:COUNT", "-5mm:5mm:3");
+        done(&folder, &["sweep", &axle, "--at", "spring_left", "--vary", &vary])
+    };
+    assert_eq!(rows(range), rows(range.trim_start_matches("travel:")));
+    // Several contacts of an axle: the missing ratio has its reason.
+    let compared = done(&folder, &["compare", &axle, "--at", "spring_left,spring_right"]);
+    assert!(compared.contains("No ratio contact/wheel is given"), "{compared}");
+    // Designs whose stops touch at different travels.
+    let text = fs::read_to_string(&corner).expect("a sheet");
+    assert!(text.contains("gap = 30.0"));
+    let other = folder.write("other.toml", &text.replace("gap = 30.0", "gap = 40.0"));
+    let compared = done(&folder, &["compare", &corner, &other, "--at", "bump_stop"]);
+    assert!(compared.contains("each at its own touch: double-wishbone after 61.17 mm"), "{compared}");
+    let at_travel = ["compare", &corner, &other, "--at", "bump_stop", "--wheel-travel", "20mm"];
+    assert!(!done(&folder, &at_travel).contains("own touch"));
+}
+
+/// Exchanged seats of a spring: a finding about the points in every result, and one about the motion at the spring.
+#[test]
+fn exchanged_seats_are_named_in_every_result() {
+    let folder = Scratch::new("own-seats");
+    for template in ["double-wishbone", "pushrod-rocker", "macpherson-strut"] {
+        let sheet = done(&folder, &["template", template]);
+        let swapped = sheet
+            .replace("\nspring_seat =", "\nOTHER =")
+            .replace("\nspring_chassis_seat =", "\nspring_seat =");
+        folder.write("car.toml", &swapped.replace("\nOTHER =", "\nspring_chassis_seat ="));
+        for (contact, words) in
+            [("bump_stop", "exchange the two points"), ("spring", "extends while the wheel moves up")]
+        {
+            let told = run(&folder, &["mass", "car.toml", "--at", contact]).stderr.replace("\n  ", " ");
+            assert!(told.contains(words), "{template} {contact}: {told}");
+        }
+        folder.write("car.toml", &sheet);
+        assert!(!run(&folder, &["mass", "car.toml", "--at", "spring"]).stderr.contains("warning"));
+    }
+}
+
+/// A sheet in inches has pounds and results in inches; one message of a study has several findings without escaped line ends.
+#[test]
+fn inches_and_pounds_are_read_and_shown() {
+    let folder = Scratch::new("own-inches");
+    let sheet = done(&folder, &["template", "double-wishbone", "--unit", "in", "--axes", "adams"]);
+    let metric = done(&folder, &["template", "double-wishbone", "--unit", "mm"]);
+    let mass = |name: &str, text: &str| {
+        folder.write(name, text);
+        let json = done(&folder, &["mass", name, "--at", "bump_stop", "--format", "json"]);
+        serde_json::from_str::<Value>(&json).expect("JSON")["effective_mass"].as_f64().expect("finite")
+    };
+    assert!(sheet.contains("mass = 4.2\n") && metric.contains("mass = 4.2\n"));
+    let pounds = "mass = \"9.259415011764858 lb\"\n";
+    let [in_kg, in_lb] =
+        ["mass = 4.2\n", pounds].map(|by| mass("car.toml", &sheet.replacen("mass = 4.2\n", by, 1)));
+    assert!((in_lb / in_kg - 1.0).abs() < 1e-13, "{in_kg}, {in_lb}");
+    // Coordinates of the template are rounded to a ten-thousandth of an inch.
+    let of_metric = mass("metric.toml", &metric);
+    assert!((in_kg / of_metric - 1.0).abs() < 1e-3, "{in_kg}, {of_metric}");
+    folder.write("car.toml", &sheet);
+    let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop"]);
+    for words in ["at the touch; 1.181 in as drawn", "2.408 in up from the pose as drawn"] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let list = done(&folder, &["mass", "car.toml", "--at", "all"]);
+    assert!(list.contains("gap, in  wheel travel, in"), "{list}");
+    let wrong = "[model]\npath = \"car.toml\"\nmove = { lower_bal = [0, 0, 0.01], upper_bal = [0, 0, 0.01] }\n[contact]\nat = \"bump_stop\"\n";
+    folder.write("study.toml", wrong);
+    fails(&folder, 2, &["run", "study.toml"], &["lower_bal", "upper_bal"]);
+    assert!(!run(&folder, &["run", "study.toml"]).stderr.contains("\\n"));
+}
+
 /// A slow impact on a soft contact does not rebound under gravity: the line of the restitution says so.
 #[test]
 fn a_restitution_that_gravity_prevents_is_named_at_the_number() {
@@ -237,7 +328,7 @@ fn messages_name_the_place_and_the_cause() {
     let side = percuss(&format!("mass {path} --at spring --wheel-travel 500mm"));
     assert_eq!(side.code, 1, "{}", side.stderr);
     let (cause, error) =
-        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: --travel"));
+        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: --wheel-travel"));
     assert!(cause.is_some() && cause < error, "{}", side.stderr);
     assert!(side.stderr.contains("change the sign of its y"), "{}", side.stderr);
 }
@@ -270,4 +361,53 @@ fn printed_positions_state_their_axes() {
     for word in ["assembly mode", "rank gap", "loops driven by", "condition"] {
         assert!(detailed.contains(word) && !plain.contains(word), "{word}: {plain}");
     }
+}
+
+/// The table of a study has the data of the vehicle that the command has as flags.
+#[test]
+fn a_study_has_the_data_of_the_vehicle() {
+    let folder = Scratch::new("kinematics-vehicle");
+    let sheet = done(&folder, &["template", "double-wishbone"]);
+    folder.write("car.toml", &sheet.replace("[spring]\n", "[spring]\nrate = \"28 N/mm\"\n"));
+    let columns = "anti_dive,body_frequency,wheel_hop_frequency";
+    let study = |bias: &str| {
+        format!(
+            "[model]\npath = \"car.toml\"\n[kinematics]\nvary = \"wheel-travel=-20mm:20mm:3\"\ncolumns = [\"{}\"]\nvehicle = {{ axle = \
+             \"front\", brake_bias = {bias}, cg_height = \"500 mm\", wheelbase = 2.6, sprung_mass = 350, tyre_rate = \"200 N/mm\" }}\n",
+            columns.replace(',', "\", \"")
+        )
+    };
+    folder.write("study.toml", &study("\"60%\""));
+    let of_command = done(
+        &folder,
+        &[
+            "kinematics",
+            "car.toml",
+            "--wheel-travel",
+            "-20mm:20mm:3",
+            "--columns",
+            columns,
+            "--axle",
+            "front",
+            "--brake-bias",
+            "60%",
+            "--cg-height",
+            "500mm",
+            "--wheelbase",
+            "2.6",
+            "--sprung-mass",
+            "350",
+            "--tyre-rate",
+            "200N/mm",
+        ],
+    );
+    assert!(of_command.contains("anti dive") && of_command.contains("wheel hop frequency"), "{of_command}");
+    assert_eq!(done(&folder, &["run", "study.toml"]), of_command);
+    folder.write("study.toml", &study("1.6"));
+    let refused = run(&folder, &["run", "study.toml"]);
+    assert!(
+        refused.code == 2 && refused.stderr.contains("kinematics.vehicle.brake_bias"),
+        "{}",
+        refused.stderr
+    );
 }

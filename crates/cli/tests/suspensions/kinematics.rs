@@ -457,6 +457,18 @@ fn questions_without_an_answer_are_refused() {
     refused("kinematics models/double_wishbone.urdf", &["no suspension sheet"]);
     let sheet = "models/suspensions/semi-trailing-arm.toml";
     refused(&format!("kinematics {sheet} --steer 5mm"), &["no tie rod"]);
+    // The evaluation moves a rack that the sheet fixes, and states so; a rack that slides needs no remark.
+    let text =
+        std::fs::read_to_string(crate::support::root().join("models/suspensions/double-wishbone.toml"));
+    let text = text.expect("a sheet");
+    assert!(text.contains("slides = false"));
+    let folder = Scratch::new("kinematics-steer");
+    for (slides, is_told) in [("slides = false", true), ("slides = true", false)] {
+        let car = folder.write("steered.toml", &text.replace("slides = false", slides));
+        let outcome = crate::support::percuss(&format!("kinematics {car} --steer 5mm"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        assert_eq!(outcome.stderr.contains("rack.slides = false"), is_told, "{}", outcome.stderr);
+    }
     refused(
         &format!("kinematics {sheet} --heave 0:1mm:2 --wheel-travel 0:1mm:2"),
         &["--heave", "range already"],

@@ -50,6 +50,33 @@ fn several_contacts_of_a_sheet_are_each_what_mass_and_sweep_say() {
     refused(&format!("compare {SHEET} --at spring"), &["bump_stop,spring"]);
 }
 
+/// Figures over the travel of the wheel mark the touch of a stop; curves that coincide are one curve with both names.
+#[test]
+fn figures_mark_the_touch_and_name_coinciding_curves() {
+    let folder = Scratch::new("touch-marks");
+    let svg = folder.path("touch.svg");
+    let drawn = |words: &str| {
+        let outcome = percuss(&format!("{words} --output {svg} --force"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        std::fs::read_to_string(&svg).expect("a figure")
+    };
+    // The bump stop touches at 61.17 mm.
+    let marks = |to: &str| {
+        drawn(&format!("sweep {SHEET} --at bump_stop --wheel-travel -20mm:{to}:9")).matches(">touch<").count()
+    };
+    assert_eq!((marks("80mm"), marks("60mm")), (1, 0));
+    let compared = drawn(&format!("compare {SHEET} --at bump_stop,spring --wheel-travel -20mm:80mm:5"));
+    assert_eq!(compared.matches(">touch<").count(), 1);
+    // A stop on the rod of the damper has the motion ratio of the damper.
+    let sheet = percuss("template macpherson-strut").stdout;
+    let is_kept = |line: &&str| !line.starts_with("bump_stop");
+    let sheet = sheet.lines().filter(is_kept).collect::<Vec<_>>().join("\n");
+    let sheet = sheet.replace("[bump_stop]\non = \"upright\"", "[bump_stop]\non = \"damper\"");
+    let car = folder.write("car.toml", &sheet);
+    let curves = drawn(&format!("kinematics {car} --wheel-travel -40mm:40mm:9"));
+    assert!(curves.contains(">damper, bump stop<"), "{curves}");
+}
+
 /// Each contact of a variant is compared with the same contact of the first design.
 #[test]
 fn contacts_and_variants_of_a_study() {

@@ -1,5 +1,6 @@
 //! Key of the numbered points.
 
+use crate::figure::legend::WIDTH_RESERVE;
 use crate::font::Font;
 use crate::palette::{INK, SOFT_INK};
 use crate::scene::{Anchor, Scene};
@@ -34,7 +35,8 @@ pub(super) fn draw_key(
     for (i, name) in names.iter().enumerate() {
         let x = left + column_width * (i / rows.max(1)) as f64;
         let y = top + KEY_ROW * (i % rows.max(1)) as f64 + 10.0;
-        let name = fit_to_width(name, NAME, column_width - NUMBER_WIDTH - 8.0);
+        // The reader's font may be wider than the embedded one.
+        let name = fit_to_width(name, NAME, (column_width - NUMBER_WIDTH - 8.0) / WIDTH_RESERVE);
         scene.text((i + 1).to_string(), (x + NUMBER_WIDTH - 8.0, y), Anchor::End, NUMBER, INK);
         scene.text(name, (x + NUMBER_WIDTH, y), Anchor::Start, NAME, SOFT_INK);
     }

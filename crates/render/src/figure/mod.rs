@@ -4,7 +4,7 @@ pub(crate) mod axis;
 mod colours;
 mod curve;
 pub(crate) mod layout;
-mod legend;
+pub(crate) mod legend;
 mod marks;
 pub(crate) mod sheet;
 pub(crate) mod tornado;

@@ -52,6 +52,7 @@ macro_rules! finding_kinds {
 }
 
 finding_kinds! {
+    AlwaysTouching = "always-touching", Warning, Report;
     BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
     DefaultDistance = "default-distance", Note, Report;
@@ -59,6 +60,7 @@ finding_kinds! {
     DriverOffZero = "driver-off-zero", Warning, Branch;
     DriversChosen = "drivers-chosen", Note, Branch;
     ExportsOwnLaw = "exports-own-law", Note, Report;
+    ExtendingElement = "extending-element", Warning, Report;
     FarContactTravel = "far-contact-travel", Warning, Report;
     FarFromGuess = "far-from-guess", Warning, Pose;
     FarPoint = "far-point", Warning, Model;
@@ -85,6 +87,7 @@ finding_kinds! {
     PenetrationUnreachable = "penetration-unreachable", Warning, Report;
     PointConverted = "point-converted", Note, Pose;
     PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
+    RackMoved = "rack-moved", Warning, Report;
     ReversedAxis = "reversed-axis", Note, Model;
     RigidLoops = "rigid-loops", Warning, Model;
     RowsFollowed = "rows-followed", Note, Report;

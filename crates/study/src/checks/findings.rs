@@ -4,6 +4,7 @@ use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::joint_limit_finding;
+use crate::model::wheel_points::wheel_centres;
 use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
 use crate::values::position::{GivenPosition, position_dimension};
@@ -85,7 +86,9 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
     for gap in pose.assembly().drawn_gaps() {
         found.push(drawn_gap_finding(mechanism, &gap));
     }
-    if !loops.declared && !loops.drivers.is_empty() {
+    // The driving joints of a suspension have no influence on its results.
+    let is_suspension = || !wheel_centres(mechanism, "").is_empty();
+    if !loops.declared && !loops.drivers.is_empty() && !is_suspension() {
         let drivers: Vec<String> =
             loops.drivers.iter().map(|j| format!("\"{}\"", mechanism.joint(*j).name())).collect();
         let message = format!(

@@ -10,7 +10,7 @@ use crate::damper::damping::{
 };
 use crate::damper::joint_stop::JointStop;
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
-use crate::evaluation::named_contact::named_contact;
+use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
@@ -35,7 +35,18 @@ pub fn damp_contact(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    damping_report(&EvaluatedQuestion::new(model, question)?, damping)
+    let mut report = damping_report(&EvaluatedQuestion::new(model, question)?, damping)?;
+    report.diagnostics.extend(always_touching(report.named_contact.as_ref()).map(DiagnosticRecord::from));
+    Ok(report)
+}
+
+/// Finding about a contact whose parts always touch, such as the seat of a spring.
+fn always_touching(contact: Option<&NamedContactRecord>) -> Option<Finding> {
+    let NamedContactRecord { name, kind, .. } = contact.filter(|contact| contact.always_touches())?;
+    let message = format!(
+        "{name} is a {kind}, whose parts always touch: the result is the damper of an impact at its seat, not one of the suspension"
+    );
+    Some(Finding::about_result(FindingKind::AlwaysTouching, message))
 }
 
 /// Damper of a joint stop. `conditions` supplies the pose and the held parts; its contact is ignored.

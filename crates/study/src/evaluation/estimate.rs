@@ -1,16 +1,18 @@
 //! Classical estimate m_K / l̄² for comparison with the exact value.
 
+use crate::model::wheel_points::wheel_centres;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::mass_question::EstimateQuestion;
+use crate::question::mass_question::{EstimateQuestion, UPWARDS};
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 
-/// Classical estimate m_K |v_A|²: mass of some links, all moving with the velocity of point A. l̄ = 1/|v_A| is
-/// r_B/r_A of Euler's note (Fayzullin 2018).
+/// Classical estimate m_K v_A²: mass of some links, all moving with the speed of point A. l̄ = 1/v_A is r_B/r_A of Euler's note
+/// (Fayzullin 2018). v_A is the component of the velocity along a direction: the given one, or upwards in a suspension, as for
+/// all motion ratios of a wheel. In other models without a direction, v_A is the magnitude of the velocity.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EstimateRecord {
     /// Links with a mass counted in m_K.
@@ -19,8 +21,10 @@ pub struct EstimateRecord {
     pub mass: f64,
     /// Point A, in the first link's frame, m.
     pub point_link: [f64; 3],
-    /// Motion ratio l̄: closing speed of the contact per speed of A (or per its component along the direction, if given), negative
-    /// for a motion against the direction. Null if A does not move, or if a massless motion leaves its speed undetermined.
+    /// Direction of the speed of A, a unit vector in world axes; null for the magnitude of the velocity.
+    pub direction: Option<[f64; 3]>,
+    /// Motion ratio l̄: closing speed of the contact per speed of A, negative for a motion against the direction. Null if A does not
+    /// move, or if a massless motion leaves its speed undetermined.
     pub motion_ratio: Option<f64>,
     /// m_K / l̄², kg.
     pub estimate: Option<f64>,
@@ -57,7 +61,8 @@ impl PreparedEstimate {
         {
             return Err(refuse(Fault::EstimatePoint { value }));
         }
-        let direction = question.direction.map(Vector3::from);
+        let is_suspension = !wheel_centres(mechanism, "").is_empty();
+        let direction = question.direction.or(is_suspension.then_some(UPWARDS)).map(Vector3::from);
         if let Some(length) =
             direction.map(|d| d.norm()).filter(|n| !(*n >= SHORTEST_DIRECTION && n.is_finite()))
         {
@@ -94,6 +99,7 @@ impl PreparedEstimate {
             links: self.names.clone(),
             mass: self.mass,
             point_link: self.point.into(),
+            direction: self.direction.map(Into::into),
             motion_ratio: speed.filter(|speed| *speed != 0.0).map(f64::recip),
             estimate,
             error_percent: estimate.zip(exact).map(|(e, m)| 100.0 * (e / m - 1.0)),

@@ -8,7 +8,8 @@ use crate::thresholds::TOUCH_TOLERANCE;
 use nalgebra::DVector;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::Delassus;
-use percuss_mechanism::{LinkId, NamedContact};
+use percuss_mechanism::{ContactKind, JointKind, LinkId, Mechanism, NamedContact};
+use percuss_units::LengthUnit;
 use serde::Serialize;
 
 /// Named contact of a result. Lengths in m.
@@ -18,6 +19,10 @@ pub struct NamedContactRecord {
     pub name: String,
     /// `stop`, `spring`, `damper`, `patch` or `other`.
     pub kind: &'static str,
+    /// Body of the contact link: the link to which the contact link is fixed.
+    pub on: String,
+    /// Spring or damper between the same two links, such as the damper of a stop on its rod; null without one.
+    pub element: Option<String>,
     /// Gap as drawn (all joints at 0); null if the parts always touch.
     pub gap_as_drawn: Option<f64>,
     /// Gap at the pose of the result; null if the parts always touch.
@@ -31,6 +36,16 @@ pub struct NamedContactRecord {
     pub effective_mass_together: Option<f64>,
     /// Upward travel of each wheel centre from the pose as drawn to the pose of the result.
     pub wheel_travel: Vec<WheelTravelRecord>,
+    /// Unit of lengths in texts.
+    #[serde(skip)]
+    pub unit: LengthUnit,
+}
+
+impl NamedContactRecord {
+    /// True for a spring or damper, whose parts always touch.
+    pub fn always_touches(&self) -> bool {
+        [ContactKind::Spring, ContactKind::Damper].iter().any(|kind| kind.name() == self.kind)
+    }
 }
 
 /// Upward travel of a wheel centre, m.
@@ -56,13 +71,35 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
     Ok(Some(NamedContactRecord {
         name: contact.name().to_owned(),
         kind: contact.kind().name(),
+        on: mechanism.link(rigid_body_of(mechanism, contact.link())).name().to_owned(),
+        element: element_of(mechanism, contact).map(|element| element.name().to_owned()),
         gap_as_drawn: contact.gap(),
         gap: gap.as_ref().map(|gap| gap.at(pose)),
         brought_to_touch: touching.iter().any(|name| name == contact.name()),
         effective_mass_together: mass_together(pose, &stops),
         touching: touching.into_iter().filter(|name| name != contact.name()).collect(),
         wheel_travel: wheel_travels(prepared, pose, contact.name()),
+        unit: prepared.model.length_unit(),
     }))
+}
+
+/// Link that carries a link: the nearest ancestor without a fixed joint to its parent.
+fn rigid_body_of(mechanism: &Mechanism, link: LinkId) -> LinkId {
+    let fixed = |link: LinkId| {
+        let joint = mechanism.joint(mechanism.parent_joint(link)?);
+        (joint.kind() == JointKind::Fixed).then(|| joint.parent())
+    };
+    std::iter::successors(Some(link), |link| fixed(*link)).last().unwrap_or(link)
+}
+
+/// Spring or damper between the two links of a stop.
+fn element_of<'m>(mechanism: &'m Mechanism, stop: &NamedContact) -> Option<&'m NamedContact> {
+    let is_element = |other: &&NamedContact| {
+        matches!(other.kind(), ContactKind::Spring | ContactKind::Damper)
+            && other.link() == stop.link()
+            && other.against() == stop.against()
+    };
+    mechanism.contacts().iter().find(is_element).filter(|_| stop.kind() == ContactKind::Stop)
 }
 
 /// Upward travels of the wheel centres on the side of a contact, from the pose as drawn to a pose.

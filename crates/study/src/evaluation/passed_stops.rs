@@ -85,15 +85,16 @@ impl<'a> PassedStops<'a> {
     fn findings_of(&self, gap_of: impl Fn(&Gap) -> f64) -> Vec<Finding> {
         let passed = self.stops.iter().map(|stop| (stop, gap_of(&stop.gap)));
         let passed = passed.filter(|(_, gap)| *gap < -PASSED_STOP);
+        let unit = self.model.length_unit();
         let finding = |(stop, gap): (&LimitedStop, f64)| {
             let name = stop.contact.name();
             let touch = *stop.touch.get_or_init(|| self.touch(name));
             let touch = touch.map_or_else(String::new, |travel| {
-                format!(", which touches at {:.1} mm of wheel travel", 1e3 * travel)
+                format!(", which touches at {} of wheel travel", unit.text(travel))
             });
             let message = format!(
-                "the pad is {:.1} mm, measured along the stop, beyond the touch of {name}{touch}",
-                -1e3 * gap
+                "the pad is {}, measured along the stop, beyond the touch of {name}{touch}",
+                unit.text(0.0 - gap)
             );
             let subject = FindingSubject::Contact(stop.number);
             let finding = Finding::new(FindingKind::StopPassed, subject, message);

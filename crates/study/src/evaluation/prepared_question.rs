@@ -253,7 +253,8 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Pose requested by the question.
     pub fn pose(&self) -> Result<Pose, StudyError> {
-        pose_solver::pose(&self.system, &self.configuration, &self.question)
+        let posed = pose_solver::pose(&self.system, &self.configuration, &self.question);
+        posed.map_err(|error| error.in_unit(self.model.length_unit()))
     }
 
     /// Contact response, branch limits, estimate and findings at a pose.

@@ -129,6 +129,11 @@ impl Model {
         Some(SheetPoint { normal: Some(normal), ..self.point_in_sheet(point_world)? })
     }
 
+    /// Unit of lengths in texts about results: inches for a sheet in inches, otherwise millimetres.
+    pub fn length_unit(&self) -> LengthUnit {
+        self.origin.sheet.as_ref().map_or(LengthUnit::Millimetre, |sheet| sheet.unit.of_results())
+    }
+
     /// True for a model read from a suspension's sheet, table or JSON.
     pub fn has_sheet(&self) -> bool {
         self.origin.sheet.is_some()

@@ -92,6 +92,7 @@ impl JoinedTravels {
                             joint_rates.map_or_else(String::new, |rates| dead_centre_text(start, &rates))
                         ),
                         nearest: None,
+                        motion: None,
                     });
                 }
                 Err(error) => {

@@ -27,9 +27,25 @@ pub(crate) struct PointTravel {
     field: Field,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
-    /// Travels that are solved with this one, itself first, and their displacements at a unit of it; `None` for a single
-    /// point.
-    joined: Option<(JoinedTravels, Vec<f64>)>,
+    /// Travels that are solved with this one; `None` for a single point.
+    joined: Option<Joined>,
+}
+
+/// Travels of several points, the first point first.
+#[derive(Clone, Debug)]
+struct Joined {
+    travels: JoinedTravels,
+    /// Displacement of each point at a unit of the travel.
+    ratios: Vec<f64>,
+    /// Displacement of each point at travel 0, m, such as by a constant roll.
+    offsets: Vec<f64>,
+}
+
+impl Joined {
+    /// Displacements of the points at a travel, m.
+    fn requested(&self, travel: f64) -> Vec<f64> {
+        self.ratios.iter().zip(&self.offsets).map(|(ratio, offset)| ratio * travel + offset).collect()
+    }
 }
 
 /// Stage of a travel: pose, driving joint, and requested configuration of the other joints.
@@ -70,12 +86,14 @@ impl PointTravel {
         Self::with_driver(system, base, field, (start, travel), is_set)
     }
 
-    /// Travel of several points that move together, in the ratio of their distances, and the driver of the first.
+    /// Travel of several points that move together, in the ratio of their distances, and the driver of the first. `offsets`:
+    /// displacement of each point at travel 0, m.
     pub fn joined(
         system: &System,
         base: &Configuration,
         field: Field,
         moved: &[MovedPoint],
+        offsets: &[f64],
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
         let (mut first, driver) = Self::new(system, base, field, &moved[0], is_set)?;
@@ -88,16 +106,10 @@ impl PointTravel {
                 drivers.push(driver.joint);
             }
             let ratios = moved.iter().map(|point| point.distance / moved[0].distance).collect();
-            first.joined = Some((
-                JoinedTravels {
-                    travels,
-                    drivers,
-                    set: first.set.clone(),
-                    least_part: LEAST_PART,
-                    selects_drivers: false,
-                },
-                ratios,
-            ));
+            let set = first.set.clone();
+            let travels =
+                JoinedTravels { travels, drivers, set, least_part: LEAST_PART, selects_drivers: false };
+            first.joined = Some(Joined { travels, ratios, offsets: offsets.to_vec() });
         }
         Ok((first, driver))
     }
@@ -151,12 +163,13 @@ impl PointTravel {
         requested: f64,
         names: Names,
     ) -> Result<Result<Pose, UnreachedRow>, StudyError> {
-        if let Some((joined, ratios)) = &self.joined {
-            let requested: Vec<f64> = ratios.iter().map(|ratio| ratio * requested).collect();
-            return match joined.pose(&driver.configuration, last, &requested, names) {
+        if let Some(joined) = &self.joined {
+            let points = joined.requested(requested);
+            return match joined.travels.pose(&driver.configuration, last, &points, names) {
                 Ok(pose) => Ok(Ok(pose)),
                 Err(StudyError::TravelNotReached { why, .. }) => {
-                    let extent = UnreachableExtent::ProbablyBeyond(self.travel.displacement(last));
+                    let of_first = self.travel.displacement(last) - joined.offsets[0];
+                    let extent = UnreachableExtent::ProbablyBeyond(of_first / joined.ratios[0]);
                     Ok(Err(UnreachedRow { reason: why, extent }))
                 }
                 Err(error) => Err(error),
@@ -304,8 +317,8 @@ impl PointTravel {
     /// single point has the motion of the impact.
     pub fn motion_ratio(&self, pose: &Pose, contact: &Contact, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
-        if let Some((joined, ratios)) = &self.joined {
-            let travels: Vec<_> = joined.travels.iter().zip(ratios.iter().copied()).collect();
+        if let Some(Joined { travels, ratios, .. }) = &self.joined {
+            let travels: Vec<_> = travels.travels.iter().zip(ratios.iter().copied()).collect();
             return closing_speed(pose, &travels, &self.set, contact);
         }
         if sliding_rack(pose.mechanism()).is_some_and(|rack| self.set.contains(&rack)) {

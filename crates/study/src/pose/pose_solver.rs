@@ -16,6 +16,7 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::{JointId, Mechanism, NamedContact};
+use percuss_units::LengthUnit;
 
 /// Pose of a question.
 ///
@@ -44,7 +45,17 @@ pub(crate) fn pose(
     if let [(stop, _), ..] = &stops[..] {
         return touch_pose(system, configuration, question, &driven, (stop.name(), &stops), start);
     }
-    solve_all(&travels, &start, Search::Full { least_part: LEAST_PART }, question.names)
+    let solved = solve_all(&travels, &start, Search::Full { least_part: LEAST_PART }, question.names);
+    let motion = question.travel.iter().find_map(|travel| match &travel.moved {
+        Moved::Wheels(motion) => Some(motion.name()),
+        Moved::Point { .. } => None,
+    });
+    solved.map_err(|error| match error {
+        StudyError::TravelNotReached { why, nearest, .. } => {
+            StudyError::TravelNotReached { why, nearest, motion }
+        }
+        other => other,
+    })
 }
 
 /// Effort of a search for the pose of travels.
@@ -104,7 +115,13 @@ fn touch_pose(
     start: Pose,
 ) -> Result<Pose, StudyError> {
     let gap = stops[0].1.at(&start);
-    let not_reached = |nearest, why| StudyError::StopNotReached { name: name.to_owned(), gap, nearest, why };
+    let not_reached = |nearest, why| StudyError::StopNotReached {
+        name: name.to_owned(),
+        gap,
+        nearest,
+        unit: LengthUnit::Millimetre,
+        why,
+    };
     let toward =
         |gap: &Gap, driven: &[JointId]| match DrivenTravel::toward_stop(system, configuration, gap, driven) {
             Ok(travel) => Ok(Some(travel)),
@@ -140,6 +157,7 @@ fn touch_pose(
         is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
             why: "the gap has a minimum on the way".to_owned(),
             nearest: None,
+            motion: None,
         })
     };
     let why = match with_part(1.0, &start, Search::Direct) {
@@ -267,7 +285,11 @@ impl DrivenTravel {
     fn solve_with_driver(&self, from: &Pose) -> Result<Pose, StudyError> {
         let Driver { joint, configuration } = &self.driver;
         let pose = self.travel.travel().pose(from, configuration, *joint, self.distance);
-        pose.map_err(|error| StudyError::TravelNotReached { why: error.to_string(), nearest: None })
+        pose.map_err(|error| StudyError::TravelNotReached {
+            why: error.to_string(),
+            nearest: None,
+            motion: None,
+        })
     }
 
     /// Pose with the requested displacement of the point, through intermediate poses if the displacement
@@ -290,7 +312,7 @@ impl DrivenTravel {
                 Err(UnreachedRow { reason: why, extent }) => {
                     let nearest = extent.nearest();
                     let why = why + &unit_hint(self.distance);
-                    return Err(StudyError::TravelNotReached { why, nearest });
+                    return Err(StudyError::TravelNotReached { why, nearest, motion: None });
                 }
             }
         }

@@ -111,7 +111,7 @@ pub struct EstimateQuestion {
     #[serde(default, deserialize_with = "quantities::point")]
     #[schemars(with = "Option<Point>")]
     pub point: [f64; 3],
-    /// Direction of the counted component of A's velocity, world axes; default full speed.
+    /// Direction of the counted component of A's velocity, world axes; default: upwards in a suspension, otherwise the full speed.
     #[serde(default, deserialize_with = "quantities::some_vector", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Vector>")]
     pub direction: Option<[f64; 3]>,

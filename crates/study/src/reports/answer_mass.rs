@@ -13,7 +13,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
-use crate::reports::motion_ratio::motion_ratios;
+use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_dynamics::PointVelocity;
 
@@ -31,6 +31,8 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let named_contact = named_contact(evaluated)?;
     let mut report = MassReport::of(evaluated);
     let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact));
+    let found =
+        found.chain(named_contact.iter().filter_map(|contact| extension_finding(contact, &motion_ratios)));
     report.diagnostics.extend(found.map(Into::into));
     let prepared = &evaluated.prepared;
     if let Some(stops) =
@@ -102,18 +104,29 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
     Ok(report)
 }
 
+/// Finding about a spring or damper that extends while the wheel moves up.
+fn extension_finding(contact: &NamedContactRecord, ratios: &[MotionRatioRecord]) -> Option<Finding> {
+    let wheel = contact.wheel_travel.first().filter(|_| contact.always_touches())?;
+    let ratio = ratios.iter().find(|ratio| ratio.link == wheel.link)?.contact_per_wheel?;
+    let message = format!(
+        "the {} {} extends while the wheel moves up (motion ratio {ratio:.3}): are its two points exchanged?",
+        contact.kind, contact.name
+    );
+    (ratio < 0.0).then(|| Finding::about_result(FindingKind::ExtendingElement, message))
+}
+
 /// Findings about the way to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
 /// up; a long travel; a pad that hardly moves along the direction of the stop. Each has a common cause in the sheet.
 fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) -> Vec<Finding> {
     let mut found = Vec::new();
     let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
-    let (name, millimetres) = (&contact.name, 1e3 * wheel.travel.abs());
+    let (name, travel) = (&contact.name, contact.unit.text(wheel.travel.abs()));
     let mut warn = |kind, message| found.push(Finding::about_result(kind, message));
     let stops = [("bump_stop", "rebound_stop", 1.0, "down"), ("rebound_stop", "bump_stop", -1.0, "up")];
     for (stop, other, sign, sense) in stops {
         if name.starts_with(stop) && sign * wheel.travel < -TOUCH_WRONG_WAY {
             let message = format!(
-                "{name} touches after the wheel has moved {sense} by {millimetres:.0} mm: is it the {other}, or are its pad and \
+                "{name} touches after the wheel has moved {sense} by {travel}: is it the {other}, or are its pad and \
                  face exchanged, or its direction reversed?"
             );
             warn(FindingKind::WrongWayStop, message);
@@ -121,7 +134,7 @@ fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) ->
     }
     if wheel.travel.abs() > FAR_TOUCH {
         let message = format!(
-            "{name} touches after {millimetres:.0} mm of wheel travel: check its gap with the unit, its points and its direction"
+            "{name} touches after {travel} of wheel travel: check its gap with the unit, its points and its direction"
         );
         warn(FindingKind::FarContactTravel, message);
     }

@@ -295,7 +295,8 @@ impl StudyReader<'_> {
             Some((i, name)) => ("variant", format!("variant[{i}]"), format!("\"{name}\": ")),
         };
         let why = match error {
-            DesignError::Load(error) => error.to_string(),
+            // One message for all findings about the model.
+            DesignError::Load(error) => error.to_string().replace('\n', "; "),
             DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
         };
         self.value(key, &place, format!("{of}{why}"))

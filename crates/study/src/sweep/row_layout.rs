@@ -42,6 +42,8 @@ struct LayoutJoint {
 struct LayoutTravel {
     /// Moved points; the distances are those at a unit of the travel.
     points: Vec<MovedPoint>,
+    /// Displacement of each point at travel 0, m.
+    offsets: Vec<f64>,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
     moved: Moved,
@@ -71,16 +73,18 @@ impl RowLayout {
                     return Err(refuse(Fault::TravelNotLast { name: vary.name() }));
                 }
                 Varied::Travel(moved) => {
-                    travel = Some((moved.points(mechanism, Field::Vary, 1.0)?, moved.clone()));
+                    let points = moved.points(mechanism, Field::Vary, 1.0)?;
+                    let offsets = constant_displacements(prepared, moved, &points)?;
+                    travel = Some((points, offsets, moved.clone()));
                 }
             }
         }
         let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
-        if let Some((points, moved)) = travel {
+        if let Some((points, offsets, moved)) = travel {
             let by_question =
                 prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
             let set = joints.into_iter().chain(by_question).collect();
-            setting.travel = Some(LayoutTravel { points, set, moved });
+            setting.travel = Some(LayoutTravel { points, offsets, set, moved });
             let column = VariedColumn {
                 name: ranges.last().map_or_else(String::new, Vary::name),
                 unit: "m",
@@ -186,7 +190,7 @@ impl RowLayout {
         let Some(along) = &self.travel else { return Ok(None) };
         let base = self.configuration(values, false)?;
         let is_set = |joint: JointId| along.set.contains(&joint);
-        PointTravel::joined(system, &base, self.field, &along.points, &is_set).map(Some)
+        PointTravel::joined(system, &base, self.field, &along.points, &along.offsets, &is_set).map(Some)
     }
 
     /// Largest displacement of a joint of a row from the positions `from`, rad or m, over joints with one
@@ -195,6 +199,25 @@ impl RowLayout {
         let single = self.joints.iter().filter(|set| set.numbers.len() == 1);
         single.map(|set| (values[set.numbers.start] - from(set.joint)).abs()).fold(0.0, f64::max)
     }
+}
+
+/// Displacements of the varied points by the other motions of the wheels in the question, m: a roll beside a range of heave.
+fn constant_displacements(
+    prepared: &PreparedQuestion,
+    varied: &Moved,
+    points: &[MovedPoint],
+) -> Result<Vec<f64>, StudyError> {
+    let mechanism = prepared.system.mechanism();
+    let mut offsets = vec![0.0; points.len()];
+    for travel in prepared.question.travel.iter().filter(|travel| travel.moved != *varied) {
+        for moved in travel.moved.points(mechanism, Field::Travel, travel.distance)? {
+            let of_point = points.iter().zip(&mut offsets).find(|(point, _)| point.link == moved.link);
+            if let Some((_, offset)) = of_point {
+                *offset += moved.distance;
+            }
+        }
+    }
+    Ok(offsets)
 }
 
 /// Joint with this name, if a range can vary the joint.

@@ -334,12 +334,12 @@ impl SweepContext<'_> {
         travel: Option<&PointTravel>,
     ) -> SweepRow {
         let estimate = answer.estimate.as_ref();
-        let motion_ratio = match estimate {
-            Some(estimate) => estimate.motion_ratio,
-            None => travel.and_then(|travel| {
+        let motion_ratio = match travel {
+            Some(travel) => {
                 let contact = self.prepared.contact_of_row(&self.contact, pose);
                 travel.motion_ratio(pose, &contact, answer.mechanism_response())
-            }),
+            }
+            None => estimate.and_then(|estimate| estimate.motion_ratio),
         };
         let (status, effective_mass) = Status::classify(answer.response.effective_mass);
         SweepRow {

@@ -41,7 +41,7 @@ pub struct SweepHeading {
     /// Named contact, for the title of a figure.
     #[serde(skip)]
     pub contact: Option<String>,
-    /// Motion of the motion ratio: `estimate` for the point of the estimate in the impact, or the name of the travel. The
+    /// Motion of the motion ratio: the name of the travel, or, without a travel, `estimate` for the point of the estimate. The
     /// ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of `heave` or `roll`, for this motion of
     /// the wheels. The key is absent without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,7 +74,8 @@ pub struct SweepRow {
     pub closure_residual: Option<f64>,
     /// True if the pose is singular.
     pub singular_pose: Option<bool>,
-    /// Motion ratio: closing of the contact per travel of the estimate's point A, or of the travelling point along its direction.
+    /// Motion ratio: closing of the contact per travel of the point along its direction; without a travel, per travel of the
+    /// estimate's point.
     pub motion_ratio: Option<f64>,
     /// The classical estimate, kg.
     pub estimate: Option<f64>,

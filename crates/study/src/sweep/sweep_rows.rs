@@ -15,6 +15,8 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
+use crate::question::travel::given_travel::GivenTravel;
+use crate::question::travel::moved::Moved;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::question::travel::vary::{Varied, Vary};
 use crate::sweep::batch_evaluator::BatchEvaluator;
@@ -234,11 +236,8 @@ impl<'a> Sweep<'a> {
 
 /// Motion of the motion ratio of the rows; `None` for rows without a motion ratio.
 fn motion_ratio_of(prepared: &PreparedQuestion, layout: &RowLayout) -> Option<String> {
-    if prepared.question.estimate.is_some() {
-        return Some("estimate".to_owned());
-    }
-    let travel = layout.columns.last().filter(|_| layout.travels())?;
-    Some(travel.name.clone())
+    let travel = layout.columns.last().filter(|_| layout.travels()).map(|travel| travel.name.clone());
+    travel.or_else(|| prepared.question.estimate.is_some().then(|| "estimate".to_owned()))
 }
 
 /// True if a joint is among the varied columns.
@@ -246,10 +245,24 @@ fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
     columns.iter().any(|column| column.joint.as_deref() == Some(joint))
 }
 
+/// True if the last range varies a motion of the wheels, and the travels are other motions of the wheels.
+fn are_motions_beside_range(travels: &[GivenTravel], ranges: &[Vary]) -> bool {
+    let Some(Varied::Travel(varied @ Moved::Wheels(_))) = ranges.last().map(|range| &range.quantity) else {
+        return false;
+    };
+    let is_beside =
+        |travel: &GivenTravel| matches!(travel.moved, Moved::Wheels(_)) && travel.moved != *varied;
+    travels.iter().all(is_beside)
+}
+
 /// Appends a travel of the question to the ranges, as last range with one value.
 fn append_travel(prepared: &PreparedQuestion, source: RowSource) -> Result<RowSource, StudyError> {
     match (&prepared.question.travel[..], source) {
         ([], source) => Ok(source),
+        // A constant roll beside a range of heave, or the reverse.
+        (travels, RowSource::Grid(ranges)) if are_motions_beside_range(travels, &ranges) => {
+            Ok(RowSource::Grid(ranges))
+        }
         ([travel], RowSource::Grid(mut ranges))
             if ranges.iter().all(|vary| matches!(vary.quantity, Varied::Joint(_))) =>
         {

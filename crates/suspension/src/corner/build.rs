@@ -1,14 +1,16 @@
 //! Builds links, joints and loops of a corner from its design.
 
-use super::design::{Design, GivenBody, ON_DAMPER, Part, SEATS, STOPS, THIRD_SPRING, is_central};
+use super::design::{Design, GivenBody, ON_DAMPER, Part, SEATS, STOPS, Stop, THIRD_SPRING, is_central};
 use super::frames;
 use super::spindle::Spindle;
 use super::{Body, CHASSIS, Corner, RACK};
 use crate::findings::{Findings, Spot};
-use crate::limits::MIN_STOP_GAP;
+use crate::limits::STOP_GAPS;
+use crate::units::short;
 use percuss_formats::reading::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
+use percuss_units::LengthUnit;
 
 /// Left side, and the links common to both sides of an axle.
 pub(crate) struct Built {
@@ -71,20 +73,7 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
                     }
                 };
                 let gap = stop.gap.unwrap_or_else(|| normal.dot(&(above - at)));
-                if gap < 0.0 {
-                    let message = format!(
-                        "the gap is {:.2} mm: the parts overlap as drawn, or the direction points away from the stop",
-                        1e3 * gap
-                    );
-                    findings.warning("overlapping-stop", &stop.spot, message);
-                }
-                if stop.gap.is_some_and(|gap| gap > 0.0 && gap < MIN_STOP_GAP) {
-                    let message = format!(
-                        "the gap is {:.3} mm: is it in another unit? Write it with one: \"30 mm\"",
-                        1e3 * gap
-                    );
-                    findings.warning("implausible-gap", &stop.spot, message);
-                }
+                check_gap(section, &stop, gap, design.unit, findings);
                 (ContactKind::Stop, ContactNormal::Fixed(normal), Some(gap))
             }
             "spring" => (ContactKind::Spring, ContactNormal::Toward(Vector3::zeros()), None),
@@ -112,6 +101,30 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.drawing.add_line(section, [at, Vector3::new(at.x, 0.0, at.z)]);
     }
     (!findings.has_errors()).then_some(Built { left, middle })
+}
+
+/// Warns about an implausible gap (m) of a stop, in the unit of the file.
+fn check_gap(section: &str, stop: &Stop, gap: f64, unit: LengthUnit, findings: &mut Findings) {
+    let given = format!("{} {}", short(unit.of_metres(gap)), unit.name());
+    if gap < 0.0 {
+        let cause = match stop {
+            Stop { gap: Some(_), .. } => {
+                format!("write {section}.gap as a positive number, unless the parts overlap as drawn")
+            }
+            Stop { direction: Some(_), .. } => {
+                format!("the sign of {section}.direction is wrong, or the parts overlap as drawn")
+            }
+            Stop { .. } => "the parts overlap as drawn".to_owned(),
+        };
+        findings.warning("overlapping-stop", &stop.spot, format!("the gap is {given}: {cause}"));
+    } else if gap > 0.0 && !STOP_GAPS.contains(&gap) {
+        let [least, most] = [STOP_GAPS.start(), STOP_GAPS.end()].map(|end| short(unit.of_metres(*end)));
+        let message = format!(
+            "the gap is {given}; {least} to {most} {} are usual: is it in another unit? Write it with one: \"30 mm\"",
+            unit.name()
+        );
+        findings.warning("implausible-gap", &stop.spot, message);
+    }
 }
 
 /// Adds the stops without points. They are on the rod of the damper, and their gap is a change of its length. An error is reported for a
@@ -149,6 +162,7 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
             continue;
         }
         let Some(gap) = stop.gap else { continue };
+        check_gap(section, stop, gap, design.unit, findings);
         let seats = SEATS.iter().find(|(key, _)| Some(*key) == damper);
         let Some((_, seats)) = seats else {
             let message = format!(

@@ -4,6 +4,7 @@ use super::Body;
 use crate::findings::Spot;
 use percuss_formats::reading::shortened;
 use percuss_spatial::Vector3;
+use percuss_units::LengthUnit;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -80,6 +81,8 @@ pub(crate) enum GivenBody {
 /// Data of the left side, and of the parts common to both sides, in metres and the axes of ISO 8855.
 #[derive(Default)]
 pub(crate) struct Design {
+    /// Unit of the file's lengths, for messages.
+    pub unit: LengthUnit,
     /// Construction steps, parents first.
     pub parts: Vec<&'static Part>,
     /// True if both sides are on one axle.

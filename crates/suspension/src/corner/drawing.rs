@@ -3,6 +3,7 @@
 use crate::findings::{Findings, Spot};
 use crate::limits::{
     MAX_ACROSS_MIDDLE_PLANE, MAX_ARM_LENGTH, MAX_LENGTH_RATIO, MIN_CENTRAL_LENGTH, MIN_REPORTED_LENGTH,
+    SAME_POINT,
 };
 use crate::units::FilePlaces;
 use percuss_spatial::Vector3;
@@ -200,6 +201,12 @@ impl Drawing {
             has_warned = true;
         }
         has_warned
+    }
+
+    /// Hardpoint at a position (m) and its place in the file.
+    pub fn hardpoint_at(&self, at: Vector3<f64>) -> Option<(&str, &Spot)> {
+        let point = self.points.iter().find(|point| (point.at - at).norm() <= SAME_POINT)?;
+        Some((&point.name, &point.spot))
     }
 
     /// Distance of both wheel centres, m; `None` without a wheel.

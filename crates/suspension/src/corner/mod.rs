@@ -1,15 +1,14 @@
 //! Corner of a vehicle under construction. All positions are those of the design position.
 
 pub(crate) mod build;
+mod checks;
 pub(crate) mod design;
 pub(crate) mod drawing;
 pub(crate) mod frames;
 pub(crate) mod plausibility;
 pub(crate) mod spindle;
 
-use crate::findings::{Findings, Spot};
-use crate::limits::{MAX_DISTANCE_FROM_JOINTS, MAX_WHEEL_MASS, MIN_PART_SIZE};
-use crate::units::{FilePlaces, check_proportions};
+use crate::findings::Spot;
 use drawing::Drawing;
 use percuss_formats::Comments;
 use percuss_mechanism::{
@@ -17,9 +16,6 @@ use percuss_mechanism::{
     JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
-use plausibility::{
-    CheckedPart, GivenMass, MirroredMass, check_part, check_wheel, distance_from_box, warn_mirrored_masses,
-};
 use std::collections::HashMap;
 
 /// Root link.
@@ -256,194 +252,6 @@ impl Corner {
     /// Sets the position in the file for a link without values of its own.
     pub fn set_spot(&mut self, name: &str, spot: Spot) {
         self.spots.insert(name.to_owned(), spot);
-    }
-
-    /// Warns about implausible positions of points and centres of mass.
-    pub fn check(&self, findings: &mut Findings, places: FilePlaces) {
-        if let Some(wheel) = self.drawing.wheels.first() {
-            let track = 2.0 * wheel.centre[1].abs();
-            let spot = self.spots.get("spin").cloned().unwrap_or_default();
-            check_proportions(findings, track, self.drawing.median_length(), &spot, places.frame.unit);
-        }
-        // Lengths in a wrong unit explain all other findings.
-        if findings.has_errors() {
-            return;
-        }
-        let has_warned = self.drawing.check(findings, places);
-        let mirrored = self.mirrored_masses();
-        warn_mirrored_masses(&mirrored, findings, places);
-        let known: Vec<&str> = mirrored.iter().map(|found| found.link).collect();
-        for link in self.moving_links() {
-            self.check_link(link, [has_warned, known.contains(&link)], findings, places);
-        }
-        self.check_parts(None, &known, findings, places);
-        let radius = self.drawing.wheels.first().and_then(|wheel| wheel.radius);
-        if let (Some(radius), Some(wheel)) = (radius, self.inertial("wheel")) {
-            check_wheel(
-                wheel,
-                radius,
-                &self.spots.get("spin").cloned().unwrap_or_default(),
-                findings,
-                places,
-            );
-        }
-    }
-
-    /// Warns about implausible masses and inertias of the parts. `track`: distance between both wheels, m: size of an axle, whose
-    /// joints belong to other corners. `known`: parts to skip, because their centre of mass, which determines their size, is implausible.
-    pub fn check_parts(
-        &self,
-        track: Option<f64>,
-        known: &[&str],
-        findings: &mut Findings,
-        places: FilePlaces,
-    ) {
-        for part in self.parts(track).into_iter().filter(|part| !known.contains(&part.name)) {
-            let spot = self.spots.get(part.name).cloned().unwrap_or_default();
-            check_part(&part, &spot, findings, places);
-        }
-    }
-
-    /// Masses of the parts and of the wheel, each with the largest plausible mass, kg. `track`: as in [`check_parts`](Self::check_parts).
-    pub fn masses(&self, track: Option<f64>) -> Vec<GivenMass> {
-        let spot = |name: &str| self.spots.get(name).cloned().unwrap_or_default();
-        let mass = |part: CheckedPart<'_>| GivenMass {
-            part: part.name.to_owned(),
-            mass: part.inertial.mass,
-            most: part.largest_mass(),
-            spot: spot(part.name),
-        };
-        let mut masses: Vec<GivenMass> = self.parts(track).into_iter().map(mass).collect();
-        let wheel = self.inertial("wheel").filter(|wheel| wheel.mass > 0.0);
-        masses.extend(wheel.map(|wheel| GivenMass {
-            part: "wheel".to_owned(),
-            mass: wheel.mass,
-            most: MAX_WHEEL_MASS,
-            spot: spot("spin"),
-        }));
-        masses
-    }
-
-    /// Parts with a mass, apart from the wheel.
-    fn parts(&self, track: Option<f64>) -> Vec<CheckedPart<'_>> {
-        let mut parts = Vec::new();
-        for link in self.moving_links().into_iter().filter(|link| *link != "wheel") {
-            let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0) else { continue };
-            let com = self.origin(link) + inertial.com;
-            let [joints, seats] = self.joints_and_seats(link);
-            let points = joints.iter().chain(&seats).map(|(_, at)| *at).chain([com]);
-            let corners = |choose: fn(f64, f64) -> f64| points.clone().reduce(|a, b| a.zip_map(&b, choose));
-            let (Some(least), Some(most)) = (corners(f64::min), corners(f64::max)) else { continue };
-            let is_axle = AXLES.contains(&link);
-            let size = track.filter(|_| is_axle).unwrap_or_else(|| (most - least).norm());
-            let is_rod = joints.len() == 2 && seats.is_empty();
-            let mut others = joints.iter().chain(&seats).map(|(_, at)| at);
-            let first = others.next();
-            let is_hub = first.is_none_or(|first| others.all(|at| (at - first).norm() < MIN_PART_SIZE));
-            parts.push(CheckedPart { name: link, inertial, com, size, is_hub, is_rod, is_axle });
-        }
-        parts
-    }
-
-    /// Links of the corner that move, in the order of their names.
-    fn moving_links(&self) -> Vec<&str> {
-        let names = self.origins.keys().map(String::as_str);
-        let mut moving: Vec<&str> = names.filter(|name| ![CHASSIS, RACK].contains(name)).collect();
-        moving.sort_unstable();
-        moving
-    }
-
-    /// Inertial data of a link of this corner.
-    fn inertial(&self, link: &str) -> Option<&Inertial> {
-        self.links.iter().find(|known| known.name == link)?.inertial.as_ref()
-    }
-
-    /// Names and positions of the joints and of the fixed frames of a link, m.
-    fn joints_and_seats<'c>(&'c self, link: &'c str) -> [Vec<(&'c str, Vector3<f64>)>; 2] {
-        let origin = self.origin(link);
-        let (mut joints, mut seats) = (Vec::new(), Vec::new());
-        // A floating joint does not locate the link.
-        if self.joints.iter().any(|joint| joint.child == link && joint.kind != JointKind::Floating) {
-            joints.push((link, origin));
-        }
-        for joint in self.joints.iter().filter(|joint| joint.parent == link) {
-            let place = (joint.child.as_str(), origin + joint.origin.translation);
-            let list = if joint.kind == JointKind::Fixed { &mut seats } else { &mut joints };
-            list.push(place);
-        }
-        for closure in &self.closures {
-            for (of, frame) in [
-                (&closure.predecessor, &closure.predecessor_frame),
-                (&closure.successor, &closure.successor_frame),
-            ] {
-                if of == link {
-                    joints.push((closure.name.as_str(), origin + frame.translation));
-                }
-            }
-        }
-        [joints, seats]
-    }
-
-    /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
-    /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
-    /// drawing check has reported their points, and the warning about the centre of mass if `knows_com`.
-    fn check_link(
-        &self,
-        link: &str,
-        [has_warned, knows_com]: [bool; 2],
-        findings: &mut Findings,
-        places: FilePlaces,
-    ) {
-        let (origin, [joints, seats]) = (self.origin(link), self.joints_and_seats(link));
-        let distance_from_others = |i: usize| {
-            let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
-            distance_from_box(&joints[i].1, others)
-        };
-        // A rod has two joints; the drawing check covers its length.
-        let outliers: Vec<usize> = (0..joints.len())
-            .filter(|i| joints.len() > 2 && distance_from_others(*i) > 2.0 * MAX_DISTANCE_FROM_JOINTS)
-            .collect();
-        let near: Vec<Vector3<f64>> = joints
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| !outliers.contains(i))
-            .map(|(_, (_, at))| *at)
-            .collect();
-        let mut warn = |code: &'static str, of: &str, subject: String, at: &Vector3<f64>, distance: f64| {
-            let message = format!(
-                "{subject} at {} is {} away from the joints of {link}; check the value, its axes and its unit",
-                places.point(*at),
-                places.length(distance)
-            );
-            findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
-        };
-        for (name, at) in outliers.into_iter().filter(|_| !has_warned).map(|i| joints[i]) {
-            warn("astray-point", name, format!("the joint of {name}"), &at, distance_from_box(&at, &near));
-        }
-        for (name, at) in seats {
-            let distance = distance_from_box(&at, &near);
-            if distance > MAX_DISTANCE_FROM_JOINTS {
-                warn("astray-point", name, name.to_owned(), &at, distance);
-            }
-        }
-        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0 && !knows_com) {
-            let at = origin + inertial.com;
-            let distance = distance_from_box(&at, &near);
-            if distance > MAX_DISTANCE_FROM_JOINTS {
-                warn("astray-com", link, format!("the centre of mass of {link}"), &at, distance);
-            }
-        }
-    }
-
-    /// Centres of mass with coordinates of the wrong sign.
-    fn mirrored_masses(&self) -> Vec<MirroredMass<'_>> {
-        let found = self.moving_links().into_iter().filter_map(|link| {
-            let inertial = self.inertial(link).filter(|inertial| inertial.mass > 0.0)?;
-            let joints = self.joints_and_seats(link)[0].iter().map(|(_, at)| *at).collect();
-            let spot = self.com_spots.get(link).cloned().unwrap_or_default();
-            MirroredMass::find(link, self.origin(link) + inertial.com, joints, spot)
-        });
-        found.collect()
     }
 
     /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.

@@ -7,7 +7,7 @@ use crate::corner::design::GivenBody;
 use crate::corner::spindle::Spindle;
 use crate::findings::{Findings, Spot};
 use crate::options::Side;
-use crate::units::VehicleAxes;
+use crate::units::{VehicleAxes, short};
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Moment of inertia about the line of a link, relative to the sum of its principal moments, from which the pins of its universal
@@ -81,7 +81,7 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
     let is_left = sheet.points_side == Side::Left;
     let (stated, other) = if is_left { ("left", "right") } else { ("right", "left") };
     let sign = if is_left == (axes == VehicleAxes::Iso) { 1.0 } else { -1.0 };
-    let given = sign * unit.of_metres(y);
+    let given = short(sign * unit.of_metres(y));
     if y == 0.0 {
         return format!(
             "y = 0: the wheel's centre is in the middle plane of the vehicle; enter half of the track, in {}",

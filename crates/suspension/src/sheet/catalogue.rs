@@ -45,6 +45,17 @@ pub(crate) fn templates() -> impl Iterator<Item = &'static Template> + Clone {
     TEMPLATES.iter()
 }
 
+/// Names of all templates.
+pub(super) fn template_names() -> Vec<&'static str> {
+    templates().map(|template| &*template.name).collect()
+}
+
+/// Suggestion of the nearest known name; empty without one.
+pub(super) fn suggestion<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> String {
+    let near = near_names(name, known).into_iter().next();
+    near.map_or_else(String::new, |near| format!("; did you mean {near}?"))
+}
+
 /// Descriptions of the keys of all templates.
 pub(crate) fn keys() -> &'static Keys {
     &KEYS
@@ -136,11 +147,13 @@ pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
     let rank = |of: &str, near: &[&str]| near.iter().position(|other| *other == of).unwrap_or(near.len());
     let of_section = known.iter().map(|other| split(other)).filter(|(other, _)| *other == section);
     let mut of_section: Vec<&str> = of_section.map(|(_, last)| last).collect();
+    let mut near_section = None;
     let list = if of_section.is_empty() {
         let mut sections: Vec<&str> = known.iter().map(|other| split(other).0).collect();
         sections.retain(|section| !section.is_empty());
         sections.dedup();
         let nearest = near_names(section, sections.iter().copied());
+        near_section = nearest.first().cloned();
         let nearest: Vec<&str> = nearest.iter().map(String::as_str).collect();
         sections.sort_by_key(|section| rank(section, &nearest));
         let mut listed: Vec<&str> = Vec::new();
@@ -157,7 +170,12 @@ pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
         let place = if section.is_empty() { "the head".to_owned() } else { format!("[{section}]") };
         format!("the keys of {place} are {}", of_section.join(", "))
     };
-    let hint = near.first().map_or_else(String::new, |near| format!("; did you mean {}?", quoted(near)));
+    // A misspelled section explains all keys in it.
+    let near = match near_section {
+        Some(section) => Some(format!("[{section}]")),
+        None => near.first().map(|near| quoted(near)),
+    };
+    let hint = near.map_or_else(String::new, |near| format!("; did you mean {near}?"));
     format!("the key {} is not known to this template{hint} ({list})", quoted(key))
 }
 

@@ -4,9 +4,9 @@ use super::catalogue::near_keys;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::forces::{ForceElements, SpringForce, StopForce};
-use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS};
+use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES};
 use crate::options::Side;
-use crate::units::Frame;
+use crate::units::{Frame, short};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
@@ -163,6 +163,19 @@ impl Entries {
         self.list.iter().any(|e| e.key.split_once('.').is_some_and(|(head, _)| head == section))
     }
 
+    /// Place of the first key that begins with `prefix`.
+    pub fn spot_in(&self, prefix: &str) -> Option<Spot> {
+        self.list.iter().find(|entry| entry.key.starts_with(prefix)).map(|entry| entry.spot.clone())
+    }
+
+    /// Values of a key as written, for messages; empty if absent.
+    pub fn given(&self, key: &str) -> String {
+        self.list
+            .iter()
+            .find(|entry| entry.key == key)
+            .map_or_else(String::new, |entry| cells_text(&entry.cells))
+    }
+
     /// Values of a key; marks the key as read.
     pub fn find(&mut self, key: &str) -> Option<(Vec<Cell>, Spot)> {
         let entry = self.list.iter_mut().find(|e| e.key == key)?;
@@ -197,9 +210,7 @@ impl Entries {
         }
         // The place of the other keys of the section.
         let section = key.rsplit_once('.').map(|(section, _)| format!("{section}."));
-        let beside =
-            section.and_then(|section| self.list.iter().find(|entry| entry.key.starts_with(&section)));
-        let place = beside.map(|entry| entry.spot.clone()).unwrap_or_default();
+        let place = section.and_then(|section| self.spot_in(&section)).unwrap_or_default();
         let spot = Spot { path: Some(shortened(key)), ..place };
         findings.error("missing-key", &spot, message);
     }
@@ -274,6 +285,21 @@ impl Entries {
         Some((values, spot))
     }
 
+    /// Reads an angle of the wheel, rad; 0 if absent. Warns about an angle beyond `most`.
+    pub fn wheel_angle(&mut self, findings: &mut Findings, key: &str, most: f64) -> f64 {
+        let Some((values, spot)) = self.numbers(findings, key, Quantity::Angle, &[1]) else { return 0.0 };
+        if values[0].abs() > most {
+            let message = format!(
+                "{} is {}°; at most {}° are usual: check the value and its unit (deg or rad)",
+                self.given(key),
+                short(values[0].to_degrees()),
+                short(most.to_degrees())
+            );
+            findings.warning("implausible-angle", &spot, message);
+        }
+        values[0]
+    }
+
     /// Reads the forces of a spring or of a stop, by the sections of a template.
     pub fn force_elements(
         &mut self,
@@ -309,7 +335,29 @@ impl Entries {
                 );
                 None
             }
-            (Some((rate, _)), preload) => {
+            (Some((rate, spot)), preload) => {
+                if rate[0] > 0.0 && !SPRING_RATES.contains(&rate[0]) {
+                    let usual = SPRING_RATES.start() / 1e3..=SPRING_RATES.end() / 1e3;
+                    let message = format!(
+                        "{}; a rate from {} to {} N/mm is usual: check its unit",
+                        self.given(&rate_key),
+                        usual.start(),
+                        usual.end()
+                    );
+                    findings.warning("implausible-force", &spot, message);
+                }
+                if let Some((force, spot)) = &preload
+                    && *force != 0.0
+                    && !PRELOADS.contains(&force.abs())
+                {
+                    let message = format!(
+                        "{}; a preload from {} N to {} kN is usual: check its unit, N without one",
+                        self.given(&preload_key),
+                        PRELOADS.start(),
+                        PRELOADS.end() / 1e3
+                    );
+                    findings.warning("implausible-force", spot, message);
+                }
                 Some(SpringForce { rate: rate[0], preload: preload.map(|(force, _)| force) })
             }
             (None, Some((_, spot))) if !self.has(&rate_key) => {
@@ -329,6 +377,30 @@ impl Entries {
         let deflections = self.numbers(findings, &deflections_key, Quantity::Length(unit), &counts);
         let forces = self.numbers(findings, &forces_key, Quantity::Force, &counts);
         let spot = [&deflections, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next();
+        let ends = deflections.as_ref().zip(forces.as_ref());
+        if let Some(([.., depth], depth_spot, [.., force], force_spot)) =
+            ends.map(|((x, at_x), (f, at_f))| (&x[..], at_x, &f[..], at_f))
+        {
+            if !STOP_DEPTHS.contains(depth) {
+                let message = format!(
+                    "the last deflection is {} {1}; a stop is usually compressed by {2} to {3} {1}: check the unit",
+                    short(unit.of_metres(*depth)),
+                    unit.name(),
+                    short(unit.of_metres(*STOP_DEPTHS.start())),
+                    short(unit.of_metres(*STOP_DEPTHS.end()))
+                );
+                findings.warning("implausible-curve", depth_spot, message);
+            }
+            if !STOP_FORCES.contains(&force.abs()) {
+                let message = format!(
+                    "the last force is {} N; the force of a stop is usually {} N to {} kN: check the unit, N without one",
+                    short(*force),
+                    STOP_FORCES.start(),
+                    STOP_FORCES.end() / 1e3
+                );
+                findings.warning("implausible-curve", force_spot, message);
+            }
+        }
         let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| StopForce::new(x, f));
         if let (None, true, Some(spot)) = (&curve, is_given, spot) {
             let message = format!(

@@ -9,13 +9,12 @@ use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
 use crate::forces::ForceElements;
-use crate::limits::MAX_SHIFT;
+use crate::limits::{MAX_CAMBER, MAX_SHIFT, MAX_TOE};
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{cut, quoted};
-use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::{Dimension, LengthUnit, Unit};
 use std::collections::BTreeMap;
@@ -117,8 +116,8 @@ impl SheetReader<'_> {
         let bodies = self.bodies(template, frame, points_side, inertia_unit);
         let chassis = self.chassis(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
-        let camber = self.angle("wheel.camber");
-        let toe = self.angle("wheel.toe");
+        let camber = self.entries.wheel_angle(self.findings, "wheel.camber", MAX_CAMBER);
+        let toe = self.entries.wheel_angle(self.findings, "wheel.toe", MAX_TOE);
         let axle_inertia =
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
@@ -128,6 +127,7 @@ impl SheetReader<'_> {
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let design = Design {
+            unit: frame.unit,
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,
@@ -174,7 +174,7 @@ impl SheetReader<'_> {
                 if !self.findings.has_errors() {
                     let message = format!(
                         "the key is missing; a template is expected, in the file or by `percuss import … --template NAME`: {}",
-                        template_names().join(", ")
+                        catalogue::template_names().join(", ")
                     );
                     let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
                     self.findings.error("missing-key", &spot, message);
@@ -184,10 +184,11 @@ impl SheetReader<'_> {
         };
         let found = catalogue::templates().find(|t| t.name == name);
         if found.is_none() {
+            let near = catalogue::suggestion(&name, catalogue::template_names());
             let message = format!(
-                "the template {} is not known; these are: {}",
+                "the template {} is not known{near} (the templates are {})",
                 quoted(&name),
-                template_names().join(", ")
+                catalogue::template_names().join(", ")
             );
             self.findings.error("unknown-template", &spot, message);
         }
@@ -468,11 +469,6 @@ impl SheetReader<'_> {
         Some((values[0], spot))
     }
 
-    /// Reads an angle, rad; 0 if absent.
-    fn angle(&mut self, key: &str) -> f64 {
-        self.scalar(key, Quantity::Angle).map_or(0.0, |(angle, _)| angle)
-    }
-
     /// Wheel of the options, or else of the sheet.
     fn wheel(&mut self, frame: Frame, inertia_unit: &'static Unit) -> Option<Wheel> {
         let mass = self.scalar("wheel.mass", Quantity::Mass);
@@ -498,15 +494,25 @@ impl SheetReader<'_> {
 
     /// Reads the links to which springs and similar parts are attached, by section.
     fn attachments(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
-        let mut on = BTreeMap::new();
+        let (mut on, mut assumed) = (BTreeMap::new(), Vec::new());
         for (section, default) in &template.on {
             let key = format!("{section}.on");
             let found = self.entries.text(self.findings, &key, "the name of a link");
+            if !self.entries.has(&key)
+                && !template.has_usual_body(section)
+                && let Some(spot) = self.entries.spot_in(&format!("points.{section}_"))
+            {
+                assumed.push((&**section, spot));
+            }
             let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
             if let Err(message) = template.check_holder(section, &link) {
                 self.findings.error("unknown-link", &spot, message);
             }
             on.insert(&**section, (link, spot));
+        }
+        let (sections, spots): (Vec<&str>, Vec<Spot>) = assumed.into_iter().unzip();
+        if let Some(spot) = spots.first() {
+            self.findings.warning("assumed-body", spot, template.assumed_bodies(&sections));
         }
         on
     }
@@ -578,16 +584,11 @@ impl SheetReader<'_> {
                 }
                 Some((_, (at, _))) => *at += by,
                 None => {
-                    let near = near_names(name, sheet.design.points.keys().copied());
-                    let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+                    let near = catalogue::suggestion(name, sheet.design.points.keys().copied());
                     let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
                     self.findings.error("unknown-point", &Spot::default(), message);
                 }
             }
         }
     }
-}
-
-fn template_names() -> Vec<&'static str> {
-    catalogue::templates().map(|t| &*t.name).collect()
 }

@@ -146,6 +146,25 @@ impl Template {
         bodies.filter(move |key| is_rod(key) || self.solid_holders().any(|holder| holder == *key))
     }
 
+    /// True if the parts of a section are usually on its default link: on an axle, on the arm or fork of a motorcycle, on a rocker, or on
+    /// the only link that can carry them.
+    pub fn has_usual_body(&self, section: &str) -> bool {
+        let is_on_rocker = self.on.iter().any(|(key, link)| key == section && link == "rocker");
+        self.axle || self.middle || is_on_rocker || self.holders_of(section).count() < 2
+    }
+
+    /// Message about sections without a stated link: the assumed and the possible links.
+    pub fn assumed_bodies(&self, sections: &[&str]) -> String {
+        let assumed = self.on.iter().filter(|(section, _)| sections.contains(&&**section));
+        let assumed = assumed.map(|(section, link)| format!("{section} ({link} is assumed)"));
+        let possible = sections.first().into_iter().flat_map(|first| self.holders_of(first));
+        format!(
+            "the sheet does not state the body of {}: write the key on in each of these sections, with one of {}",
+            assumed.collect::<Vec<_>>().join(", "),
+            possible.collect::<Vec<_>>().join(", ")
+        )
+    }
+
     /// Checks the link that a section is on; the error lists the possible links.
     pub fn check_holder(&self, section: &str, link: &str) -> Result<(), String> {
         let mut holders: Vec<&str> = self.holders_of(section).collect();

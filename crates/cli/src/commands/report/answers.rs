@@ -26,7 +26,7 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     };
     page.section(title);
     page.table(compare::design_table(compared).rows());
-    for sentence in design_changes::sentences(compared) {
+    for sentence in design_changes::sentences(compared).into_iter().chain(compare::remarks(compared)) {
         page.paragraph("soft", &sentence);
     }
     for design in &compared.designs {

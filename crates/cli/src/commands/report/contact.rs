@@ -1,11 +1,12 @@
 //! Result of a contact: the number with its uncertainty, conditions, contributions, estimate and motion ratios.
 
 use super::findings::add_warnings;
+use super::results::first_with_result;
 use super::sensitivity::effect_text;
 use crate::commands::contact_list;
 use crate::commands::mass::{conditions, headline, method};
 use crate::files::html::Page;
-use crate::terminal::explanation::named_contact;
+use crate::terminal::explanation::{estimate_ratio, named_contact};
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
 use percuss_study::{ContactListReport, DiagnosticRecord, MassReport, StudyMass};
@@ -26,8 +27,10 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
         }
     }
     add_warnings(&listed.diagnostics, page);
-    if let Some(first) = listed.contacts.first() {
-        page.paragraph("", &format!("The details below are those of the first contact, {}.", first.name));
+    if let Some(first) = first_with_result(listed) {
+        let with_result = if listed.contacts.len() > count { " with a result" } else { "" };
+        let text = format!("The details below are those of the first contact{with_result}, {first}.");
+        page.paragraph("", &text);
     }
 }
 
@@ -119,7 +122,7 @@ pub(super) fn add_estimate(report: &MassReport, page: &mut Page) {
     let value = |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
     page.facts([
         ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
-        ("motion ratio", value(estimate.motion_ratio, "(contact per travel of A)")),
+        ("motion ratio", estimate_ratio(estimate)),
         ("estimate", value(estimate.estimate, "kg")),
         ("off by", estimate.error_percent.map_or("–".to_owned(), |x| format!("{} %", short_number(x)))),
     ]);

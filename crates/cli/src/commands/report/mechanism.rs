@@ -33,7 +33,7 @@ pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
         caption += &format!(" {} of {named} named points are numbered.", limits::NAMED_POINTS);
     }
     let views = "The mechanism from the front, from the left and from above";
-    page.picture(&drawing(report, &results.mechanism).to_svg(), views, "");
+    page.large_picture(&drawing(report, &results.mechanism).to_svg(), views);
     page.paragraph("soft", &caption);
     add_warnings(&results.mechanism.diagnostics, page);
 }

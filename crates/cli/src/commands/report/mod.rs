@@ -19,7 +19,7 @@ use crate::commands::mass::{MassRequests, headline};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{warn, write_diagnostics, write_out};
 pub use outputs::files_of;
 use percuss_study::{RowSource, StudyFile, StudySweep};
 use results::StudyResults;
@@ -64,6 +64,11 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     inputs.iter().for_each(|input| record_input(&input.path));
     let diagnostics = answers.diagnostics();
     write_diagnostics(&diagnostics, args.strict)?;
+    for contact in answers.listed.iter().flat_map(|listed| &listed.contacts) {
+        if let Some(problem) = &contact.problem {
+            warn(&format!("{}: {problem}", contact.name));
+        }
+    }
     let page = page::text(&answers, study, args, path, &inputs)?;
     let json = answers.json()?;
     write_file(&accompanying_file(path, "json"), json.as_bytes())?;

@@ -105,12 +105,8 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
     let of_variants: Vec<&DiagnosticRecord> =
         of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
-    // The driving joints of a suspension have no influence on its results.
-    let is_of_sheet = results.mass.as_ref().is_some_and(|mass| mass.point_in_sheet.is_some());
-    let is_detail = |d: &DiagnosticRecord| is_of_sheet && d.code == "drivers-chosen";
-    let is_listed = |d: &&DiagnosticRecord| {
-        !is_detail(d) && (d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d))
-    };
+    let is_listed =
+        |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d);
     let listed: Vec<&DiagnosticRecord> = diagnostics.iter().filter(is_listed).collect();
     if !listed.is_empty() {
         page.heading("Notes, and findings about the files");

@@ -21,6 +21,12 @@ pub(super) enum MapResult {
     Directions(Box<PointMapReport>),
 }
 
+/// Name of the first contact of a list with a result: the contact of the details of a report.
+pub(super) fn first_with_result(listed: &ContactListReport) -> Option<&str> {
+    let first = listed.contacts.iter().find(|contact| contact.report.is_some());
+    first.map(|contact| contact.name.as_str())
+}
+
 /// Results of all questions of a study.
 pub(super) struct StudyResults {
     pub mass: Option<MassReport>,
@@ -43,7 +49,11 @@ impl StudyResults {
     /// Computes the results of all questions of a study.
     pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
         let damping = study.damping.as_ref();
-        let (mass, mechanism, contents) = match &study.question {
+        let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
+        let detailed = listed.as_ref().and_then(first_with_result);
+        let detailed = detailed.and_then(|name| study.contacts.iter().find(|contact| contact.name == name));
+        let question = detailed.map(|contact| &contact.question).or(study.question.as_ref());
+        let (mass, mechanism, contents) = match question {
             Some(question) => {
                 let damping = damping.map(|damping| &damping.question);
                 let (mut mass, mechanism) = mass_with_drawing(&study.model, question, damping)?;
@@ -75,11 +85,10 @@ impl StudyResults {
             study.kinematics.as_ref().map(|requested| requested.report(&study.model)).transpose()?;
         let speeds =
             study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
-        let impact = study.question.as_ref().zip(study.impact.as_ref());
+        let impact = question.zip(study.impact.as_ref());
         let impact =
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
-        let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
         Ok(Self {
             mass,
             listed,
@@ -150,6 +159,7 @@ impl StudyResults {
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
         let own = own.chain(self.impact.iter().flat_map(|impact| &impact.diagnostics));
+        let own = own.chain(self.kinematics.iter().flat_map(|kinematics| &kinematics.diagnostics));
         let all = own.chain(&self.mechanism.diagnostics).chain(sweep);
         let mut each: Vec<DiagnosticRecord> = Vec::new();
         for record in all.chain(compared).chain(mapped).chain(speeds) {

@@ -32,6 +32,10 @@ class NamedContactRecord(Record):
     """Name."""
     kind: str
     """"stop", "spring", "damper", "patch" or "other"."""
+    on: str
+    """Body of the contact link: the link to which the contact link is fixed."""
+    element: str | None
+    """Spring or damper between the same two links, such as the damper of a stop on its rod; None without one."""
     gap_as_drawn: float | None
     """Gap as drawn (all joints at 0); None if the parts always touch."""
     gap: float | None

@@ -100,8 +100,9 @@ class ConditionsRecord(Record):
 
 
 class EstimateRecord(Record):
-    """Classical estimate m_K |v_A|²: mass of some links, all moving with the velocity of point A. l̄ = 1/|v_A| is r_B/r_A of
-    Euler's note (Fayzullin 2018)."""
+    """Classical estimate m_K v_A²: mass of some links, all moving with the speed of point A. l̄ = 1/v_A is r_B/r_A of Euler's
+    note (Fayzullin 2018). v_A is the component of the velocity along a direction: the given one, or upwards in a suspension,
+    as for all motion ratios of a wheel. In other models without a direction, v_A is the magnitude of the velocity."""
 
     links: list[str]
     """Links with a mass counted in m_K."""
@@ -109,10 +110,11 @@ class EstimateRecord(Record):
     """m_K, kg."""
     point_link: list[float]
     """Point A, in the first link's frame, m."""
+    direction: list[float] | None
+    """Direction of the speed of A, a unit vector in world axes; None for the magnitude of the velocity."""
     motion_ratio: float | None
-    """Motion ratio l̄: closing speed of the contact per speed of A (or per its component along the direction, if given),
-    negative for a motion against the direction. None if A does not move, or if a massless motion leaves its speed
-    undetermined."""
+    """Motion ratio l̄: closing speed of the contact per speed of A, negative for a motion against the direction. None if A does
+    not move, or if a massless motion leaves its speed undetermined."""
     estimate: float | None
     """m_K / l̄², kg."""
     error_percent: float | None

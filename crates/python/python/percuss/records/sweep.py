@@ -37,8 +37,8 @@ class SweepRow(Record):
     singular_pose: bool | None
     """True if the pose is singular."""
     motion_ratio: float | None
-    """Motion ratio: closing of the contact per travel of the estimate's point A, or of the travelling point along its
-    direction."""
+    """Motion ratio: closing of the contact per travel of the point along its direction; without a travel, per travel of the
+    estimate's point."""
     estimate: float | None
     """The classical estimate, kg."""
     estimate_error_percent: float | None
@@ -75,9 +75,9 @@ class SweepReport(Record):
     link: str
     """Contact link."""
     motion_ratio_of: str | None
-    """Motion of the motion ratio: "estimate" for the point of the estimate in the impact, or the name of the travel. The ratio
-    of one point holds for the motion of the impact (with a sliding rack held); the ratio of "heave" or "roll", for this
-    motion of the wheels. The key is absent without a motion ratio."""
+    """Motion of the motion ratio: the name of the travel, or, without a travel, "estimate" for the point of the estimate. The
+    ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of "heave" or "roll", for
+    this motion of the wheels. The key is absent without a motion ratio."""
     rows: list[SweepRow]
     """All rows."""
     diagnostics: list[DiagnosticRecord]
@@ -120,6 +120,8 @@ class DesignRecord(Record):
     """Error bound of m̄, kg."""
     motion_ratio: float | None
     """Motion ratio: closing of the contact per upward travel of the wheel; None if the motions of the mechanism differ in it."""
+    travel_at_touch: float | None
+    """Upward travel of the wheel at the touch, m; None unless the contact is a stop that was brought to the touch."""
     difference_percent: float | None
     """Difference from m̄ of the reference, per cent of the reference."""
     difference_range_percent: list[float] | None

@@ -6,6 +6,7 @@ use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
 use percuss_impact::ImpactError;
+use percuss_units::LengthUnit;
 
 /// Error of a question. [`message`](Self::message) uses the names of flags or study keys, depending on the
 /// source of the question.
@@ -30,9 +31,11 @@ pub enum StudyError {
         why: String,
         /// Nearest displacement found, m, if a single travel is requested.
         nearest: Option<f64>,
+        /// Name of the motion of the wheels that gives the travel; `None` for a travel of a point.
+        motion: Option<&'static str>,
     },
     /// Stop that the mechanism cannot reach.
-    #[error("{}", stop_not_reached(name, *gap, *nearest, why, Names::Fields))]
+    #[error("{}", stop_not_reached(name, (*gap, *nearest), *unit, why, Names::Fields))]
     StopNotReached {
         /// Name of the stop.
         name: String,
@@ -40,6 +43,8 @@ pub enum StudyError {
         gap: f64,
         /// Largest closing of the gap, m, if known.
         nearest: Option<f64>,
+        /// Unit of lengths in the message.
+        unit: LengthUnit,
         /// Reason.
         why: String,
     },
@@ -138,6 +143,16 @@ impl StudyError {
         }
     }
 
+    /// Same error with lengths in this unit, for errors that have one.
+    pub(crate) fn in_unit(self, unit: LengthUnit) -> Self {
+        match self {
+            StudyError::StopNotReached { name, gap, nearest, why, .. } => {
+                StudyError::StopNotReached { name, gap, nearest, unit, why }
+            }
+            other => other,
+        }
+    }
+
     /// True if the question is valid but has no result (exit code 1, not 2).
     pub fn has_no_result(&self) -> bool {
         match self {
@@ -166,9 +181,12 @@ impl StudyError {
                 format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
             }
             StudyError::Assembly(error) => assembly_error_message(error, names),
+            StudyError::TravelNotReached { why, motion: Some(motion), .. } if names == Names::Flags => {
+                format!("--{motion}: {why}")
+            }
             StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
-            StudyError::StopNotReached { name, gap, nearest, why } => {
-                stop_not_reached(name, *gap, *nearest, why, names)
+            StudyError::StopNotReached { name, gap, nearest, unit, why } => {
+                stop_not_reached(name, (*gap, *nearest), *unit, why, names)
             }
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
@@ -179,24 +197,29 @@ impl StudyError {
 }
 
 /// Message: the mechanism cannot reach a stop.
-fn stop_not_reached(name: &str, gap: f64, nearest: Option<f64>, why: &str, names: Names) -> String {
+fn stop_not_reached(
+    name: &str,
+    (gap, nearest): (f64, Option<f64>),
+    unit: LengthUnit,
+    why: &str,
+    names: Names,
+) -> String {
     let travel = match names {
         Names::Fields => "",
-        Names::Flags => " (--travel)",
+        Names::Flags => " (--wheel-travel, --heave or --travel)",
         Names::Keys => " (pose.travel)",
     };
-    let shown = 1e3 * gap;
     let why = match nearest {
         Some(nearest) => {
-            let [nearest, remaining] = [nearest, gap - nearest].map(|length| 1e3 * length);
+            let [nearest, remaining] = [nearest, gap - nearest].map(|length| unit.text(length));
             format!(
-                "it closes by {nearest:.2} mm only, and {remaining:.2} mm remain; give a travel{travel} for the mass at another \
+                "it closes by {nearest} only, and {remaining} remain; give a travel{travel} for the mass at another \
                  pose"
             )
         }
         None => why.to_owned(),
     };
-    format!("the stop \"{name}\" with a gap of {shown:.2} mm cannot be reached: {why}")
+    format!("the stop \"{name}\" with a gap of {} cannot be reached: {why}", unit.text(gap))
 }
 
 /// Message: another side is given in a question about a person.

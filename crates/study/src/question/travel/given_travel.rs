@@ -1,8 +1,8 @@
 //! Travel that drives the pose of a question: a moved point or wheel, and a displacement.
 
-use crate::question::travel::moved::{Moved, WheelMotion};
-use crate::question::travel::vary::{Varied, Vary, split};
-use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
+use crate::question::travel::moved::{LongTravelError, Moved, WheelMotion};
+use crate::question::travel::vary::{Varied, Vary};
+use percuss_units::{Dimension, Quantity, QuantityError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -29,6 +29,9 @@ pub enum GivenTravelError {
     /// Invalid point, direction or distance.
     #[error(transparent)]
     Number(#[from] QuantityError),
+    /// Wheel travel that no suspension has.
+    #[error(transparent)]
+    Long(#[from] LongTravelError),
 }
 
 impl FromStr for GivenTravel {
@@ -58,19 +61,18 @@ impl GivenTravel {
     /// [`GivenTravelError`] with the cause and the expected form.
     pub fn parse(text: &str) -> Result<Self, GivenTravelError> {
         let (along, distance) = text.rsplit_once('=').ok_or(GivenTravelError::Form)?;
+        let length = || Quantity::parse(distance)?.in_dimension(Dimension::Length, distance);
         let moved = match WheelMotion::from_name(along) {
-            Some(motion) => Moved::Wheels(motion),
+            Some(motion) => {
+                motion.check_distance(length()?)?;
+                Moved::Wheels(motion)
+            }
             None => {
                 let along = along.strip_prefix("travel:").unwrap_or(along);
-                let (link, point, direction) = split(along).ok_or(GivenTravelError::Form)?;
-                Moved::Point {
-                    link: link.to_owned(),
-                    point: parse_triple(point, Dimension::Length)?,
-                    direction: parse_triple(direction, Dimension::Plain)?,
-                }
+                Moved::parse_point(along).ok_or(GivenTravelError::Form)??
             }
         };
-        Ok(Self { moved, distance: Quantity::parse(distance)?.in_dimension(Dimension::Length, distance)? })
+        Ok(Self { moved, distance: length()? })
     }
 
     /// Range with one value, for the rows of a grid.

@@ -3,8 +3,10 @@
 use crate::model::wheel_points::wheel_centres;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::thresholds::MAX_WHEEL_TRAVEL;
 use nalgebra::Vector3;
 use percuss_mechanism::{LinkId, Mechanism};
+use percuss_units::{Dimension, QuantityError, parse_triple};
 
 /// Motion of the wheel centres of a vehicle, upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,13 +37,28 @@ impl WheelMotion {
         Self::ALL.into_iter().find(|motion| motion.name() == name)
     }
 
-    /// Wheel centres, each with its travel at a unit of the motion.
-    fn wheels(self, mechanism: &Mechanism) -> Result<Vec<(LinkId, f64)>, Fault> {
+    /// Checks a travel, m.
+    ///
+    /// # Errors
+    /// [`LongTravelError`] above [`MAX_WHEEL_TRAVEL`].
+    pub(crate) fn check_distance(self, distance: f64) -> Result<(), LongTravelError> {
+        if distance.abs() <= MAX_WHEEL_TRAVEL {
+            return Ok(());
+        }
+        Err(LongTravelError { motion: self, distance })
+    }
+
+    /// Wheel centres, each with its travel at a unit of the motion. `field`: origin of the travel, for messages.
+    fn wheels(self, mechanism: &Mechanism, field: Field) -> Result<Vec<(LinkId, f64)>, Fault> {
         let wheels = wheel_centres(mechanism, "");
         let fault = |why: &'static str| Fault::WheelMotion { motion: self.name(), why };
         let is_right = |wheel: &LinkId| mechanism.link(*wheel).name().ends_with("_right");
         match (self, wheels.len()) {
             (_, 0) => Err(fault("the model has no link named wheel_centre, as imported suspensions have")),
+            (WheelMotion::WheelTravel, 2..) if field == Field::Vary => Err(fault(
+                "the model has two wheels: vary heave (both alike), roll (left up, right down), or the travel of one, \
+                 travel:wheel_centre_left:0,0,0:0,0,1=FROM:TO:COUNT",
+            )),
             (WheelMotion::WheelTravel, 2..) => Err(fault(
                 "the model has two wheels: give heave (both alike), roll (left up, right down), or the travel of one, \
                  wheel_centre_left:0,0,0:0,0,1=DISTANCE",
@@ -56,6 +73,19 @@ impl WheelMotion {
                 .collect()),
         }
     }
+}
+
+/// Wheel travel that no suspension has: probably a number without a unit.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "{} is {distance} m; a wheel moves by at most {MAX_WHEEL_TRAVEL} m. A number without a unit is in metres: write {distance}mm for \
+     millimetres",
+    motion.name()
+)]
+pub struct LongTravelError {
+    motion: WheelMotion,
+    /// Travel, m.
+    distance: f64,
 }
 
 /// Moved part of a travel.
@@ -87,6 +117,20 @@ pub(crate) struct MovedPoint {
 }
 
 impl Moved {
+    /// Reads `LINK:X,Y,Z:DX,DY,DZ`; `None` without three parts. The text is split from the right, because link names may contain colons.
+    pub(crate) fn parse_point(text: &str) -> Option<Result<Self, QuantityError>> {
+        let mut parts = text.rsplitn(3, ':');
+        let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
+        let triples = || {
+            Ok(Self::Point {
+                link: link.to_owned(),
+                point: parse_triple(point, Dimension::Length)?,
+                direction: parse_triple(direction, Dimension::Plain)?,
+            })
+        };
+        (!link.is_empty()).then(triples)
+    }
+
     /// Name of the column of a sweep.
     pub fn name(&self) -> String {
         match self {
@@ -109,7 +153,8 @@ impl Moved {
                 Ok(vec![MovedPoint { link, point, direction, distance }])
             }
             Moved::Wheels(motion) => {
-                let wheels = motion.wheels(mechanism).map_err(|fault| StudyError::input(field, fault))?;
+                let wheels =
+                    motion.wheels(mechanism, field).map_err(|fault| StudyError::input(field, fault))?;
                 let moved = |(link, factor)| MovedPoint {
                     link,
                     point: Vector3::zeros(),

@@ -1,8 +1,8 @@
 //! Ranges of a sweep: the varied quantity and its values.
 
-use crate::question::travel::moved::{Moved, WheelMotion};
+use crate::question::travel::moved::{LongTravelError, Moved, WheelMotion};
 use crate::thresholds::ROWS;
-use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
+use percuss_units::{Dimension, Quantity, QuantityError};
 use std::str::FromStr;
 
 /// Varied quantity.
@@ -52,6 +52,9 @@ pub enum VaryError {
     /// Invalid end of the range, point or direction.
     #[error(transparent)]
     Number(#[from] QuantityError),
+    /// Wheel travel that no suspension has.
+    #[error(transparent)]
+    Long(#[from] LongTravelError),
 }
 
 impl FromStr for Vary {
@@ -78,17 +81,21 @@ impl Vary {
         let (first, last) = (Quantity::parse(from)?, Quantity::parse(to)?);
         let what = match (what.strip_prefix("travel:"), WheelMotion::from_name(what)) {
             (None, None) if what.is_empty() => return Err(VaryError::Form),
+            // The prefix of a travel may be left out, as in `--travel`.
+            (None, None) if Moved::parse_point(what).is_some_and(|point| point.is_ok()) => {
+                return Self::parse(&format!("travel:{text}"));
+            }
             (None, None) => Varied::Joint(what.to_owned()),
-            (None, Some(motion)) => Varied::Travel(Moved::Wheels(motion)),
+            (None, Some(motion)) => {
+                motion.check_distance(first.value)?;
+                motion.check_distance(last.value)?;
+                Varied::Travel(Moved::Wheels(motion))
+            }
             (Some(rest), _) => {
-                let (link, point, direction) = split(rest).ok_or(VaryError::Form)?;
+                let moved = Moved::parse_point(rest).ok_or(VaryError::Form)??;
                 first.in_dimension(Dimension::Length, from)?;
                 last.in_dimension(Dimension::Length, to)?;
-                Varied::Travel(Moved::Point {
-                    link: link.to_owned(),
-                    point: parse_triple(point, Dimension::Length)?,
-                    direction: parse_triple(direction, Dimension::Plain)?,
-                })
+                Varied::Travel(moved)
             }
         };
         Ok(Self { quantity: what, from: first, to: last, count })
@@ -110,13 +117,6 @@ impl Vary {
         let value = |end: Quantity| end.in_dimension(dimension, &end.to_string());
         Ok(EvenlySpacedValues { from: value(self.from)?, to: value(self.to)?, count: self.count })
     }
-}
-
-/// Parts of `LINK:X,Y,Z:DX,DY,DZ`. The text is split from the right, because link names may contain colons.
-pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
-    let mut parts = text.rsplitn(3, ':');
-    let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
-    (!link.is_empty()).then_some((link, point, direction))
 }
 
 /// Evenly spaced values.

@@ -16,6 +16,7 @@ use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
 use crate::reports::compare::design_changes::{DesignChange, design_changes};
 use crate::sweep::sweep_rows::sweep_report;
+use percuss_units::LengthUnit;
 use serde::Serialize;
 
 /// Model and question of a design.
@@ -70,6 +71,11 @@ pub struct DesignRecord {
     pub effective_mass_error: Option<f64>,
     /// Motion ratio: closing of the contact per upward travel of the wheel; null if the motions of the mechanism differ in it.
     pub motion_ratio: Option<f64>,
+    /// Upward travel of the wheel at the touch, m; null unless the contact is a stop that was brought to the touch.
+    pub travel_at_touch: Option<f64>,
+    /// Unit of lengths in texts.
+    #[serde(skip)]
+    pub unit: LengthUnit,
     /// Difference from m̄ of the reference, per cent of the reference.
     pub difference_percent: Option<f64>,
     /// Smallest and largest difference over the rows, per cent.
@@ -209,6 +215,8 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         effective_mass: None,
         effective_mass_error: None,
         motion_ratio: None,
+        travel_at_touch: None,
+        unit: design.model.length_unit(),
         difference_percent: None,
         difference_range_percent: None,
         changes: Vec::new(),
@@ -222,6 +230,8 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
             record.effective_mass = report.effective_mass;
             record.effective_mass_error = report.effective_mass_error;
             record.motion_ratio = report.motion_ratios.first().and_then(|ratio| ratio.contact_per_wheel);
+            let touch = report.named_contact.as_ref().filter(|contact| contact.brought_to_touch);
+            record.travel_at_touch = touch.and_then(|contact| Some(contact.wheel_travel.first()?.travel));
             let shares = report.bodies.into_iter().filter_map(|body| Some((body.link, body.share?)));
             record.most = shares.filter(|(_, share)| *share > 0.0).collect();
             record.most.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -2,9 +2,12 @@
 
 use crate::checks::design_variant::DesignError;
 use crate::question::errors::question_error::StudyError;
+use crate::question::travel::given_travel::{GivenTravel, GivenTravelError};
 use crate::question::travel::moved::WheelMotion;
 use crate::question::travel::vary::{Vary, VaryError};
-use percuss_units::Dimension;
+use percuss_units::{Dimension, Quantity};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Variable of the state of a suspension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,18 +27,33 @@ impl KinematicVariable {
         }
     }
 
+    /// Reads a length, m.
+    ///
+    /// # Errors
+    /// [`GivenTravelError`]: no length, or a travel of the wheel that no suspension has.
+    pub fn length(self, text: &str) -> Result<f64, GivenTravelError> {
+        match self {
+            KinematicVariable::Wheels(motion) => {
+                Ok(GivenTravel::parse(&format!("{}={text}", motion.name()))?.distance)
+            }
+            KinematicVariable::Steer => Ok(Quantity::parse(text)?.in_dimension(Dimension::Length, text)?),
+        }
+    }
+
     /// Reads a range `FROM:TO:COUNT` of lengths, m.
     ///
     /// # Errors
     /// [`VaryError`]: missing parts, a count out of range, an invalid length.
     pub fn range(self, text: &str) -> Result<Vec<f64>, VaryError> {
-        let values = Vary::parse(&format!("rack={text}"))?.values(Dimension::Length)?;
+        let values = Vary::parse(&format!("{}={text}", self.name()))?.values(Dimension::Length)?;
         Ok((0..values.count).map(|i| values.value_at(i)).collect())
     }
 }
 
 /// Position of the axle in the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
 pub enum AxlePosition {
     /// Front axle.
     Front,

@@ -174,6 +174,8 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         KinematicsRow { variable, values, problem: found.err(), columns: Arc::clone(&columns) }
     };
     let rows = values.into_iter().zip(found).map(row).collect();
+    let mut diagnostics = model.diagnostics.clone();
+    diagnostics.extend(prepared.rack_finding(question.steers()).map(DiagnosticRecord::from));
     Ok(KinematicsReport {
         schema: "percuss.kinematics/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -182,7 +184,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         variable: variable.map(KinematicVariable::name),
         columns: columns.to_vec(),
         rows,
-        diagnostics: model.diagnostics.clone(),
+        diagnostics,
     })
 }
 

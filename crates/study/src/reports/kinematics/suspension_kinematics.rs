@@ -1,5 +1,7 @@
 //! Suspension prepared for kinematics: a movable copy of the mechanism, its wheels, steering axis, springs and stops.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{compile, configuration};
 use crate::model::loading::Model;
 use crate::model::wheel_points::{RACK, SIDES, sliding_rack};
@@ -34,6 +36,8 @@ pub(crate) struct SuspensionKinematics {
     pub elements: Vec<ForceElement>,
     /// Joint of the rack, fixed or sliding.
     rack: Option<JointId>,
+    /// True if the rack of the sheet slides.
+    rack_slides: bool,
     /// Two points of the steering axis of each wheel, m, in the frames of their links; empty without such points.
     steering_points: Vec<[(LinkId, Vector3<f64>); 2]>,
 }
@@ -68,7 +72,26 @@ impl SuspensionKinematics {
         }
         let elements = force_elements(mechanism, &drawn, &wheels, &origin.forces);
         let solid_axle = origin.axle;
-        Ok(Self { model, system, question, drawn, wheels, solid_axle, elements, rack, steering_points })
+        Ok(Self {
+            model,
+            system,
+            question,
+            drawn,
+            wheels,
+            solid_axle,
+            elements,
+            rack,
+            rack_slides,
+            steering_points,
+        })
+    }
+
+    /// Finding about a rack that the sheet fixes and that steers in this evaluation.
+    pub fn rack_finding(&self, steers: bool) -> Option<Finding> {
+        let message = "the sheet fixes the rack (rack.slides = false), and it moves for these rows only: in all other commands it is held; \
+                       write slides = true in [rack] if it moves in an impact";
+        let is_moved = steers && self.rack.is_some() && !self.rack_slides;
+        is_moved.then(|| Finding::about_result(FindingKind::RackMoved, message))
     }
 
     /// The mechanism.

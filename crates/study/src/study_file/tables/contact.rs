@@ -159,8 +159,8 @@ pub struct ContactTable {
     /// Classical estimate, shown with the result.
     ///
     /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
-    /// link; default: its origin). The ratio uses the full speed of A, or its component along a direction (world
-    /// axes).
+    /// link; default: its origin) along a direction (world axes; default: upwards in a suspension, otherwise the
+    /// path of A).
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", help_heading = ADDITIONAL)

@@ -71,7 +71,7 @@ pub struct DampingTable {
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// Units: N/m, N/mm, kN/m, kN/mm; with an exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
     #[cfg_attr(
         feature = "flags",

@@ -14,6 +14,8 @@ pub const CHANGES: &str = "Changes to the model";
 pub const READING: &str = "Reading";
 /// Format of the result.
 pub const ANSWER: &str = "Result";
+/// Data of the vehicle.
+pub const VEHICLE: &str = "Vehicle";
 /// Output files.
 pub const OUTPUT: &str = "Output";
 /// Restitution, stiffness and law of a damper.

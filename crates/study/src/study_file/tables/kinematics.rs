@@ -3,11 +3,84 @@
 use crate::model::loading::Model;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::travel::moved::WheelMotion;
-use crate::reports::kinematics::question::{KinematicVariable, KinematicsError, KinematicsQuestion};
+use crate::reports::kinematics::question::{
+    AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
+};
 use crate::reports::kinematics::report::{KinematicsReport, kinematics};
+#[cfg(feature = "flags")]
+use crate::study_file::tables::headings::VEHICLE;
+use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
+
+/// Data of the vehicle that no suspension sheet contains.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct VehicleTable {
+    /// Position of the axle: front, rear.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "AXLE", value_enum, help_heading = VEHICLE))]
+    pub axle: Option<AxlePosition>,
+    /// Share of the front axle in the braking force: 0.6, 60%.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE", help_heading = VEHICLE))]
+    pub brake_bias: Option<Ratio>,
+    /// Share of this axle in the driving force: 1, 40%.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE", help_heading = VEHICLE))]
+    pub drive_share: Option<Ratio>,
+    /// Height of the vehicle's centre of mass above the ground.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH", help_heading = VEHICLE))]
+    pub cg_height: Option<Length>,
+    /// Distance of the axles.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH", help_heading = VEHICLE))]
+    pub wheelbase: Option<Length>,
+    /// The brakes are on the vehicle body: the braking force acts at the wheel centre.
+    #[cfg_attr(feature = "flags", arg(long, help_heading = VEHICLE))]
+    pub inboard_brakes: bool,
+    /// The driving torque comes from the vehicle body by a shaft: the driving force acts at the wheel centre.
+    #[cfg_attr(feature = "flags", arg(long, help_heading = VEHICLE))]
+    pub inboard_drive: bool,
+    /// Sprung mass above one wheel (kg), for the natural frequencies.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", help_heading = VEHICLE))]
+    pub sprung_mass: Option<PositiveMass>,
+    /// Vertical rate of the tyre, with its unit: 200N/mm; without it, the tyre is rigid.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "RATE", help_heading = VEHICLE))]
+    pub tyre_rate: Option<Stiffness>,
+}
+
+impl VehicleTable {
+    /// Converts the table.
+    ///
+    /// # Errors
+    /// Key of a study and the reason: a length or a rate of at most 0, a share outside 0 to 1.
+    pub fn data(&self) -> Result<VehicleData, (&'static str, String)> {
+        let reaction = |inboard| if inboard { TorqueReaction::Inboard } else { TorqueReaction::Outboard };
+        let positive = |name: &'static str, value: Option<f64>| match value {
+            Some(x) if !(x.is_finite() && x > 0.0) => Err((name, format!("{x}; more than 0 is expected"))),
+            value => Ok(value),
+        };
+        let share = |name: &'static str, value: Option<Ratio>| match value {
+            Some(Ratio(x)) if !(0.0..=1.0).contains(&x) => {
+                Err((name, format!("{x}; a share between 0 and 1 is expected")))
+            }
+            value => Ok(value.map(|Ratio(x)| x)),
+        };
+        Ok(VehicleData {
+            axle: self.axle,
+            brake_bias: share("kinematics.vehicle.brake_bias", self.brake_bias)?,
+            drive_share: share("kinematics.vehicle.drive_share", self.drive_share)?,
+            cg_height: positive("kinematics.vehicle.cg_height", self.cg_height.map(|Length(x)| x))?,
+            wheelbase: positive("kinematics.vehicle.wheelbase", self.wheelbase.map(|Length(x)| x))?,
+            brakes: reaction(self.inboard_brakes),
+            drive: reaction(self.inboard_drive),
+            sprung_mass: self.sprung_mass.map(|PositiveMass(mass)| mass),
+            tyre_rate: positive(
+                "kinematics.vehicle.tyre_rate",
+                self.tyre_rate.map(|Stiffness(rate)| rate.value),
+            )?,
+        })
+    }
+}
 
 /// Camber, toe, motion ratios and further quantities of a suspension over a travel: percuss kinematics.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -19,6 +92,9 @@ pub struct KinematicsTable {
     pub columns: Vec<String>,
     /// Output file: .csv, .json, .txt, .svg, .png or .pdf.
     pub output: Option<String>,
+    /// Data of the vehicle, for anti-dive, rates and frequencies: axle, brake_bias, drive_share, cg_height, wheelbase, sprung_mass, tyre_rate,
+    /// inboard_brakes, inboard_drive.
+    pub vehicle: VehicleTable,
 }
 
 /// Kinematics requested by a study.
@@ -44,8 +120,11 @@ impl KinematicsTable {
             (_, None) => return Err(refuse(expected.to_owned())),
         };
         let values = variable.range(range).map_err(|error| refuse(error.to_string()))?;
+        let vehicle = self.vehicle.data();
+        let vehicle = vehicle.map_err(|(key, why)| InvalidKey::new(key, why))?;
+        let range = Some((variable, values));
         Ok(StudyKinematics {
-            question: KinematicsQuestion { range: Some((variable, values)), ..KinematicsQuestion::default() },
+            question: KinematicsQuestion { range, vehicle, ..KinematicsQuestion::default() },
             columns: self.columns.clone(),
             output: self.output.as_ref().map(|output| folder.join(output).to_string_lossy().into_owned()),
         })
