@@ -515,7 +515,9 @@ fn add_rack(
     annotations.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
     annotations.comments.joints.insert(RACK.to_owned(), comment.to_owned());
     let joint = JointDescription::new(RACK, kind, CHASSIS, RACK).at(at.into());
-    let joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };
+    let mut joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };
+    // Otherwise a travel of the wheel without a given position of the rack could move the rack.
+    joint.independent = kind.has_axis().then_some(true);
     builder.link(link).joint(joint)
 }
 

@@ -352,6 +352,7 @@ fn the_rack_is_fixed_unless_it_slides() {
         assert_eq!(joint(&fixed, "rack").kind(), JointKind::Fixed);
         let rack = joint(&sliding.mechanism, "rack");
         assert_eq!((rack.kind(), rack.axis()), (JointKind::Prismatic, &Vector3::y()));
+        assert_eq!(rack.independent(), Some(true), "a travel of the wheel does not move the rack");
         let free = respond(&sliding.mechanism, "shock_seat", Vector3::z(), &[]);
         let locked = respond(&sliding.mechanism, "shock_seat", Vector3::z(), &["rack"]);
         let never = respond(&fixed, "shock_seat", Vector3::z(), &[]);
