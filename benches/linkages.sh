@@ -4,8 +4,8 @@
 #     benches/linkages.sh FOLDER < LIST
 #
 # Each line of LIST: NAME MODEL CONTACT FLAGS..., with the link, point and normal of the contact as `LINK X,Y,Z X,Y,Z`. `percuss export` writes
-# the model for MuJoCo, and FOLDER receives the files. Both m̄ are compared to 1e-9. Needs gcc and the Python package mujoco; PERCUSS: the
-# command, PYTHON: the interpreter.
+# the model for MuJoCo, and FOLDER receives the files. Both m̄ must agree within 1e-9. Needs gcc and the Python package mujoco. Environment:
+# PERCUSS is the path of the command, PYTHON that of the interpreter.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1

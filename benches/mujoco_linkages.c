@@ -1,6 +1,6 @@
-// m̄ of an exported contact with MuJoCo: mujoco_linkages MODEL.xml NAME. At the first keyframe, the equality constraints are imposed exactly:
+// m̄ of an exported contact with MuJoCo: mujoco_linkages MODEL.xml NAME. At the first keyframe, the equality constraints hold exactly:
 // 1/m̄ is the last diagonal entry of the Cholesky factor of W = [K; j] M⁻¹ [K; j]ᵀ, squared, with the rows K of the constraints and
-// j of the contact. Prints `mujoco NAME VELOCITIES NANOSECONDS MASS ROWS`: thread CPU time, the least of 25 runs. The first position
+// j of the contact. Prints `mujoco NAME VELOCITIES NANOSECONDS MASS ROWS`: thread CPU time, the minimum of 25 runs. The first position
 // changes by 1e-9 from call to call.
 #include <math.h>
 #include <mujoco/mujoco.h>
@@ -17,7 +17,7 @@ static double nanoseconds(void) {
 
 static double rows[LIMIT * LIMIT], solved[LIMIT * LIMIT], factor[LIMIT * LIMIT];
 
-// m̄, kg. Redundant rows have no pivot and are omitted.
+// m̄, kg. A row with a pivot of rounding size is redundant and omitted.
 static double mass(const mjModel *m, mjData *d, int on, int against, const double *point, const double *normal, int *count) {
   mj_kinematics(m, d);
   mj_comPos(m, d);
