@@ -1,7 +1,7 @@
 //! m̄ for the robots, poses and contacts that other programs were timed with. `NAME.json` contains the URDF,
 //! the contact link, the normal in the world, joint names, poses and the expected m̄. Without poses, m̄ is computed at
-//! the pose as drawn, and mimic joints stay mimic joints. `NAME.urdf` is a suspension written by `percuss import`, with the contact at the spring seat along the spring, at closed
-//! poses over the travel of its lower arm.
+//! the pose as drawn, and mimic joints stay mimic joints. `NAME.urdf` is a suspension written by `percuss import`, with the contact at the
+//! spring seat along the spring, at closed poses over the travel of its lower arm.
 //!
 //! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new
 //! configuration, the minimum of many runs), after all m̄ agreed within 1e-9.

@@ -363,11 +363,11 @@ typedef struct percuss_joint_description {
    */
   double axis[3];
   /*
-   Least and greatest position, rad or m; both NaN without limits.
+   Smallest position, rad or m; lower and upper are NaN without limits.
    */
   double lower;
   /*
-   See lower.
+   Largest position, rad or m.
    */
   double upper;
   /*
@@ -624,7 +624,7 @@ typedef struct percuss_pose_state {
    */
   int32_t reserved;
   /*
-   Least ratio of the singular values that count to those that count as zero; NaN without constraints.
+   Smallest ratio, over all groups of loops, of the smallest nonzero to the largest zero singular value; NaN without constraints.
    */
   double rank_gap;
   /*
@@ -1050,12 +1050,12 @@ typedef struct percuss_rank {
 #define PERCUSS_CLOSURE_PRISMATIC 2
 
 /*
- A slide along the axis that turns about it.
+ Translation along the axis and rotation about it.
  */
 #define PERCUSS_CLOSURE_CYLINDRICAL 3
 
 /*
- Two pins: axis in the predecessor's frame, axis2 in the successor's.
+ Rotations about two pins: axis in the predecessor's loop frame, axis2 in the successor's.
  */
 #define PERCUSS_CLOSURE_UNIVERSAL 4
 
@@ -1065,7 +1065,7 @@ typedef struct percuss_rank {
 #define PERCUSS_CLOSURE_PLANAR 5
 
 /*
- A ball.
+ A ball joint.
  */
 #define PERCUSS_CLOSURE_SPHERICAL 6
 
@@ -1341,7 +1341,8 @@ percuss_status percuss_builder_free(struct percuss_builder **builder);
 
 /*
  Adds a link. mass: kg; com: its centre of mass in the link's frame, 3 numbers, m; inertia: about the centre of mass in the link's axes,
- xx, xy, xz, yy, yz, zz, kg·m². com and inertia may be null: at the origin, without inertia. mass 0 without inertia is a massless link.
+ xx, xy, xz, yy, yz, zz, kg·m². If com is null, the centre of mass is at the origin; if inertia is null, all moments are 0. A link with
+ mass 0 and null inertia is massless.
 
  Pointers:
  builder is a handle; name ends with a zero byte; com is null or has 3 numbers, inertia is null or has 6.
@@ -1355,7 +1356,8 @@ percuss_status percuss_builder_link(struct percuss_builder *builder,
 /*
  Adds a joint between two links. The links may be added later.
 
- Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length, one limit without the other.
+ Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length, one limit without the other, an armature_count
+ outside 0 to 6.
 
  Pointers:
  builder is a handle; description is null or points to a description.
@@ -1366,7 +1368,7 @@ percuss_status percuss_builder_joint(struct percuss_builder *builder,
 /*
  Adds a closure between two links.
 
- Errors: as percuss_builder_joint.
+ Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length.
 
  Pointers:
  builder is a handle; description is null or points to a description.
@@ -1377,7 +1379,7 @@ percuss_status percuss_builder_closure(struct percuss_builder *builder,
 /*
  The model of a builder, which stays usable. Free it with percuss_model_free.
 
- Errors: PERCUSS_ERROR_LOAD, with every error of the description in the message.
+ Errors: PERCUSS_ERROR_LOAD; the message has every error of the description.
 
  Pointers:
  builder is a handle; model is null or points to storage for a pointer.
@@ -2057,14 +2059,14 @@ percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
 percuss_status percuss_pose_describe(const struct percuss_pose *pose, struct percuss_pose_state *state);
 
 /*
- m̄ of count contacts of a link at one pose, by its inverse operational inertia: some nanoseconds each.
+ m̄ of count contacts of a link at one pose, by the inverse operational inertia of the link: some nanoseconds per contact.
 
  against: the other side, a link or PERCUSS_GROUND. points (m) and normals (out of the link, of any length): 3 × count numbers each, one
  contact after another, in the frame of the link. outcomes and effective_masses (kg; NaN unless finite): count values each. errors: null,
  or count numbers, the error of m̄, kg; NaN unless finite.
 
- Errors: PERCUSS_ERROR_NAME: no link of this number; PERCUSS_ERROR_ARGUMENT: a number that is not finite, a normal without a length;
- PERCUSS_ERROR_OVERLAP.
+ Errors: PERCUSS_ERROR_NAME: no link of this number; PERCUSS_ERROR_ARGUMENT: a number that is not finite, a zero normal;
+ PERCUSS_ERROR_CONTACT: link and against are the same link; PERCUSS_ERROR_LENGTH: count above SIZE_MAX / 3; PERCUSS_ERROR_OVERLAP.
 
  Pointers:
  pose is a handle; every array has the stated number of values, or is null where this is permitted.

@@ -144,12 +144,12 @@ class Model {
   detail::Owner<percuss_model, percuss_model_free> handle_;
 };
 
-/// A joint between two links; the texts are those of percuss_joint_description.
+/// A joint between two links. Its texts are pointers that must be valid until ModelBuilder::joint returns.
 struct JointDescription : percuss_joint_description {
   JointDescription() { check(percuss_joint_description_init(this)); }
 };
 
-/// A closure of a loop; the texts are those of percuss_closure_description.
+/// A closure of a loop. Its texts are pointers that must be valid until ModelBuilder::closure returns.
 struct ClosureDescription : percuss_closure_description {
   ClosureDescription() { check(percuss_closure_description_init(this)); }
 };
@@ -167,7 +167,7 @@ class ModelBuilder {
     check(percuss_builder_link(handle_.get(), name.c_str(), 0.0, nullptr, nullptr));
     return *this;
   }
-  /// A link: kg; m in its frame; kg·m² about the centre of mass, xx, xy, xz, yy, yz, zz.
+  /// A link: mass (kg); centre of mass in the link's frame (m); inertia about the centre of mass, xx, xy, xz, yy, yz, zz (kg·m²).
   ModelBuilder &link(const std::string &name, double mass, const Vector3 &com, const std::array<double, 6> &inertia) {
     check(percuss_builder_link(handle_.get(), name.c_str(), mass, com.data(), inertia.data()));
     return *this;

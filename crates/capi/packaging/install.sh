@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
 #   install.sh --prefix DIR [--libraries DIR | --without-suspensions]
-# Without --libraries they are built, optimised as a whole (--crate-type: beside a library for Rust they would not be). Linux and macOS.
+# Without --libraries they are built with link-time optimisation; --crate-type omits the Rust library, with which cargo would skip it.
+# --without-suspensions omits percuss_suspension_… and percuss_kinematics_…. Linux and macOS.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 prefix=

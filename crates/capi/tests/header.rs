@@ -129,7 +129,7 @@ fn every_file_with_functions_is_in_the_header() {
 
 #[test]
 fn the_exports_are_those_of_the_list() {
-    // Of the sources, not of the file: with PERCUSS_UPDATE another test may not have written the file yet.
+    // The header generated from the sources: with PERCUSS_UPDATE, another test may not have written the file yet.
     let header = generated();
     let declared: BTreeSet<String> = names(&header)
         .into_iter()

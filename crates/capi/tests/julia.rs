@@ -1,4 +1,4 @@
-//! The example in Julia: its calls, its structure and its constant compared with the header, because Julia runs in few places.
+//! The calls, the structure and the constant of the example in Julia agree with the header. Few machines that run the tests have Julia.
 
 use std::collections::BTreeMap;
 use std::fs;

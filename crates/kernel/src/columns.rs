@@ -22,7 +22,7 @@ impl CertifiedMass {
         (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= limit * self.mass)
     }
 
-    /// Result of `work` on one lane, if its relative error is at most `limit`.
+    /// Result of `work` on one lane, if m̄ is finite and its relative error at most `limit`.
     #[inline]
     pub fn of_one(limit: f64, work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);

@@ -1,7 +1,7 @@
 //! Thresholds of the kernels.
 
-/// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
-/// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
+/// Largest relative error of a result in SIMD lanes, except for large linkages ([`LARGE_TRUSTED_ERROR`]); beyond this limit the recursion
+/// computes the row again. The stated bound is a hundred to a thousand times the true error: rows of common robots exceed 1e-11.
 pub const LANES_TRUSTED_ERROR: f64 = 1e-9;
 /// Largest relative error of a result in SIMD lanes for a linkage with more than [`QUICK_COORDINATES`] coordinates. The recursion takes some
 /// twenty times as long and states no error.
@@ -54,20 +54,21 @@ pub const LONGEST_BRANCH_STEP: f64 = 0.15;
 pub const STRAIGHT: f64 = 0.9;
 /// Number of power iterations for the norm of a change of rows; a tenth of the norm is accurate enough.
 pub const DRIFT_ITERATIONS: usize = 4;
-/// Largest number of coordinates and bodies of a linkage with a compiled kernel: the time to order its rows grows with the square.
+/// Largest number of coordinates and bodies of a linkage with a compiled kernel: the time to order its rows grows with the square of this
+/// number.
 pub const LINKAGE_COORDINATES: usize = 1024;
-/// Largest number of coordinates of a linkage for which the smallest pivot bounds the norm of the inverse, by a factor that the tested
-/// linkages keep.
+/// Largest number of coordinates of a linkage for which 1/(smallest pivot) is used as an estimate of the norm of the inverse. The estimate
+/// is empirical: no stated error of the tested linkages is too small with it.
 pub const QUICK_COORDINATES: usize = 64;
-/// Smallest pivot in the order of the rows, relative to the largest remaining entry. Among these pivots, the one that fills in the fewest
-/// entries comes first (Markowitz 1957).
+/// Smallest admissible pivot when the rows are ordered, relative to the largest remaining entry. Of the admissible pivots, the one with the
+/// smallest Markowitz count comes first (Markowitz 1957).
 pub const PIVOT_CHOICE: f64 = 0.5;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub const LINKAGE_FREEDOMS: usize = 16;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
 /// leaves no doubt.
 pub const REDUNDANT_ROW: f64 = 0.25;
-/// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. Linkages drawn near a change
+/// Largest ratio of the largest entry of A to a pivot at the pose for which a linkage is compiled. Linkages drawn near a change
 /// point have a ratio of some hundred; at each configuration the pivots are bounded again.
 pub const LINKAGE_PIVOT: f64 = 1024.0;
 /// Residual, relative to the smallest size of a group, at which lanes need no further Newton iteration: rounding.

@@ -30,7 +30,7 @@ pub struct percuss_pose_state {
     pub rank_is_clear: i32,
     /// 0.
     pub reserved: i32,
-    /// Least ratio of the singular values that count to those that count as zero; NaN without constraints.
+    /// Smallest ratio, over all groups of loops, of the smallest nonzero to the largest zero singular value; NaN without constraints.
     pub rank_gap: f64,
     /// Largest remaining gap of the loops, m; NaN without loops.
     pub closure_residual: f64,
@@ -67,14 +67,14 @@ pub unsafe extern "C" fn percuss_pose_describe(
     })
 }
 
-/// m̄ of count contacts of a link at one pose, by its inverse operational inertia: some nanoseconds each.
+/// m̄ of count contacts of a link at one pose, by the inverse operational inertia of the link: some nanoseconds per contact.
 ///
 /// against: the other side, a link or PERCUSS_GROUND. points (m) and normals (out of the link, of any length): 3 × count numbers each, one
 /// contact after another, in the frame of the link. outcomes and effective_masses (kg; NaN unless finite): count values each. errors: null,
 /// or count numbers, the error of m̄, kg; NaN unless finite.
 ///
-/// Errors: PERCUSS_ERROR_NAME: no link of this number; PERCUSS_ERROR_ARGUMENT: a number that is not finite, a normal without a length;
-/// PERCUSS_ERROR_OVERLAP.
+/// Errors: PERCUSS_ERROR_NAME: no link of this number; PERCUSS_ERROR_ARGUMENT: a number that is not finite, a zero normal;
+/// PERCUSS_ERROR_CONTACT: link and against are the same link; PERCUSS_ERROR_LENGTH: count above SIZE_MAX / 3; PERCUSS_ERROR_OVERLAP.
 ///
 /// # Safety
 /// pose is a handle; every array has the stated number of values, or is null where this is permitted.

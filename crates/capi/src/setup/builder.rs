@@ -38,13 +38,13 @@ pub const PERCUSS_CLOSURE_FIXED: percuss_closure_kind = 0;
 pub const PERCUSS_CLOSURE_REVOLUTE: percuss_closure_kind = 1;
 /// A slide along the axis.
 pub const PERCUSS_CLOSURE_PRISMATIC: percuss_closure_kind = 2;
-/// A slide along the axis that turns about it.
+/// Translation along the axis and rotation about it.
 pub const PERCUSS_CLOSURE_CYLINDRICAL: percuss_closure_kind = 3;
-/// Two pins: axis in the predecessor's frame, axis2 in the successor's.
+/// Rotations about two pins: axis in the predecessor's loop frame, axis2 in the successor's.
 pub const PERCUSS_CLOSURE_UNIVERSAL: percuss_closure_kind = 4;
 /// Translations in the plane normal to the axis, rotation about the axis.
 pub const PERCUSS_CLOSURE_PLANAR: percuss_closure_kind = 5;
-/// A ball.
+/// A ball joint.
 pub const PERCUSS_CLOSURE_SPHERICAL: percuss_closure_kind = 6;
 /// A massless rod with balls at its ends.
 pub const PERCUSS_CLOSURE_DISTANCE: percuss_closure_kind = 7;
@@ -70,9 +70,9 @@ pub struct percuss_joint_description {
     pub quaternion: [f64; 4],
     /// Axis in the joint frame, of any length.
     pub axis: [f64; 3],
-    /// Least and greatest position, rad or m; both NaN without limits.
+    /// Smallest position, rad or m; lower and upper are NaN without limits.
     pub lower: f64,
-    /// See lower.
+    /// Largest position, rad or m.
     pub upper: f64,
     /// Rotor inertias reflected to the joint, kg·m² or kg.
     pub armature: [f64; 6],
@@ -213,7 +213,8 @@ fn triple(values: *const f64, name: &str) -> Result<[f64; 3], Failure> {
 }
 
 /// Adds a link. mass: kg; com: its centre of mass in the link's frame, 3 numbers, m; inertia: about the centre of mass in the link's axes,
-/// xx, xy, xz, yy, yz, zz, kg·m². com and inertia may be null: at the origin, without inertia. mass 0 without inertia is a massless link.
+/// xx, xy, xz, yy, yz, zz, kg·m². If com is null, the centre of mass is at the origin; if inertia is null, all moments are 0. A link with
+/// mass 0 and null inertia is massless.
 ///
 /// # Safety
 /// builder is a handle; name ends with a zero byte; com is null or has 3 numbers, inertia is null or has 6.
@@ -252,7 +253,8 @@ fn frame(position: [f64; 3], quaternion: [f64; 4], name: &str) -> Result<Transfo
 
 /// Adds a joint between two links. The links may be added later.
 ///
-/// Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length, one limit without the other.
+/// Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length, one limit without the other, an armature_count
+/// outside 0 to 6.
 ///
 /// # Safety
 /// builder is a handle; description is null or points to a description.
@@ -305,7 +307,7 @@ pub unsafe extern "C" fn percuss_builder_joint(
 
 /// Adds a closure between two links.
 ///
-/// Errors: as percuss_builder_joint.
+/// Errors: PERCUSS_ERROR_ARGUMENT: an unknown kind, a quaternion that is not of unit length.
 ///
 /// # Safety
 /// builder is a handle; description is null or points to a description.
@@ -332,7 +334,7 @@ pub unsafe extern "C" fn percuss_builder_closure(
 
 /// The model of a builder, which stays usable. Free it with percuss_model_free.
 ///
-/// Errors: PERCUSS_ERROR_LOAD, with every error of the description in the message.
+/// Errors: PERCUSS_ERROR_LOAD; the message has every error of the description.
 ///
 /// # Safety
 /// builder is a handle; model is null or points to storage for a pointer.

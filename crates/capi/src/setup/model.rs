@@ -139,7 +139,7 @@ impl DiagnosticTexts {
         }
     }
 
-    /// Finding of the builder for C; it has no file.
+    /// Finding of the builder for C, without path, line and column.
     pub fn from_problem(subject: &Subject, problem: &Problem) -> Self {
         Self {
             severity: severity_number(problem.severity()),

@@ -1,4 +1,4 @@
-/* Models from descriptions compared with the same models from URDF; contact maps and states of poses compared with single contacts. */
+/* Models from descriptions compared with the same models from URDF; contact maps compared with single contacts; states of poses. */
 #include "check.h"
 
 static const char *const NOTHING = NULL;
@@ -97,7 +97,7 @@ static void the_four_bar(void)
     OK(percuss_pose_free(&first));
     OK(percuss_pose_free(&second));
   }
-  /* The builder stays usable: another link, which nothing holds, is a second root. */
+  /* The builder stays usable: a link without a joint to the others is a second root. */
   OK(percuss_builder_link(builder, "loose", 1.0, NULL, NULL));
   percuss_model *broken = NULL;
   FAILS(percuss_builder_model(builder, &broken), PERCUSS_ERROR_LOAD, "loose");
@@ -158,7 +158,7 @@ static void the_map(void)
   OK(percuss_model_free(&model));
 }
 
-/* Limits, armature, a mimic, a distance, and the errors of descriptions. */
+/* Limits, armature, a mimic, and the errors of descriptions. */
 static void descriptions(void)
 {
   percuss_builder *builder = NULL;
@@ -219,7 +219,7 @@ static void descriptions(void)
   OK(percuss_pose_free(&outside));
   OK(percuss_pose_free(&pose));
   OK(percuss_model_free(&model));
-  /* A rod of length 1.2 to the ground: with the distance as drawn, and with another. */
+  /* A closure with an unknown link, and one of an unknown kind. */
   percuss_closure_description rod;
   OK(percuss_closure_description_init(&rod));
   rod.name = "rod";

@@ -43,7 +43,7 @@ impl LoopPlan {
             length: *shortest_length,
             weight: 0.0,
             root_weights: vec![0.0; columns],
-            depth: *depth as f64,
+            chain: 0.0,
             roundings: 0.0,
             columns,
             freedoms: columns - rank,
@@ -66,9 +66,14 @@ impl LoopPlan {
             moving.reach = carried + own + travel;
             plan.bodies.push(moving);
         }
+        let mut counts = vec![0; bodies];
+        for (body, own) in plan.bodies.iter().enumerate() {
+            counts[body] = own.parent.map_or(0, |parent| counts[parent]) + own.velocities.len();
+        }
+        plan.chain = counts.into_iter().max().unwrap_or(0) as f64;
         plan.weight = plan.bodies.iter().map(|body| weight(body, *shortest_length)).sum();
         // The rounding errors of the frames along a chain are independent: their sum grows with the square root of the depth.
-        plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + plan.depth.sqrt());
+        plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + (*depth as f64).sqrt());
         let mut rows = 0;
         for block in blocks {
             let block = plan.block(block, &mut rows)?;
@@ -224,8 +229,8 @@ impl LoopPlan {
         pattern
     }
 
-    /// Numbers the entries of a pattern row by row, also in the rows of the blocks, and fills the layout. Returns the number of
-    /// each entry, for each row.
+    /// Numbers the entries of a pattern row by row, stores the numbers in the rows of the blocks, and fills the layout. Returns for each
+    /// row the number of the entry in each column.
     fn number_entries(&mut self, pattern: &[BTreeSet<usize>]) -> Vec<BTreeMap<usize, usize>> {
         let mut next = 0..;
         let numbers: Vec<BTreeMap<usize, usize>> =
@@ -284,8 +289,9 @@ impl LoopPlan {
     }
 }
 
-/// Row and column of the pivot that fills in the fewest entries, and the magnitude of the largest remaining entry. Only entries with at
-/// least [`PIVOT_CHOICE`] times this magnitude are pivots.
+/// Row and column of the pivot with the smallest Markowitz count (the largest possible number of entries that its elimination fills in),
+/// and the magnitude of the largest remaining entry in a column that may be dependent. A pivot has at least [`PIVOT_CHOICE`] times this
+/// magnitude.
 fn best_pivot(
     matrix: &[BTreeMap<usize, f64>],
     row_at: &[Option<usize>],
@@ -311,7 +317,7 @@ fn best_pivot(
         .filter(|(_, c, size)| may_depend(*c) && *size >= PIVOT_CHOICE * largest)
         .min_by(|a, b| {
             let [of_a, of_b] = [a, b].map(|(r, c, _)| fill(*r, *c));
-            // Of equal entries the last one: the energy is eliminated in the order of the other coordinates, those near the root first.
+            // Ties go to the last entry: coordinates near the root stay independent, and the energy is eliminated from the root on.
             of_a.cmp(&of_b).then(b.2.total_cmp(&a.2)).then((b.0, b.1).cmp(&(a.0, a.1)))
         })
         .map(|(r, c, _)| (r, c, largest))

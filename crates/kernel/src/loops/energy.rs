@@ -108,7 +108,7 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
     let other = rows.rods + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    // Of many pivots, the smallest one does not bound the norm of the inverse: only the refined bound holds.
+    // For many coordinates, 1/(smallest pivot) is no estimate of the norm of the inverse: only the refined bound is used.
     let is_large = plan.columns > QUICK_COORDINATES;
     let least = if is_large { least.max(T::from_f64(NO_BOUND)) } else { least };
     // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
@@ -124,14 +124,15 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let is_clear = excess.map(|excess| excess <= 0.0);
     if is_clear[..T::WIDTH].contains(&false) {
         fill_rate_errors(plan, least, scratch);
-        // The step that would close the loops. An entry changes with the coordinates between its body and the ground.
+        // The Newton step δ would close the loops. The change of an entry is estimated by ‖δ‖ or the
+        // largest |δ| for all coordinates up to both ends of a closure, whichever is smaller.
         let per_metre = T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
         let step: T = fill_steps(plan, scratch);
         let mut largest = T::zero();
         for k in 0..plan.layout.count {
             largest = largest.max(get::<T>(scratch, plan.layout.steps + k).abs());
         }
-        let step = smaller(largest * T::from_f64(plan.depth), step);
+        let step = smaller(largest * T::from_f64(2.0 * plan.chain), step);
         let open = smaller(step.mul_add(per_metre, rows.open), open);
         let refined: LoopResponse<T> = solve_response(plan, contact, (other + open, least), true, scratch);
         let mut errors = [0.0; WIDEST];
@@ -141,7 +142,7 @@ pub(super) fn response_after_elimination<T: Lanes>(
         }
         answer.error = T::load(&errors);
     }
-    // A redundant row that is not redundant here.
+    // `least` exceeds NO_BOUND if a pivot vanishes, or if a redundant row is not redundant here: no result is certified.
     let beyond = beyond + (least - T::from_f64(NO_BOUND)).max(T::zero());
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
@@ -199,7 +200,8 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
 }
 
 /// tᵀ D⁻¹ t from D and t, with its error. `entries`: errors of the entries of A and of the frames, in units of ε; `least`: the largest
-/// 1/|pivot|. The errors δg of the rates affect the speed of the contact point and the energy even of bodies nearly at rest:
+/// 1/|pivot|, or [`NO_BOUND`] for many coordinates. The errors δg of the rates affect the speed of the contact point and the energy even of
+/// bodies nearly at rest:
 ///
 /// ```text
 /// δt = (Σ |lever| δg on the chain of the contact link + (roundings + entries) · |terms of t|) ε

@@ -5,7 +5,8 @@ use percuss_spatial::lanes::Lanes;
 /// Offsets of the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
-    /// Nonzero entries of A, row by row. The pivot rows come first, in order; redundant rows follow.
+    /// Entries of A that are nonzero before or during the elimination, row by row. The pivot rows come first, in order; redundant rows
+    /// follow.
     pub entries: usize,
     /// 1 over each pivot.
     pub inverse_pivots: usize,

@@ -76,11 +76,12 @@ pub(super) struct BlockTerm {
     pub is_first: bool,
 }
 
-/// Row of A.
+/// Row of A of a block.
 #[derive(Clone, Debug)]
 pub(super) struct BlockRow {
+    /// Number of the row.
     pub row: usize,
-    /// Entry of A for each term of the block.
+    /// Number of the entry of A for each term of the block.
     pub entries: Vec<usize>,
 }
 
@@ -96,27 +97,28 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Its rows.
+    /// Rows of A of the block.
     pub fn rows(&self) -> impl Iterator<Item = &BlockRow> {
         self.forms.iter().flat_map(|(_, rows)| rows).flatten()
     }
 
-    /// Its rows.
+    /// Rows of A of the block, mutable.
     pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut BlockRow> {
         self.forms.iter_mut().flat_map(|(_, rows)| rows).flatten()
     }
 }
 
-/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right. Entries are numbers of nonzero
-/// entries of A, row by row.
+/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right. An entry is given by its number: its
+/// index among the nonzero entries of A, row by row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RowPivot {
+    /// Entry of the pivot.
     pub entry: usize,
     /// Each row with its entry in the column of the pivot.
     pub rows: Vec<(usize, usize)>,
     /// Each column with its entry in the row of the pivot.
     pub columns: Vec<(usize, usize)>,
-    /// Entries that the elimination changes, for each row the columns.
+    /// Entries that the elimination changes: for each of `rows`, one per element of `columns`.
     pub changed: Vec<usize>,
 }
 
@@ -128,11 +130,11 @@ pub(super) struct LoopPlan {
     pub pivots: Vec<RowPivot>,
     /// Fill-in: entries of A without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,
-    /// Entries of A of the redundant rows in the independent columns: zero after the elimination.
+    /// Entries of the redundant rows of A in the independent columns: zero after the elimination.
     pub remainders: Vec<usize>,
     /// For each coordinate and each independent one: true if the rate can be nonzero.
     pub depends_on: Vec<bool>,
-    /// Largest entry of A at the pose of compilation.
+    /// Largest magnitude of an entry of A, in the columns that may be dependent, at the pose of compilation.
     pub scale: f64,
     /// Largest remainder of a redundant row after the elimination.
     pub redundant: f64,
@@ -144,7 +146,7 @@ pub(super) struct LoopPlan {
     /// Per coordinate: upper bound of √(twice the kinetic energy) at a unit rate of this coordinate alone, √kg.
     pub root_weights: Vec<f64>,
     /// Largest number of coordinates between a body and the ground.
-    pub depth: f64,
+    pub chain: f64,
     /// Error of the entries of A in roundings, from the depth of the tree alone.
     pub roundings: f64,
     pub columns: usize,

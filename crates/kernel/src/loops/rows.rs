@@ -8,7 +8,7 @@ use crate::mechanism::RowForm;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Single};
 
-/// Nonzero entries of A at the given positions.
+/// Nonzero entries of A at the given positions, row by row.
 pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
     let mut scratch = vec![0.0; plan.layout.total];
     fill_frames::<Single>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut scratch);
@@ -315,7 +315,7 @@ pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
 }
 
 /// Errors of the rates, per error of an entry of A: the sum of all rates divided by the smallest pivot (`least`: the largest
-/// 1/|pivot|), or the errors that the rows pass on, if these are smaller.
+/// 1/|pivot|), or the errors propagated through the rows, whichever is smaller.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mut [f64]) {
     let (n, f, rank) = (plan.columns, plan.freedoms, plan.layout.count);

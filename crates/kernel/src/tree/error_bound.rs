@@ -77,7 +77,8 @@ pub(super) struct TwistStep {
 /// Bound of the rounding error for a contact.
 #[derive(Clone, Debug)]
 pub(super) struct ErrorBound {
-    /// True if the constants below are too large or missing. Then the sizes of terms are computed at each configuration.
+    /// True if the constants below, or the amplification of a light body, are too large or missing. Then the sizes of terms are computed at
+    /// each configuration.
     pub tracks_sizes: bool,
     /// Largest [`amplification`](EnergyShare::amplification) of the bodies that affect the result, except light ones.
     amplification: f64,
@@ -232,9 +233,9 @@ impl ErrorBound {
         self.per_root += size.moment_per_root * angular + size.force_per_root * linear;
     }
 
-    /// Finds the light bodies that affect the contact, and whether sizes must be tracked because of them. Returns the largest
-    /// [`amplification`](EnergyShare::amplification) of the other bodies. Without a bound for a light body, no twists are computed, and the
-    /// result is [`NO_BOUND`].
+    /// Finds the light bodies that affect the contact, and sets `tracks_sizes` if a constant bound is too large or missing. Returns the
+    /// largest [`amplification`](EnergyShare::amplification) of the other bodies. If a body has no bound, or a twist of a cluster would be
+    /// needed, no twists are computed, and the result is [`NO_BOUND`].
     fn find_light_bodies(&mut self, steps: &[ScheduledStep], branches: &Branches) -> f64 {
         self.twist_steps.clear();
         self.needs_twist.fill(false);
@@ -279,7 +280,8 @@ pub(super) struct EnergyError<T> {
 }
 
 impl<T: Lanes> EnergyError<T> {
-    /// Adds the effect of an inertia whose terms have the given roots, √(kg·m²) and √kg, at a twist of these magnitudes, rad/s and m/s.
+    /// Adds the effect of the rounding of an inertia, (√moment · angular + √mass · linear)². `roots`: √moment (√(kg·m²)) and √mass (√kg) of
+    /// its terms; `angular` (rad/s) and `linear` (m/s): magnitudes of the twist.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add_inertia(&mut self, roots: [T; 2], angular: T, linear: T) {
         let root = roots[0].mul_add(angular, roots[1] * linear);

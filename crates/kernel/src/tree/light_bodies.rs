@@ -15,8 +15,10 @@ use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
 /// pivots of the recursion: v = v_parent + Σ e q̇ with q̇ = t/D − (U/D)·v.
 ///
 /// The computed twists belong to the mass matrix M + δM. With |δM| ≤ η M, the effect of δM on 1/m̄ is at most 1 + η times that for
-/// these twists; η = κ ε is small by [`LARGEST_AMPLIFICATION`]. If sizes are tracked, the terms of the inertias are those at this
-/// configuration, because rigid subtrees of long chains are much larger: they have an error on the body, and on its parent.
+/// these twists; η = κ ε is small by [`LARGEST_AMPLIFICATION`].
+///
+/// If sizes are tracked, the inertias at this configuration are used, because the bounds by rigid subtrees are much too large for long
+/// chains. Their rounding counts twice: at the twist of the body and, for the inertia that the parent receives, at the twist of the parent.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn add_light_body_errors<T: Lanes>(
     steps: &[ScheduledStep],
@@ -66,8 +68,9 @@ pub(super) fn add_light_body_errors<T: Lanes>(
     errors.of_inertias = excess.mul_add(T::from_f64(NO_BOUND), errors.of_inertias);
 }
 
-/// √moment, √(kg·m²), and √mass, √kg, of the terms of a light body's articulated inertia at this configuration, or `constant` if smaller.
-/// Its trace bounds the sum; the terms of a child's inertia about the parent's origin are at most those about its own with the reach.
+/// √moment (√(kg·m²)) and √mass (√kg) of the terms of a light body's articulated inertia at this configuration, at most `constant`. The
+/// traces of the inertia bound its terms; mass · reach² bounds the terms of the shift to the parent's origin, `carried` those of children
+/// that are not light.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn roots_here<T: Lanes>(placed: &ScheduledStep, constant: [T; 2], scratch: &[f64]) -> [T; 2] {
     let (step, stored) = (&placed.step, placed.offsets.inertia::<T>(scratch));
@@ -76,7 +79,7 @@ fn roots_here<T: Lanes>(placed: &ScheduledStep, constant: [T; 2], scratch: &[f64
     }
     let [moment, mass] = step.share.carried.map(T::from_f64);
     if placed.form == StepForm::GroundHinge {
-        // Only this entry of the inertia is stored, and only it has an effect.
+        // Only the moment about the hinge is stored; the other entries have no effect.
         return [smaller((moment + number::<T>(stored, 5)).sqrt(), constant[0]), constant[1]];
     }
     let inertia: PackedInertia<T> = PackedInertia::load(stored);

@@ -78,7 +78,7 @@ impl Contact {
         let turning = turning.map_or(Ok(false), |given| extract(given, "turning"))?;
         let normal = match (normal, toward) {
             (Some(_), None) if turning => {
-                return Err(input("turning is of toward: a given normal does not turn with a line"));
+                return Err(input("turning needs toward: a given normal does not turn with a line"));
             }
             (Some(normal), None) => {
                 NormalGiven::Along(triple(normal, "normal")?, frame(&normal_frame, "normal_frame")?)

@@ -34,8 +34,8 @@ pub fn not_computed(error: impl Display) -> PyErr {
     NotComputedError::new_err(error.to_string())
 }
 
-/// Conversion for `map_err`: the same error with the name of the argument before its message. Errors of loading and missing answers
-/// stay as they are.
+/// Conversion for `map_err`: puts the name of the argument before the message, unless the message starts with it. An `InputError` keeps its
+/// type; other type, value and overflow errors become `ArgumentTypeError`. `LoadError`, `NoAnswerError` and all others stay as they are.
 pub fn of_argument(name: &str) -> impl Fn(PyErr) -> PyErr {
     move |error| {
         Python::attach(|py| {
@@ -60,10 +60,10 @@ pub fn of_argument(name: &str) -> impl Fn(PyErr) -> PyErr {
     }
 }
 
-/// Value of an argument of a constructor.
+/// Converts an argument of a constructor.
 ///
 /// # Errors
-/// `ArgumentTypeError` with the name of the argument.
+/// The error of the conversion by [`of_argument`], usually `ArgumentTypeError`.
 pub fn extract<'a, 'py, T: FromPyObject<'a, 'py>>(given: &'a Bound<'py, PyAny>, name: &str) -> PyResult<T> {
     given.extract().map_err(|error: T::Error| of_argument(name)(error.into()))
 }
@@ -154,8 +154,8 @@ pub fn study_file(error: StudyFileError) -> PyErr {
     }
 }
 
-/// Issues a `ModelWarning` for each warning of a file, at the line of the caller: the functions that read files are called by
-/// `percuss._arguments.converted`. Notes are only in the model's diagnostics.
+/// Issues a `ModelWarning` for each warning of a file. Stack level 2 is the line of the user's call: the functions that read files are
+/// wrapped by `percuss._arguments.converted`. Notes are only in the model's diagnostics.
 pub fn warn(py: Python<'_>, found: &[DiagnosticRecord]) -> PyResult<()> {
     let category = py.get_type::<ModelWarning>();
     for record in found.iter().filter(|record| record.severity == Severity::Warning) {

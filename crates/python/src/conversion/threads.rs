@@ -154,11 +154,11 @@ pub fn interruptible_if_large<T: Send>(
     if size >= LARGE { interruptible(py, work) } else { detached_here(py, work) }
 }
 
-/// Flags of the threads of [`abandonable`], kept for the next call. The flag of an interrupted call is never used again.
+/// Stop flags of [`abandonable`] that the next calls reuse. The flag of an interrupted call is leaked: its thread may still read it.
 static FLAGS: Mutex<Vec<&'static AtomicBool>> = Mutex::new(Vec::new());
 
-/// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once: the thread stops at its next pose, response or element of a
-/// file, and drops its result. For work with steps that take longer than a reaction to Ctrl-C.
+/// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once; the thread stops at its next pose, response or element of a
+/// file, and drops its result. For work whose single steps are too long to wait for after Ctrl-C.
 ///
 /// # Errors
 /// RuntimeError: a thread cannot be started. KeyboardInterrupt, or the exception of another signal handler.

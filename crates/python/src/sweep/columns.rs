@@ -43,7 +43,7 @@ impl Columns<'_> {
         self.remarks[at] = self.reported_bits(remarks);
     }
 
-    /// Marks a row without a pose.
+    /// Stores the results of a row without a pose: NaN, also for its derivatives, and the remark `NO_ANSWER`.
     pub fn set_without_answer(&mut self, at: usize) {
         self.set(at, None, None, RemarkFlags::NO_ANSWER);
         let count = self.masses.len();

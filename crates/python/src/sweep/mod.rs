@@ -61,7 +61,7 @@ pub struct Sweep {
     inverse_operational_inertia: Option<Py<PyArray3<f64>>>,
     /// Link name in the title of the picture.
     link: String,
-    /// Reason of the first row of a path without an answer.
+    /// Reason for the first missing answer of a path.
     no_answer: Option<String>,
 }
 
@@ -290,15 +290,16 @@ struct PathColumns<'a> {
     columns: Columns<'a>,
     /// Number of the first row of the portion.
     first: usize,
-    /// Reason of the first row without an answer.
+    /// Reason for the first missing answer.
     no_answer: Option<String>,
     /// Positions of all joints of the rows of the portion, row by row.
     positions: Vec<f64>,
-    /// Rows of the portion without a pose; their entries in `positions` are those of the assembly.
+    /// Rows of the portion without a pose. Their entries in `positions` are zero until the start pose replaces them, whose results are
+    /// discarded.
     unreached: Vec<usize>,
 }
 
-/// Findings about a pose, which no contact changes.
+/// Findings about a pose. They do not depend on the contact.
 const POSE_FINDINGS: u32 = RemarkFlags::SINGULAR_POSE.bits()
     | RemarkFlags::OTHER_ASSEMBLY.bits()
     | RemarkFlags::DRAWN_OPEN.bits()
@@ -309,7 +310,7 @@ const POSE_FINDINGS: u32 = RemarkFlags::SINGULAR_POSE.bits()
     | RemarkFlags::WEAKLY_CONSTRAINED.bits()
     | RemarkFlags::UNCLEAR_MOBILITY.bits();
 
-/// Rows of a portion that a thread solves at once.
+/// Number of rows that a thread solves at once.
 const PATH_BLOCK: usize = 64;
 
 impl PathColumns<'_> {
@@ -449,7 +450,7 @@ impl RowHandler for PathColumns<'_> {
     }
 }
 
-/// Array of a sweep that was requested.
+/// Array of a sweep; `NotComputedError` if the array was not requested.
 fn requested<T>(array: Option<&Py<T>>, py: Python<'_>, name: &str) -> PyResult<Py<T>> {
     array.map(|array| array.clone_ref(py)).ok_or_else(|| {
         errors::not_computed(format_args!("{name} was not requested; call percuss.sweep(…, {name}=True)"))

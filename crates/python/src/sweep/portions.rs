@@ -23,11 +23,11 @@ const PORTION_DURATION: Duration = Duration::from_millis(50);
 pub struct Progress<'a>(Option<&'a Bound<'a, PyAny>>);
 
 impl<'a> Progress<'a> {
-    /// Refuses what cannot be called.
+    /// Checks that the object can be called.
     pub fn of(given: Option<&'a Bound<'a, PyAny>>) -> PyResult<Self> {
         match given {
             Some(given) if !given.is_callable() => Err(errors::argument_type(format_args!(
-                "progress is {}; expected a function of the finished and of all rows",
+                "progress is {}; expected a function of two numbers, the finished rows and all rows",
                 given.repr()?
             ))),
             _ => Ok(Self(given)),

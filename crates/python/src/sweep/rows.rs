@@ -95,7 +95,7 @@ fn solve_rows(
             let Some(positions) = layout.block_positions(q, row_positions.clone(), &mut buffer) else {
                 return Err(BlockFailure::NotFinite);
             };
-            // `remarks` holds no finding.
+            // Without findings of all rows, `remarks` is already correct: zero.
             if common_remarks != 0 {
                 remarks.fill(common_remarks);
             }
@@ -114,7 +114,8 @@ fn solve_rows(
     })
 }
 
-/// Results of some rows, in the cache of one thread. `codes` holds the code of finite masses, `remarks` the findings of all rows.
+/// Result arrays of the rows that a thread solves at once. Before the solution, `codes` holds the code of finite masses and `remarks` the
+/// findings that all rows have.
 pub struct Block<'a> {
     pub masses: &'a mut [f64],
     pub errors: &'a mut [f64],
@@ -125,10 +126,10 @@ pub struct Block<'a> {
 }
 
 impl Block<'_> {
-    /// Solves the rows of a block, with a contact of their own if given.
+    /// Solves the rows of a block. `contacts`: a contact for each row; `None`: the contact of the batch.
     ///
     /// # Errors
-    /// The refusal of a batch.
+    /// [`BatchError`] of the batch.
     pub fn solve(
         self,
         batch: &BatchDerivatives,

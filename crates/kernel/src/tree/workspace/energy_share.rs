@@ -20,8 +20,8 @@ pub(in super::super) struct EnergyShare {
 }
 
 impl EnergyShare {
-    /// Bounds for a body with its own inertia. `moment` (kg·m²) and `mass` (kg): bounds of its articulated inertia; `carried`: the part of
-    /// the children that are not light.
+    /// Bounds for a body with its own inertia. `moment` (kg·m²) and `mass` (kg): bounds of its articulated inertia; `carried`: the part
+    /// of these bounds from children that are not light.
     pub fn of(own: &PackedInertia<f64>, [moment, mass]: [f64; 2], carried: [f64; 2]) -> Self {
         let (a, h, m) = (&own.angular, &own.coupling, own.linear[0]);
         let rotational = Matrix3::new(a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5]);
