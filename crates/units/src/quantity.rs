@@ -235,7 +235,7 @@ mod tests {
             (Dimension::Stiffness, "160 lbf/in", 160.0 * 4.4482216152605 / 0.0254),
             (Dimension::Mass, "10 lb", 4.5359237),
             (Dimension::Force, "1 lbf", 4.4482216152605),
-            (Dimension::Inertia, "1000 lb in2", 0.292639653),
+            (Dimension::Inertia, "1000 lb in2", 453.59237 * 0.0254 * 0.0254),
             (Dimension::RotationalStiffness, "2 N·m/deg", 360.0 / std::f64::consts::PI),
             (Dimension::RotationalStiffness, "2e3Nm/rad", 2e3),
             (Dimension::AngularSpeed, "180deg/s", std::f64::consts::PI),
