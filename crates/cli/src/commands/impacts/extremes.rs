@@ -3,7 +3,7 @@
 use crate::args::{CheckFormat, ExtremesArgs};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_json, write_out};
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{ExtremeRecord, ExtremesReport, Status, extremes};
@@ -13,6 +13,7 @@ pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
     let contact = args.contact.question()?;
     let model = args.model.load()?;
     let report = extremes(&model, &contact, &args.question())?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&text(&report)),
@@ -43,6 +44,12 @@ fn text(report: &ExtremesReport) -> String {
     };
     let ranges: Vec<String> = report.ranges.iter().map(range).collect();
     out += &fact_line("ranges", &line(&format!("{} (rad or m)", ranges.join(", "))));
+    if !report.held.is_empty() {
+        let list = |values: &[f64]| values.iter().map(|x| short_number(*x)).collect::<Vec<_>>().join(",");
+        let held = |(joint, values): &(String, Vec<f64>)| format!("{joint} at {}", list(values));
+        let held: Vec<String> = report.held.iter().map(held).collect();
+        out += &fact_line("held", &line(&format!("{} (rad or m; give a range to vary it)", held.join(", "))));
+    }
     out + &wrap_lines(
         "\nLocal searches from several starts: no proof of a global extreme. Few agreeing starts suggest more (--starts).\n",
     )
@@ -58,6 +65,9 @@ fn value(report: &ExtremesReport, record: &ExtremeRecord) -> String {
     };
     match (record.status, record.value) {
         (Status::Finite, Some(value)) => format!("{} {}{what}", number(value), report.unit),
+        (Status::Immovable, _) if report.quantity == "bearing_impulse" => {
+            "unbounded: it grows towards these positions, at which the contact is immovable".to_owned()
+        }
         (status, _) => status.name().to_owned(),
     }
 }
