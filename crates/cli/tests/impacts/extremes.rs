@@ -141,3 +141,22 @@ fn extremes_list_the_held_joints() {
     let outside = percuss(&format!("{arm} --range shoulder=-10:10"));
     assert!(outside.code == 0 && outside.stderr.contains("leaves the limits -2 to 2"), "{}", outside.stderr);
 }
+
+/// Gap of a bump stop at the extremes: open at the drawn position of the arm, and the same as that of the table of contacts there.
+#[test]
+fn an_open_stop_is_marked() {
+    let sheet = "extremes models/suspensions/double-wishbone.toml --at bump_stop --starts 2";
+    let open = percuss(&format!("{sheet} --range upper_arm_hinge=-0.02:0.02"));
+    assert!(
+        open.code == 0 && open.stdout.matches("the stop is open").count() == 2,
+        "{}{}",
+        open.stdout,
+        open.stderr
+    );
+    let report = json(&format!("{sheet} --range upper_arm_hinge=-0.02:0.02 --format json"));
+    assert!(report["least"]["gap"].as_f64().expect("a gap") > 0.0, "{}", report["least"]);
+    let plain = json(
+        "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --range elbow=0.4:1 --format json",
+    );
+    assert!(plain["least"]["gap"].is_null());
+}

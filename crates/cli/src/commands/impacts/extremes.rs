@@ -8,6 +8,9 @@ use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{ExtremeRecord, ExtremesReport, Status, extremes};
 
+/// Gap, m, up to which a stop counts as closed: far below any clearance.
+const RESTING_GAP: f64 = 1e-6;
+
 /// Runs the command.
 pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
     let contact = args.contact.question()?;
@@ -26,6 +29,10 @@ fn text(report: &ExtremesReport) -> String {
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
         out += &fact_line(name, &line(&value(report, record)));
         out += &fact_line("  at", &line(&positions(record)));
+        if let Some(gap) = record.gap.filter(|gap| gap.abs() > RESTING_GAP) {
+            let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
+            out += &fact_line("  gap", &format!("{} m, the stop is {state} here", short_number(gap)));
+        }
         if let Some(normal) = &record.normal_world {
             out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
         }

@@ -482,6 +482,9 @@ class ExtremeRecord(Record):
     "immovable" if it has no bound: it grows towards these positions, at which the contact is immovable."""
     positions: list[ExtremePosition]
     """Positions of the varied joints."""
+    gap: float | None
+    """Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; None for other
+    contacts."""
     normal_world: list[float] | None
     """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float

@@ -11,7 +11,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
-use percuss_dynamics::Pose;
+use percuss_dynamics::{Gap, Pose};
 use percuss_impact::{
     ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
     extreme_quantity,
@@ -169,6 +169,8 @@ pub struct ExtremeRecord {
     pub status: Status,
     /// Positions of the varied joints.
     pub positions: Vec<ExtremePosition>,
+    /// Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; null for other contacts.
+    pub gap: Option<f64>,
     /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
@@ -239,6 +241,16 @@ pub fn extremes(
     };
     let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
     let mechanism = &model.mechanism;
+    let named = prepared.question.named_contact(mechanism)?;
+    let gap = named.and_then(|named| Gap::new(&pose, named));
+    let gap_at = |found: &ExtremeMass| {
+        let mut configuration = prepared.configuration.clone();
+        for (range, position) in ranges.iter().zip(&found.positions) {
+            configuration.set(mechanism.joint(range.joint).name(), &[*position]).ok()?;
+        }
+        let there = prepared.system.pose_from(&pose, &configuration).ok()?;
+        Some(gap.as_ref()?.at(&there))
+    };
     let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
     let record = |found: &ExtremeMass| {
         let (status, value) = Status::classify(found.effective_mass);
@@ -255,6 +267,7 @@ pub fn extremes(
             value,
             status,
             positions: ranges.iter().zip(&found.positions).map(position).collect(),
+            gap: gap_at(found),
             normal_world: found.normal_world.map(Into::into),
             residual: found.residual,
             agreeing: found.agreeing,
