@@ -20,6 +20,7 @@ mod linkages {
 mod impacts {
     mod damp;
     mod designs;
+    mod extremes;
     mod free_body;
     mod rigid_impact;
     mod safe_speed;

@@ -39,9 +39,10 @@ pub use percussion::{
     worst_reaction_within,
 };
 pub use ranges::extremes::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
     extreme_effective_mass, extreme_quantity,
 };
+pub use ranges::extremes_error::ExtremesError;
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
 };

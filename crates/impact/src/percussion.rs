@@ -3,7 +3,7 @@
 use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use crate::tolerances::{CIRCLE_ANGLES, CIRCLE_ITERATIONS, NO_INFLUENCE};
 use nalgebra::{Matrix2, Vector2, Vector3};
-use percuss_dynamics::{Contact, Direction, Frame, Pose, ResponseError};
+use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, Pose, ResponseError};
 use percuss_mechanism::JointId;
 use percuss_spatial::plane_basis;
 
@@ -24,6 +24,20 @@ pub enum PercussionError {
         joint: String,
         /// Loops that leave the components open.
         loops: Vec<String>,
+    },
+    /// No motion closes the gap at the contact point, so that no impact occurs there.
+    #[error(
+        "joint \"{joint}\": no centre of percussion, because the {} [{}, {}, {}] m (frame of the contact link) is immovable along the normal; \
+         expected a point that the mechanism can move along it",
+        if *is_best { "point of the least reaction" } else { "contact point" }, point[0], point[1], point[2]
+    )]
+    Immovable {
+        /// The joint.
+        joint: String,
+        /// The point, frame of the contact link, m.
+        point: [f64; 3],
+        /// True for the point of the least reaction, false for the given contact point.
+        is_best: bool,
     },
     /// The direction of the line is too short or not finite.
     #[error("the direction of the line is {direction:?}; expected a vector of length above zero")]
@@ -90,7 +104,7 @@ pub fn centre_of_percussion(
         return Err(affine.no_influence(pose));
     }
     let s = -affine.given.dot(&r1) / r1.norm_squared();
-    Ok(affine.centre(contact, line * s, affine.given + r1 * s))
+    affine.centre(pose, contact, line * s, affine.given + r1 * s)
 }
 
 /// Point of the tangent plane with the least impulse at a joint. See [`centre_of_percussion`]. If a line of points has
@@ -122,7 +136,7 @@ pub fn centre_of_percussion_in_plane(
             x += axis * (axis.dot(&right) / eigen.eigenvalues[k]);
         }
     }
-    Ok(affine.centre(contact, t1 * x[0] + t2 * x[1], affine.given + r1 * x[0] + r2 * x[1]))
+    affine.centre(pose, contact, t1 * x[0] + t2 * x[1], affine.given + r1 * x[0] + r2 * x[1])
 }
 
 /// Largest impulse at a joint for contact points near the given one.
@@ -191,6 +205,8 @@ pub fn worst_reaction_within(
 /// Impulse at a joint as an affine function of the contact point.
 struct AffineReaction {
     joint: JointId,
+    /// Normal at the given contact point, axes of the contact link.
+    normal: Vector3<f64>,
     given: Vector3<f64>,
     /// Derivatives by displacements along the given directions, 1/m.
     derivatives: Vec<Vector3<f64>>,
@@ -212,14 +228,13 @@ impl AffineReaction {
         let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
         let size = pose.mechanism().characteristic_length();
         let map = ReactionMap::new(pose);
-        let at = |displacement: Vector3<f64>| {
-            let moved = Contact {
-                point: contact.point + displacement,
-                normal: Direction::Along(normal, Frame::Link),
-                ..*contact
-            };
-            impulse_at_joint(pose, &map, &moved, joint)
+        let displaced = |displacement: Vector3<f64>| Contact {
+            point: contact.point + displacement,
+            normal: Direction::Along(normal, Frame::Link),
+            ..*contact
         };
+        let at = |displacement: Vector3<f64>| impulse_at_joint(pose, &map, &displaced(displacement), joint);
+        require_movable(pose, contact, joint, false)?;
         let first = at(Vector3::zeros())?;
         let mut is_open = first.is_open;
         let mut derivatives = Vec::new();
@@ -232,6 +247,7 @@ impl AffineReaction {
         let determinate = |v: Vector3<f64>| Vector3::from_fn(|k, _| if is_open[k] { 0.0 } else { v[k] });
         Ok(Self {
             joint,
+            normal,
             given: determinate(first.values),
             derivatives: derivatives.into_iter().map(determinate).collect(),
             size,
@@ -240,20 +256,44 @@ impl AffineReaction {
         })
     }
 
-    fn centre(&self, contact: &Contact, displacement: Vector3<f64>, rest: Vector3<f64>) -> PercussionCentre {
-        PercussionCentre {
-            point: contact.point + displacement,
+    /// Centre of percussion at a displacement; an error if the point is immovable there.
+    fn centre(
+        &self,
+        pose: &Pose,
+        contact: &Contact,
+        displacement: Vector3<f64>,
+        rest: Vector3<f64>,
+    ) -> Result<PercussionCentre, PercussionError> {
+        let normal = Direction::Along(self.normal, Frame::Link);
+        let best = Contact { point: contact.point + displacement, normal, ..*contact };
+        require_movable(pose, &best, self.joint, true)?;
+        Ok(PercussionCentre {
+            point: best.point,
             displacement,
             given_reaction: self.given.norm(),
             remaining_reaction: rest.norm(),
             is_open: self.is_open,
             loops: self.loops.clone(),
-        }
+        })
     }
 
     fn no_influence(&self, pose: &Pose) -> PercussionError {
         PercussionError::NoInfluence { joint: pose.mechanism().joint(self.joint).name().to_owned() }
     }
+}
+
+/// Error if no motion closes the gap at a contact.
+fn require_movable(
+    pose: &Pose,
+    contact: &Contact,
+    joint: JointId,
+    is_best: bool,
+) -> Result<(), PercussionError> {
+    if pose.respond(contact)?.effective_mass != EffectiveMass::Immovable {
+        return Ok(());
+    }
+    let joint = pose.mechanism().joint(joint).name().to_owned();
+    Err(PercussionError::Immovable { joint, point: contact.point.into(), is_best })
 }
 
 /// Impulse at a joint to a unit impulse at the contact.

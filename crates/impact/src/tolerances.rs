@@ -101,3 +101,16 @@ pub const CIRCLE_ITERATIONS: usize = 8;
 /// Step h of a difference quotient, relative to the range of a position. The truncation of the formula with four points, h⁴/30 times the
 /// fifth derivative, is then similar to the rounding ε/h.
 pub const DIFFERENCE_STEP: f64 = 1e-3;
+
+/// Pulling impulse of a contact, and tangential impulse, relative to the largest impulse, that are rounding: the errors of impulses of
+/// redundant contacts are about 1e-10.
+pub const PULLING: f64 = 1e-8;
+
+/// Coefficient of friction above which a contact cannot stick: its normal impulse is rounding of zero, far above any material.
+pub const MOST_FRICTION: f64 = 1e4;
+
+/// Largest impulse that redundant contacts exchange, relative to the determinate impulses.
+pub const OPEN_IMPULSES: f64 = 1e3;
+
+/// Accuracy of open impulses at the least coefficient of friction, relative to the determinate impulses.
+pub const OPEN_PER_IMPULSE: f64 = 1e-10;

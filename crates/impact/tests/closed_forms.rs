@@ -91,6 +91,26 @@ fn a_door_stop_at_two_thirds_leaves_the_hinge_without_impulse() {
     }
 }
 
+/// A contact on the hinge line, or with the normal along the rod, is immovable: no impact occurs there, so no centre of percussion exists.
+#[test]
+fn an_immovable_contact_has_no_centre_of_percussion() {
+    let door = hinged_rod(3.0, 0.9);
+    let pose = pose_of(&door, &Conditions::new(), &[]);
+    let link = door.find_link("rod").expect("the rod");
+    let hinge = door.find_joint("hinge").expect("the hinge");
+    for (at, normal) in [(Vector3::zeros(), Vector3::y()), (Vector3::x() * 0.6, Vector3::x())] {
+        let contact = Contact::new(link, at, normal);
+        let expected =
+            PercussionError::Immovable { joint: "hinge".to_owned(), point: at.into(), is_best: false };
+        let along = centre_of_percussion(&pose, &contact, hinge, Vector3::x());
+        assert_eq!(along.expect_err("no centre along the line"), expected);
+        let plane = centre_of_percussion_in_plane(&pose, &contact, hinge);
+        assert_eq!(plane.expect_err("no centre in the plane"), expected);
+        let worst = worst_reaction_within(&pose, &contact, hinge, 0.01);
+        assert_eq!(worst.expect_err("no reaction"), expected);
+    }
+}
+
 #[test]
 fn a_free_rod_rebounds_as_in_the_textbook() {
     // Nikravesh, Planar Multibody Dynamics, example 11.3: rod of length 2, m = 1 kg, J = 0.01 kg·m², at 315°, falling at

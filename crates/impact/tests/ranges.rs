@@ -304,13 +304,47 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
         16,
     );
     let found = found.expect("an extreme");
-    assert!(found.effective_mass.kilograms().expect("a finite impulse") < 1e-6, "{found:?}");
+    assert_eq!(found.effective_mass, EffectiveMass::Finite(0.0), "{found:?}");
     assert!(found.agreeing * 100 >= found.starts * 95 && found.residual < 1e-3, "{found:?}");
     let quantity = SearchedQuantity::BearingImpulse { joint: bearing };
     let any = SearchedContact { normals: NormalRange::Any, ..(&contact).into() };
     let start = system.configuration();
     let refused = extreme_quantity(&system, &start, any, quantity, &ranges, ExtremeKind::Most, 1);
     assert!(matches!(refused, Err(ExtremesError::NormalsOfMass)), "{refused:?}");
+}
+
+/// Towards the stretched arm along the normal the mass of the tip has no bound, and both hinges take the whole impulse. A range without
+/// that pose has a bound.
+#[test]
+fn a_bearing_impulse_towards_an_immovable_pose_is_unbounded() {
+    let arm = arm(3.0, 2.0);
+    let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
+    let contact = Contact {
+        link: arm.find_link("outer").expect("the outer link"),
+        against: None,
+        point: Vector3::x(),
+        normal: Direction::Along(Vector3::y(), Frame::World),
+    };
+    let joint = |name: &str| arm.find_joint(name).expect("a joint");
+    let most = |bearing: &str, lower: f64, upper: f64| {
+        let ranges = [
+            JointRange { joint: joint("shoulder"), lower: -3.0, upper: 3.0 },
+            JointRange { joint: joint("elbow"), lower, upper },
+        ];
+        let quantity = SearchedQuantity::BearingImpulse { joint: joint(bearing) };
+        let start = system.configuration();
+        extreme_quantity(&system, &start, (&contact).into(), quantity, &ranges, ExtremeKind::Most, 16)
+            .expect("an extreme")
+    };
+    for bearing in ["shoulder", "elbow"] {
+        let stretched = most(bearing, -1.0, 2.0);
+        assert_eq!(stretched.effective_mass, EffectiveMass::Immovable, "{stretched:?}");
+        let [shoulder, elbow] = stretched.positions[..] else { panic!("{stretched:?}") };
+        assert!(elbow.abs() < 1e-3 && (shoulder.sin().abs() - 1.0).abs() < 1e-3, "{stretched:?}");
+        assert!(stretched.agreeing > 0);
+        let bent = most(bearing, 0.4, 2.0);
+        assert!(bent.effective_mass.kilograms().is_some_and(|value| value > 1.0), "{bent:?}");
+    }
 }
 
 #[test]

@@ -236,3 +236,9 @@ pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;
 /// positions the symbols of spring and damper do not hide the pads.
 pub(crate) const BUMP_PAD: f64 = 0.55;
 pub(crate) const REBOUND_PAD: f64 = 0.4;
+
+/// Rate of a joint in the motion of an impact, relative to the largest rate, that is rounding of zero: a limit of this rate has no effect.
+pub const UNCHANGED_RATE: f64 = 1e-12;
+
+/// Relative difference of coefficients of friction up to which a given one suffices: rounding of the impulses of redundant contacts.
+pub const SAME_FRICTION: f64 = 1e-6;

@@ -31,7 +31,10 @@ pub struct ExtremesArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Range of a driving joint; default: the limits of all driving joints with limits.
+    /// Range of a driving joint; default: the limits of all.
+    ///
+    /// With --range only the given joints vary, and the other joints are held at their --set positions (0 without one). Without --range all
+    /// driving joints with limits vary over their limits, except those with --set.
     #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
     pub range: Vec<GivenRange>,
     /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT.

@@ -347,58 +347,6 @@ fn the_best_constant_armature_of_the_crank() {
 }
 
 #[test]
-fn extremes_of_an_arm() {
-    let command = "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world \
-                   --range shoulder=-180deg:180deg --range elbow=20deg:160deg";
-    let report = json(&format!("{command} --format json"));
-    for key in ["least", "most"] {
-        let found = &report[key];
-        // The mass at the positions of the extreme, by percuss mass.
-        let position = |i: usize| found["positions"][i]["position"].as_f64().expect("a position");
-        let mass = json(&format!(
-            "mass models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world --set shoulder={} \
-             --set elbow={} --format json",
-            position(0),
-            position(1)
-        ));
-        let (a, b) = (found["effective_mass"].as_f64().expect("a mass"), mass["effective_mass"].as_f64());
-        assert!((a / b.expect("a mass") - 1.0).abs() < 1e-9, "{key}: {found}");
-        // The search compares masses: positions are accurate to the square root of rounding, times the curvature.
-        assert!(found["residual"].as_f64().expect("a residual") < 1e-5, "{found}");
-        assert!(found["agreeing"].as_u64().expect("a number") > 1, "{found}");
-    }
-    // Over all normals of the plane the smallest mass is smaller and the largest larger.
-    let plane = json(&format!("{command} --normals across:0,0,1 --format json"));
-    let mass = |report: &Value, key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
-    assert!(mass(&plane, "least") <= mass(&report, "least") && mass(&plane, "most") >= mass(&report, "most"));
-    assert!(plane["most"]["normal_world"][2].as_f64().expect("a number").abs() < ROUNDING);
-    assert!(report["most"]["normal_world"].is_null());
-    let text = percuss(&format!("{command} --normals across:0,0,1")).stdout;
-    assert!(text.contains("up to its sign"), "{text}");
-    let wrong = percuss(&format!("{command} --normals across:0,0"));
-    assert!(wrong.code == 2 && wrong.stderr.contains("across:X,Y,Z"), "{}", wrong.stderr);
-    let text = percuss(command).stdout;
-    assert!(text.contains("starts agree") && text.contains("no proof"), "{text}");
-    for (more, words) in [
-        ("--range nope=0:1", "--range"),
-        ("--range elbow=1:0", "--range"),
-        ("--range elbow=0:1m", "--range"),
-        ("--range elbow", "--range"),
-    ] {
-        let arm = "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0";
-        let outcome = percuss(&format!("{arm} {more}"));
-        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
-    }
-    // Without limits and ranges nothing varies.
-    let refused = percuss(
-        "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --against-mass 2",
-    );
-    assert!(refused.code == 2 && refused.stderr.contains("--against-mass"), "{}", refused.stderr);
-    let outcome = percuss("extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0");
-    assert!(outcome.code == 2 && outcome.stderr.contains("no joint varies"), "{}", outcome.stderr);
-}
-
-#[test]
 fn a_centre_of_percussion_names_open_components() {
     let command = format!("{FOUR_BAR} --speed 2 --percussion crank_hinge");
     let report = json(&format!("{command} --format json"));
@@ -481,48 +429,33 @@ fn a_displaced_point_has_the_worst_impulse() {
     assert!((found / ratio - 1.0).abs() < 1e-9, "{found} {ratio}");
 }
 
-/// The extremes of an inertia and of a bearing impulse agree with impacts at the reported positions.
+/// A limit of a joint that the impact does not move is named, and two springs of a joint are refused.
 #[test]
-fn extremes_of_other_quantities() {
-    let contact = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0";
-    let range = "--range elbow=20deg:160deg --format json";
-    for (quantity, unit) in
-        [("held:shoulder", "kg·m²"), ("reflected:shoulder", "kg·m²"), ("bearing:elbow", "kg")]
-    {
-        let report = json(&format!("extremes {contact} {range} --quantity {quantity}"));
-        assert_eq!(report["unit"], unit);
-        assert!(report["least"]["effective_mass"].is_null());
-        for end in ["least", "most"] {
-            let value = report[end]["value"].as_f64().expect("a value");
-            let elbow = report[end]["positions"][0]["position"].as_f64().expect("a position");
-            let impact = json(&format!(
-                "impact {contact} --set elbow={elbow} --restitution 0 --speed 1 --reflected shoulder --format json"
-            ));
-            let expected = match quantity {
-                "held:shoulder" => impact["reflected_inertia"][0]["held"].as_f64(),
-                "reflected:shoulder" => impact["reflected_inertia"][0]["free"].as_f64(),
-                _ => {
-                    let reactions = impact["reactions"].as_array().expect("reactions");
-                    let elbow = reactions.iter().find(|r| r["name"] == "elbow").expect("the elbow");
-                    let force = elbow["force"].as_array().expect("a force");
-                    Some(force.iter().filter_map(|x| x.as_f64()).map(|x| x * x).sum::<f64>().sqrt())
-                }
-            };
-            let expected = expected.expect("a number");
-            assert!(
-                (value - expected).abs() < 1e-6 * (1.0 + expected),
-                "{quantity} {end}: {value} {expected}"
-            );
-        }
-    }
-    for (more, words) in [
-        ("--quantity held:nothing", "--quantity"),
-        ("--quantity weight", "bearing:JOINT"),
-        ("--quantity held:shoulder --normals any", "effective masses only"),
-    ] {
-        let outcome = percuss(&format!("extremes {contact} --range elbow=20deg:160deg {more}"));
-        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
-    }
+fn values_without_effect_are_named() {
+    let arm = "impact models/planar_2r.urdf --link inner --point 0.4,0,0 --normal 0,1,0 --restitution 0.5 --speed 1 --lock elbow";
+    let report = json(&format!("{arm} --rate-limit elbow=2 --format json"));
+    assert_eq!(report["limits_without_effect"], serde_json::json!(["elbow"]));
+    assert!(report["greatest_closing_speed"].is_null());
+    let text = percuss(&format!("{arm} --rate-limit elbow=2")).stdout;
+    assert!(text.contains("the limit of elbow has no effect"), "{text}");
+    let both = json(&format!("{arm} --rate-limit elbow=2 --rate-limit shoulder=2 --format json"));
+    assert_eq!(both["greatest_closing_speed"]["joint"], "shoulder");
+    let door =
+        "impact models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --restitution 0.5";
+    let springs = "--stiffness 1e5 --in-time --joint-spring hinge=3e4 --joint-spring hinge=2e4";
+    let twice = percuss(&format!("{door} --speed 1 {springs}"));
+    assert!(twice.code == 2 && twice.stderr.contains("\"hinge\" is given twice"), "{}", twice.stderr);
+    let wrong = percuss(&format!("{door} --rates hinge=2deg"));
+    assert!(wrong.code == 2 && wrong.stderr.contains("rad/s or m/s"), "{}", wrong.stderr);
+    let immovable = percuss(
+        "impact models/physical_pendulum.urdf --link body --point 0,0,0 --normal 1,0,0 --restitution 0.5 \
+                             --speed 1 --against-mass 2 --percussion hinge",
+    );
+    assert!(
+        immovable.code == 2 && immovable.stderr.contains("is immovable along the normal"),
+        "{}",
+        immovable.stderr
+    );
 }
 
 #[test]
@@ -572,4 +505,28 @@ fn a_study_keeps_the_flags() {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let page = std::fs::read_to_string(page).expect("the report");
     assert!(page.contains("Reactions") && page.contains("rocker_pin"), "no reactions in the report");
+}
+
+/// Body of 5 kg with two feet: the impulses 5 N·s along the ground and across it need a coefficient of 1, however the feet share the
+/// impulse along the ground. A contact that opens before the impact is marked.
+#[test]
+fn sticking_feet_need_friction() {
+    let body = "impact models/floating_body.urdf --base floating --link body --point 0.1,0,-0.1 --normal 0,0,-1 --restitution 0";
+    let feet = format!("{body} --also body:-0.1,0,-0.1:0,0,-1 --sticking --base-twist 0,0,0,1,0,-1");
+    let sticking =
+        |more: &str| json(&format!("{feet} {more} --format json"))["simultaneous"]["sticking"].clone();
+    let alone = sticking("");
+    // Accuracy of the search: the impulses are known to 1e-8.
+    let least = alone["least_friction"].as_f64().expect("a coefficient");
+    assert!((least - 1.0).abs() < 1e-5 && alone["friction_suffices"].is_null(), "{alone}");
+    assert_eq!(sticking("--friction 0.9")["friction_suffices"], false);
+    assert_eq!(sticking("--friction 1.1")["friction_suffices"], true);
+    let text = percuss(&format!("{feet} --friction 0.4")).stdout.replace('\n', " ");
+    assert!(
+        text.contains("not possible") && text.contains("at least 1, ") && text.contains("0.6 less"),
+        "{text}"
+    );
+    let tilting =
+        percuss(&format!("{body} --also body:-0.1,0,-0.1:0,0,-1 --base-twist 0,20,0,0,0,-1")).stdout;
+    assert!(tilting.contains("(opens)") && tilting.contains("The motion before opens"), "{tilting}");
 }

@@ -26,6 +26,12 @@ impl SemidefiniteSolver {
         &self.vectors * weights
     }
 
+    /// Orthonormal basis of the kernel of the matrix, as columns.
+    pub fn kernel(&self) -> DMatrix<f64> {
+        let open: Vec<usize> = (0..self.values.len()).filter(|k| self.values[*k] <= self.floor).collect();
+        self.vectors.select_columns(&open)
+    }
+
     /// True if the kernel of the matrix leaves a linear function of the solution open.
     pub fn is_open(&self, function: &DVector<f64>) -> bool {
         let part = |k: usize| {

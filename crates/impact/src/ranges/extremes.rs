@@ -1,14 +1,14 @@
 //! Extreme effective masses over ranges of joint positions.
 
 use crate::mobility::delassus::Delassus;
-use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
+use crate::motion::driver_rates::{DriverRate, rates_from_drivers};
+use crate::ranges::extremes_error::ExtremesError;
 use crate::ranges::reflected::{driving_velocities, reflected_inertia};
 use crate::reactions::reaction_map::ReactionMap;
 use crate::tolerances::DIFFERENCE_STEP;
 use nalgebra::{Matrix3xX, Vector3};
 use percuss_dynamics::{
-    AssemblyError, Configuration, ConfigurationError, Contact, Direction, EffectiveMass, Frame, LowestPoint,
-    Pose, ResponseError, System,
+    Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, System,
 };
 use percuss_mechanism::JointId;
 use percuss_spatial::{Twist, plane_basis};
@@ -23,54 +23,11 @@ const SAME_VALUE: f64 = 1e-6;
 const IMMOVABLE: f64 = 1e-12;
 /// Relative difference of values that is rounding.
 const SAME_TO_ROUNDING: f64 = 1e-13;
+/// Reaction per impulse at the contact that is rounding of zero: the search finds the position of a zero to the square root of the
+/// rounding, about 1e-8, and the reaction changes by a small multiple of it there.
+const NO_REACTION: f64 = 1e-6;
 /// Distance from a limit, relative to the range, at which the limit is active.
 const AT_LIMIT: f64 = 1e-9;
-
-/// Error of a search for extremes.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ExtremesError {
-    /// A range is empty or not finite.
-    #[error("joint \"{joint}\": the range {lower} to {upper} is empty or not finite")]
-    Range {
-        /// The joint.
-        joint: String,
-        /// Lower end, rad or m.
-        lower: f64,
-        /// Upper end.
-        upper: f64,
-    },
-    /// The axis of a range of normals has no direction.
-    #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
-    NoAxis,
-    /// A range of normals for a quantity that is no effective mass.
-    #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
-    NormalsOfMass,
-    /// No joint varies.
-    #[error("no joint varies; give the range of at least one driving joint")]
-    NoJoint,
-    /// A varied joint does not drive, or has several velocities.
-    #[error("joint \"{joint}\" is no driving joint with one velocity")]
-    NoDriver {
-        /// The joint.
-        joint: String,
-    },
-    /// No start has a pose with a finite value.
-    #[error("no start of the search has a pose with a finite value")]
-    NoStart,
-    /// The configuration cannot be set.
-    #[error(transparent)]
-    Configuration(#[from] ConfigurationError),
-    /// A pose does not close.
-    #[error(transparent)]
-    Assembly(#[from] AssemblyError),
-    /// A contact is invalid.
-    #[error(transparent)]
-    Contact(#[from] ResponseError),
-    /// The motions of the drivers are not determined.
-    #[error(transparent)]
-    Rates(#[from] RatesError),
-}
 
 /// Range of a driving joint with one velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,7 +45,8 @@ pub struct JointRange {
 pub enum ExtremeKind {
     /// Smallest value.
     Least,
-    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint.
+    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. A bearing
+    /// impulse is `Immovable` if it grows without bound towards a pose with an immovable contact.
     Most,
 }
 
@@ -146,7 +104,8 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
 /// Extreme of an effective mass, or of another quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Value of the quantity at the extreme, kg or kg·m²; `Immovable` is a valid largest value of a mass or an inertia.
+    /// Value of the quantity at the extreme, kg or kg·m²; `Immovable` is a valid largest value of a mass or an inertia. The largest
+    /// impulse of a bearing is `Immovable` if it has no bound; the positions are those that it grows towards.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
@@ -236,14 +195,13 @@ pub fn extreme_quantity(
         return Err(ExtremesError::NoAxis);
     }
     let search = Search { system, configuration, contact, wheel, quantity, ranges, normals, extreme };
-    let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
-    for start in 0..starts.max(1) {
-        let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
-        if let Some((point, at_start)) = search.run(unit)? {
-            largest = largest.max(at_start).max(point.inverse_mass);
-            found.push(point);
-        }
+    if let SearchedQuantity::BearingImpulse { joint } = quantity
+        && extreme == ExtremeKind::Most
+        && let Some(unbounded) = search.unbounded_impulse(joint, starts)?
+    {
+        return Ok(unbounded);
     }
+    let (found, largest) = search.run_all(starts)?;
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
     let largest = largest.max(search.typical()?);
     let is_immovable =
@@ -254,25 +212,34 @@ pub fn extreme_quantity(
     let close =
         if search.is_reciprocal() { SAME_VALUE * size } else { (SAME_VALUE * size).max(IMMOVABLE * largest) };
     let same = |point: &&Point| (point.inverse_mass - best.inverse_mass).abs() <= close;
-    let at_limit = |k: usize| match best.unit[k] {
-        x if x <= AT_LIMIT => Some((ranges[k].joint, false)),
-        x if x >= 1.0 - AT_LIMIT => Some((ranges[k].joint, true)),
-        _ => None,
+    let is_zero = match quantity {
+        SearchedQuantity::BearingImpulse { joint } => search.transmits_nothing(&best.unit, joint),
+        _ => false,
     };
     Ok(ExtremeMass {
         effective_mass: if is_immovable {
             EffectiveMass::Immovable
+        } else if is_zero {
+            EffectiveMass::Finite(0.0)
         } else {
             let value = best.inverse_mass;
             EffectiveMass::Finite(if search.is_reciprocal() { 1.0 / value } else { value.sqrt() })
         },
         positions: search.positions(&best.unit),
         normal_world: best.normal_world,
-        active_limits: (0..ranges.len()).filter_map(at_limit).collect(),
+        active_limits: search.active_limits(&best.unit),
         residual: if is_immovable { 0.0 } else { best.residual() / if vanishes { largest } else { size } },
         starts: starts.max(1),
         agreeing: found.iter().filter(same).count(),
     })
+}
+
+/// Square of the determinate part of the reaction force in a joint; `None` if all components are open.
+fn squared_force(pose: &Pose, response: &ContactResponse, joint: JointId, impulse: f64) -> Option<f64> {
+    let reactions = ReactionMap::new(pose).reactions(response, impulse).ok()?;
+    let force = reactions.joints[joint.index()].reaction.force;
+    let known: Vec<f64> = force.iter().filter_map(|component| component.value()).collect();
+    (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum())
 }
 
 /// Reciprocal of a mass or an inertia; `None` for a massless motion.
@@ -344,7 +311,64 @@ struct Search<'a> {
     extreme: ExtremeKind,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    /// Ends of the local searches from all starts, and the largest measure that occurs.
+    fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64), ExtremesError> {
+        let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
+        for start in 0..starts.max(1) {
+            let unit = (0..self.ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
+            if let Some((point, at_start)) = self.run(unit)? {
+                largest = largest.max(at_start).max(point.inverse_mass);
+                found.push(point);
+            }
+        }
+        Ok((found, largest))
+    }
+
+    /// Result of a bearing impulse without bound: m̄ |R| grows without bound towards a pose with an immovable contact and R ≠ 0.
+    /// `None` if no start finds such a pose.
+    fn unbounded_impulse(&self, joint: JointId, starts: usize) -> Result<Option<ExtremeMass>, ExtremesError> {
+        let masses: Search<'a> = Search { quantity: SearchedQuantity::EffectiveMass, ..*self };
+        let (found, largest) = masses.run_all(starts)?;
+        let largest = largest.max(masses.typical()?);
+        let is_unbounded = |point: &&Point| {
+            point.inverse_mass <= IMMOVABLE * largest
+                && self.reaction(&point.unit, joint).is_some_and(|r| r > NO_REACTION)
+        };
+        let unbounded: Vec<&Point> = found.iter().filter(is_unbounded).collect();
+        Ok(unbounded.first().map(|point| ExtremeMass {
+            effective_mass: EffectiveMass::Immovable,
+            positions: self.positions(&point.unit),
+            normal_world: None,
+            active_limits: self.active_limits(&point.unit),
+            residual: 0.0,
+            starts: starts.max(1),
+            agreeing: unbounded.len(),
+        }))
+    }
+
+    /// Reaction force in a joint per impulse at the contact, its determinate components; `None` if all are open.
+    fn reaction(&self, unit: &[f64], joint: JointId) -> Option<f64> {
+        let pose = self.pose(unit, None).ok()?;
+        let response = pose.respond(&self.contact_at(&pose)?.0).ok()?;
+        Some(squared_force(&pose, &response, joint, 1.0)?.sqrt())
+    }
+
+    /// True if the joint transmits no force beyond rounding.
+    fn transmits_nothing(&self, unit: &[f64], joint: JointId) -> bool {
+        self.reaction(unit, joint).is_some_and(|reaction| reaction <= NO_REACTION)
+    }
+
+    /// Joints at a limit, true for the upper one.
+    fn active_limits(&self, unit: &[f64]) -> Vec<(JointId, bool)> {
+        let at_limit = |(range, x): (&JointRange, &f64)| match *x {
+            x if x <= AT_LIMIT => Some((range.joint, false)),
+            x if x >= 1.0 - AT_LIMIT => Some((range.joint, true)),
+            _ => None,
+        };
+        self.ranges.iter().zip(unit).filter_map(at_limit).collect()
+    }
+
     /// True if the search uses the reciprocal of the quantity, which is smooth where a mass or an inertia is infinite.
     fn is_reciprocal(&self) -> bool {
         !matches!(self.quantity, SearchedQuantity::BearingImpulse { .. })
@@ -364,10 +388,7 @@ impl Search<'_> {
             SearchedQuantity::BearingImpulse { joint } => {
                 let response = pose.respond(&self.contact_at(pose)?.0).ok()?;
                 let mass = response.effective_mass.kilograms()?;
-                let reactions = ReactionMap::new(pose).reactions(&response, mass).ok()?;
-                let force = reactions.joints[joint.index()].reaction.force;
-                let known: Vec<f64> = force.iter().filter_map(|component| component.value()).collect();
-                (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum())
+                squared_force(pose, &response, joint, mass)
             }
         }
     }

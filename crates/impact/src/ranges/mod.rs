@@ -1,5 +1,6 @@
 //! Results over ranges of joint positions: extreme effective masses, reflected inertia of a driver.
 
 pub(crate) mod extremes;
+pub(crate) mod extremes_error;
 pub(crate) mod reflected;
 pub(crate) mod reflected_range;

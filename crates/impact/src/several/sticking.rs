@@ -3,6 +3,7 @@
 use crate::error::ImpactError;
 use crate::mobility::delassus::Delassus;
 use crate::mobility::semidefinite::SemidefiniteSolver;
+use crate::several::least_friction::least_friction;
 use crate::tolerances::{COMPLEMENTARY, MASSLESS_RESPONSE, MOST_CONTACTS};
 use nalgebra::{DMatrix, DVector, Matrix2};
 
@@ -24,7 +25,8 @@ pub struct StickingContact {
 /// Plastic impact with sticking points: u⁺ = 0 at the points that stick.
 ///
 /// The points that stick have the impulses P = −W⁺ u⁻ and the impact map q̇⁺ = Δ q̇⁻ with Δ = 1 − N K⁻¹ (J N)ᵀ W⁺ J. All subsets
-/// of the contacts are examined. A subset is consistent if no contact pulls (p_n ≥ 0) and no other contact closes its gap.
+/// of the contacts are examined. A subset is consistent if no contact pulls (p_n ≥ 0; with open impulses, for at least one distribution)
+/// and no other contact closes its gap.
 /// Friction must suffice: [`required_friction`](StickingContact::required_friction). Tangential directions in which a point cannot move
 /// at all, such as those across the plane of a planar linkage, have no impulse. Sources: Hurmuzlu and Marghitu 1994 for the
 /// conditions; Westervelt et al. 2007, §3.4 for the map.
@@ -38,6 +40,9 @@ pub struct StickingImpact {
     pub impulses: DVector<f64>,
     /// Lost kinetic energy, J.
     pub energy_loss: f64,
+    /// Least coefficient of friction for which all points can stick: with redundant contacts, over all distributions of the open
+    /// impulses. `None` if no coefficient suffices: a contact has a tangential impulse without a normal one.
+    pub least_friction: Option<f64>,
     /// Number of consistent subsets of sticking contacts. With more than one, the result is that with the most contacts.
     pub consistent_subsets: usize,
 }
@@ -70,6 +75,7 @@ pub fn sticking_impact(delassus: &Delassus, before: &DVector<f64>) -> Result<Sti
         contacts: (0..k).map(|i| subset.contact(i, mask)).collect(),
         map: subset.map(delassus),
         energy_loss: -0.5 * subset.impulses.dot(&(before + &subset.after)),
+        least_friction: subset.least_friction(k, mask),
         impulses: subset.impulses,
         consistent_subsets,
     })
@@ -108,7 +114,30 @@ impl Subset {
             } else {
                 self.after[3 * i] >= -COMPLEMENTARY * speed
             }
-        })
+        }) && self.can_press(k, mask)
+    }
+
+    /// True if the open impulses can be such that no contact pulls.
+    fn can_press(&self, k: usize, mask: u32) -> bool {
+        if !(0..k).any(|i| mask & (1 << i) != 0 && self.is_open[3 * i]) {
+            return true;
+        }
+        let mut normal_only = (self.impulses.clone(), self.open_impulses());
+        for row in (0..3 * k).filter(|row| row % 3 != 0) {
+            normal_only.0[row] = 0.0;
+            normal_only.1.row_mut(row).fill(0.0);
+        }
+        least_friction(&normal_only.0, &normal_only.1, &sticking_contacts(k, mask)).is_some()
+    }
+
+    /// Impulses that change no motion, 3k×d.
+    fn open_impulses(&self) -> DMatrix<f64> {
+        &self.directions * self.solver.kernel()
+    }
+
+    /// Least coefficient of friction for which all points can stick.
+    fn least_friction(&self, k: usize, mask: u32) -> Option<f64> {
+        least_friction(&self.impulses, &self.open_impulses(), &sticking_contacts(k, mask))
     }
 
     fn contact(&self, i: usize, mask: u32) -> StickingContact {
@@ -140,6 +169,11 @@ impl Subset {
         }
         DMatrix::identity(n, n) - responses * &self.directions * impulses
     }
+}
+
+/// Contacts of a subset.
+fn sticking_contacts(k: usize, mask: u32) -> Vec<usize> {
+    (0..k).filter(|i| mask & (1 << i) != 0).collect()
 }
 
 /// Normals and movable tangential directions of the contacts of a subset, as columns.

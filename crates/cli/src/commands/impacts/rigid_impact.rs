@@ -143,6 +143,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         let by = format!("{} m/s, limited by {gear}{}", number(greatest.speed), greatest.joint);
         facts.push(("greatest speed", by));
     }
+    for joint in &report.limits_without_effect {
+        let note =
+            format!("the limit of {joint} has no effect: the impact does not change the rate of this joint");
+        facts.push(("greatest speed", note));
+    }
     facts.extend(report.reflected_inertia.iter().map(|record| ("reflected", reflected(record))));
     facts.extend(report.reflected_over.iter().map(|range| ("armature", armature(range))));
     for centre in &report.percussion {

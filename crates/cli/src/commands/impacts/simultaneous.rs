@@ -3,7 +3,10 @@
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::wrap_lines;
-use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord};
+use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord, TouchingRecord};
+
+/// Opening speed, m/s, up to which a contact counts as resting: rounding of speeds of about 1 m/s.
+const OPENING_SPEED: f64 = 1e-12;
 
 /// Section of a report about several contacts: contacts, laws and plastic impact.
 pub fn text(report: &ImpactReport, several: &SimultaneousRecord) -> String {
@@ -15,7 +18,10 @@ pub fn text(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     }
     if let Some(sticking) = &several.sticking {
         out += &format!("\nPlastic impact with sticking points\n{}", sticking_table(several, sticking));
-        out += &wrap_lines(&sticking_note(sticking));
+        out += &wrap_lines(&sticking_note(
+            sticking,
+            report.friction.as_ref().map(|friction| friction.coefficient),
+        ));
     }
     out
 }
@@ -39,12 +45,21 @@ pub fn contact_table(several: &SimultaneousRecord) -> Table<4> {
             .collect();
         table.row([
             format!("{} {}", number_of + 1, contact.name),
-            short_number(contact.closing_speed),
+            format!(
+                "{}{}",
+                short_number(contact.closing_speed),
+                if opens(contact) { " (opens)" } else { "" }
+            ),
             contact.effective_mass.map_or_else(|| "immovable".to_owned(), number),
             principal.join("; "),
         ]);
     }
     table
+}
+
+/// True if a contact separates before the impact.
+fn opens(contact: &TouchingRecord) -> bool {
+    contact.closing_speed < -OPENING_SPEED
 }
 
 /// Direction with three digits.
@@ -59,6 +74,18 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
         if let Some(gap) = contact.gap.filter(|gap| gap.abs() > 1e-6) {
             note += &format!(" The gap of {} is {} m here.", line(&contact.name), short_number(gap));
         }
+    }
+    let opening: Vec<&str> = several
+        .contacts
+        .iter()
+        .filter(|contact| opens(contact))
+        .map(|contact| contact.name.as_str())
+        .collect();
+    if !opening.is_empty() {
+        note += &format!(
+            " The motion before opens {}: only an impulse of another contact can close this gap.",
+            line(&opening.join(", "))
+        );
     }
     if report.motion_before != "given" {
         note += " The motion before is the assumed one (v* times the speed); give --rates for another.";
@@ -138,20 +165,31 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
 }
 
 /// Conditions of a plastic impact.
-pub fn sticking_note(sticking: &StickingRecord) -> String {
+pub fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String {
     let mut note = format!(
         "Energy loss {} J. No contact pulls, and none closes its gap. ",
         short_number(sticking.energy_loss)
     );
-    note += match sticking.friction_suffices {
-        Some(true) => "The given friction suffices. ",
-        Some(false) => {
-            "Warning: the given friction does not suffice; the points slide, and this result is not valid. "
+    let redundant = sticking.sticks.iter().zip(&sticking.required_friction).any(|(s, mu)| *s && mu.is_none());
+    let over = if redundant { ", for the best distribution of the open impulses (?)" } else { "" };
+    note += &match (sticking.least_friction, sticking.friction_suffices, friction) {
+        (None, _, _) => "Warning: this result is not possible: a contact has a tangential impulse without a normal one, so that no \
+                         friction suffices. "
+            .to_owned(),
+        (Some(least), Some(false), Some(given)) => format!(
+            "Warning: this result is not possible: sticking needs a coefficient of friction of at least {}{over}, and {} is given ({} \
+             less); the points slide. ",
+            short_number(least),
+            short_number(given),
+            short_number(least - given),
+        ),
+        (Some(least), Some(true), _) => {
+            format!("The given friction suffices: sticking needs at least {}{over}. ", short_number(least))
         }
-        None if sticking.sticks.iter().zip(&sticking.required_friction).any(|(s, mu)| *s && mu.is_none()) => {
-            "Redundant contacts leave the needed friction open (?): it is assumed to suffice. "
-        }
-        None => "Friction is assumed to suffice (compare the needed coefficient, or give --friction). ",
+        (Some(least), _, _) => format!(
+            "Sticking needs a coefficient of friction of at least {}{over}; give --friction to check it. ",
+            short_number(least)
+        ),
     };
     if sticking.consistent_subsets > 1 {
         note += &format!(

@@ -192,8 +192,9 @@ pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
         page.table(simultaneous::law_table(several).rows());
         page.paragraph("soft", &simultaneous::law_note(several).replace('\n', " "));
         if let Some(sticking) = &several.sticking {
+            let friction = report.friction.as_ref().map(|friction| friction.coefficient);
             page.table(simultaneous::sticking_table(several, sticking).rows());
-            page.paragraph("soft", &simultaneous::sticking_note(sticking).replace('\n', " "));
+            page.paragraph("soft", &simultaneous::sticking_note(sticking, friction).replace('\n', " "));
         }
     }
     page.heading("Rates of the joints");

@@ -129,9 +129,11 @@ class StickingRecord(Record):
     """Magnitude of the tangential impulse, N·s; None if open."""
     required_friction: list[float | None]
     """Coefficient of friction that the sticking needs; None if open, and for contacts that let go."""
+    least_friction: float | None
+    """Least coefficient of friction for which all these contacts can stick: with redundant contacts, over all distributions of
+    the open impulses. None if none suffices: a contact has a tangential impulse without a normal one."""
     friction_suffices: bool | None
-    """True if the given friction suffices at all contacts that stick, false if it does not at one of them; None without a given
-    friction, and if open requirements leave the answer open."""
+    """True if the given friction suffices for all contacts to stick; None without a given friction."""
     opening_speeds: list[float]
     """Opening speed of each contact after the impact, m/s."""
     energy_loss: float
@@ -443,6 +445,8 @@ class ImpactReport(Record):
     """Impact in time with the contact law, if requested."""
     greatest_closing_speed: GreatestSpeedRecord | None
     """Greatest closing speed by limits of joint rates and gears, if requested."""
+    limits_without_effect: list[str]
+    """Joints with a limit of the rate or of the gear that has no effect: the impact does not change their rates."""
     reflected_inertia: list[ReflectedRecord]
     """Reflected inertias, if requested."""
     reflected_over: list[ReflectedRangeRecord]
@@ -474,9 +478,13 @@ class ExtremeRecord(Record):
     value: float | None
     """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
-    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia."""
+    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia. The largest impulse in a bearing is
+    "immovable" if it has no bound: it grows towards these positions, at which the contact is immovable."""
     positions: list[ExtremePosition]
     """Positions of the varied joints."""
+    gap: float | None
+    """Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; None for other
+    contacts."""
     normal_world: list[float] | None
     """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float
@@ -504,9 +512,13 @@ class ExtremesReport(Record):
     """Unit of the values: "kg" or "kg·m²"."""
     ranges: list[list[float | str]]
     """Ranges of the varied joints: joint, lower and upper end, rad or m."""
+    held: list[list[list[float] | str]]
+    """Driving joints that do not vary, with their positions, rad or m."""
     starts: int
     """Number of starts."""
     least: ExtremeRecord
     """Smallest value of the quantity."""
     most: ExtremeRecord
     """Largest value of the quantity."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the ranges."""

@@ -65,6 +65,18 @@ pub enum Fault {
     /// Extremes with a free body on the other side.
     #[error("extremes are those of the mechanism alone; expected no free body on the other side")]
     ExtremesOfMechanism,
+    /// Joint with a position and a range in a search for extremes.
+    #[error("joint \"{joint}\" has a range and a given position; expected one of the two")]
+    SetAndRanged {
+        /// Joint.
+        joint: String,
+    },
+    /// Several values for a joint that takes one.
+    #[error("joint \"{joint}\" is given twice; give it once")]
+    JointTwice {
+        /// Joint.
+        joint: String,
+    },
     /// Restitution or closing speed of an impact out of range.
     #[error(transparent)]
     Impact(#[from] ImpactError),

@@ -6,6 +6,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::travel::vary::Vary;
 use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
+use crate::thresholds::UNCHANGED_RATE;
 use crate::values::rates::GivenRates;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
@@ -232,6 +233,7 @@ pub(crate) fn greatest_speed(
 ) -> Result<Option<GreatestSpeedRecord>, StudyError> {
     let mechanism = &evaluated.prepared.model.mechanism;
     let mut limits = Vec::new();
+    let is_changed = |joint: JointId| !unchanged_joints(evaluated).contains(&joint);
     for given in &question.rate_limits {
         let (joint, values) = rates_of(mechanism, Field::RateLimit, given)?;
         let expected = mechanism.joint(joint).kind().dofs();
@@ -245,16 +247,44 @@ pub(crate) fn greatest_speed(
                 Fault::RateLimit { joint: given.0.clone(), value },
             ));
         }
-        limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
+        if is_changed(joint) {
+            limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
+        }
     }
     let (response, e) = (&evaluated.result.response, question.restitution);
     let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
-    let gears = gear_limits(evaluated, question)?;
+    let mut gears = gear_limits(evaluated, question)?;
+    gears.retain(|(joint, _, _)| is_changed(*joint));
     let by_gears = greatest_closing_speed_of_gears(&evaluated.pose, response, e, &gears);
     let found = by_rates.into_iter().chain(by_gears.map(|found| (found, "gear")));
     let least = found.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b));
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
     Ok(least.map(|((speed, joint), limit)| GreatestSpeedRecord { speed, joint: name(joint), limit }))
+}
+
+/// Joints with a limit of the rate or of the gear that has no effect, since the impact does not change their rates.
+pub(crate) fn limits_without_effect(evaluated: &EvaluatedQuestion, question: &ImpactQuestion) -> Vec<String> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let unchanged: Vec<&str> =
+        unchanged_joints(evaluated).into_iter().map(|joint| mechanism.joint(joint).name()).collect();
+    let rates = question.rate_limits.iter().map(|(name, _)| name);
+    let gears = question.gear_limits.iter().map(|(name, _)| name);
+    let mut names: Vec<String> = Vec::new();
+    for name in rates.chain(gears).filter(|name| unchanged.contains(&name.as_str())) {
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    names
+}
+
+/// Joints whose rates the impact does not change.
+fn unchanged_joints(evaluated: &EvaluatedQuestion) -> Vec<JointId> {
+    let rates = &evaluated.result.response.joint_velocities;
+    let size = |rates: &[f64]| rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+    let largest = rates.iter().map(|rates| size(rates)).fold(0.0, f64::max);
+    let joints = evaluated.prepared.model.mechanism.joint_ids();
+    joints.filter(|joint| size(&rates[joint.index()]) <= UNCHANGED_RATE * largest).collect()
 }
 
 /// Limits of the impulses in gears: joint, velocity, impulse.

@@ -1,12 +1,17 @@
 //! Extreme effective masses over ranges of joint positions.
 
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
+use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
+use percuss_dynamics::{Gap, Pose};
 use percuss_impact::{
     ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
     extreme_quantity,
@@ -23,7 +28,8 @@ pub const MOST_STARTS: usize = 10_000;
 /// Ranges of the joints, and number of starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExtremesQuestion {
-    /// Ranges of joints; empty for the limits of all driving joints with limits.
+    /// Ranges of joints: only these joints vary. Empty for the limits of all driving joints with limits, except those with a given
+    /// position.
     pub ranges: Vec<GivenRange>,
     /// Quantity whose extremes are searched.
     pub quantity: GivenQuantity,
@@ -158,10 +164,13 @@ pub struct ExtremeRecord {
     pub effective_mass: Option<f64>,
     /// Value of the quantity in the unit of the report; null if not finite.
     pub value: Option<f64>,
-    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia.
+    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia. The largest impulse in a bearing is `immovable`
+    /// if it has no bound: it grows towards these positions, at which the contact is immovable.
     pub status: Status,
     /// Positions of the varied joints.
     pub positions: Vec<ExtremePosition>,
+    /// Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; null for other contacts.
+    pub gap: Option<f64>,
     /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
@@ -187,18 +196,23 @@ pub struct ExtremesReport {
     pub unit: &'static str,
     /// Ranges of the varied joints: joint, lower and upper end, rad or m.
     pub ranges: Vec<(String, f64, f64)>,
+    /// Driving joints that do not vary, with their positions, rad or m.
+    pub held: Vec<(String, Vec<f64>)>,
     /// Number of starts.
     pub starts: usize,
     /// Smallest value of the quantity.
     pub least: ExtremeRecord,
     /// Largest value of the quantity.
     pub most: ExtremeRecord,
+    /// Findings about the ranges.
+    pub diagnostics: Vec<DiagnosticRecord>,
 }
 
 /// Smallest and largest effective mass of a contact, or another quantity, over ranges of its driving joints.
 ///
 /// # Errors
-/// [`StudyError`], as for [`mass`](crate::mass()); an invalid range; a joint that does not drive.
+/// [`StudyError`], as for [`mass`](crate::mass()); an invalid range; a joint that does not drive; a joint with a position and a
+/// range.
 pub fn extremes(
     model: &Model,
     question: &MassQuestion,
@@ -210,7 +224,7 @@ pub fn extremes(
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
-    let ranges = ranges(&prepared, extremes)?;
+    let ranges = ranges(&prepared, &pose, extremes)?;
     let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
     let (quantity, unit) = extremes.quantity.searched(&model.mechanism)?;
     let search = |extreme| {
@@ -227,6 +241,16 @@ pub fn extremes(
     };
     let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
     let mechanism = &model.mechanism;
+    let named = prepared.question.named_contact(mechanism)?;
+    let gap = named.and_then(|named| Gap::new(&pose, named));
+    let gap_at = |found: &ExtremeMass| {
+        let mut configuration = prepared.configuration.clone();
+        for (range, position) in ranges.iter().zip(&found.positions) {
+            configuration.set(mechanism.joint(range.joint).name(), &[*position]).ok()?;
+        }
+        let there = prepared.system.pose_from(&pose, &configuration).ok()?;
+        Some(gap.as_ref()?.at(&there))
+    };
     let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
     let record = |found: &ExtremeMass| {
         let (status, value) = Status::classify(found.effective_mass);
@@ -243,6 +267,7 @@ pub fn extremes(
             value,
             status,
             positions: ranges.iter().zip(&found.positions).map(position).collect(),
+            gap: gap_at(found),
             normal_world: found.normal_world.map(Into::into),
             residual: found.residual,
             agreeing: found.agreeing,
@@ -255,17 +280,60 @@ pub fn extremes(
         joint: extremes.quantity.joint().map(str::to_owned),
         unit,
         ranges: ranges.iter().map(|range| (name(range), range.lower, range.upper)).collect(),
+        held: held_joints(&pose, &ranges),
         starts,
         least: record(&least),
         most: record(&most),
+        diagnostics: range_findings(mechanism, extremes, &ranges).map(DiagnosticRecord::from).collect(),
     })
 }
 
-/// Ranges in SI units; without given ones, the limits of all driving joints with limits.
-fn ranges(prepared: &PreparedQuestion, question: &ExtremesQuestion) -> Result<Vec<JointRange>, StudyError> {
+/// Driving joints without a range, with their positions.
+fn held_joints(pose: &Pose, ranges: &[JointRange]) -> Vec<(String, Vec<f64>)> {
+    let mut drivers = percuss_impact::driving_joints(pose);
+    drivers.retain(|joint| ranges.iter().all(|range| range.joint != *joint));
+    let held = |&joint| (pose.mechanism().joint(joint).name().to_owned(), pose.joint(joint).to_vec());
+    drivers.iter().map(held).collect()
+}
+
+/// Findings about given ranges outside the limits of their joints, or over many turns.
+fn range_findings<'a>(
+    mechanism: &'a Mechanism,
+    question: &'a ExtremesQuestion,
+    ranges: &'a [JointRange],
+) -> impl Iterator<Item = Finding> + 'a {
+    question.ranges.iter().zip(ranges).filter_map(|(given, range)| {
+        let joint = mechanism.joint(range.joint);
+        let limits = joint.limits().filter(|limits| {
+            Pose::is_outside(range.lower, *limits) || Pose::is_outside(range.upper, *limits)
+        });
+        let Some(limits) = limits else {
+            let end = if given.lower.value.abs() > given.upper.value.abs() { given.lower } else { given.upper };
+            return many_turns_finding(mechanism, range.joint, end, 1.0, "has a range to");
+        };
+        let message = format!(
+            "joint \"{}\": the range {} to {} leaves the limits {} to {} of the joint; the extremes may lie where the joint cannot be",
+            joint.name(),
+            range.lower,
+            range.upper,
+            limits.lower,
+            limits.upper
+        );
+        Some(Finding::new(FindingKind::OutsideLimits, FindingSubject::Joint(range.joint), message))
+    })
+}
+
+/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position.
+fn ranges(
+    prepared: &PreparedQuestion,
+    pose: &Pose,
+    question: &ExtremesQuestion,
+) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
+    let is_set = |name: &str| prepared.question.set.iter().any(|(joint, _)| joint == name);
     if question.ranges.is_empty() {
-        let drivers = percuss_impact::driving_joints(&prepared.pose()?);
+        let mut drivers = percuss_impact::driving_joints(pose);
+        drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));
         let limited = drivers.into_iter().filter_map(|joint| {
             let limits = mechanism.joint(joint).limits()?;
             let is_single = mechanism.joint(joint).kind().dofs() == 1;
@@ -279,6 +347,9 @@ fn ranges(prepared: &PreparedQuestion, question: &ExtremesQuestion) -> Result<Ve
     }
     let range = |given: &GivenRange| {
         let joint = find_joint(mechanism, Field::Range, &given.joint)?;
+        if is_set(&given.joint) {
+            return Err(StudyError::input(Field::Range, Fault::SetAndRanged { joint: given.joint.clone() }));
+        }
         let dimension = match mechanism.joint(joint).kind() {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
             JointKind::Prismatic => Dimension::Length,

@@ -145,7 +145,10 @@ pub(crate) fn in_time(
 
 /// Springs of the joints.
 fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
-    let spring = |(name, values): &(String, Vec<f64>)| {
+    let spring = |(number, (name, values)): (usize, &(String, Vec<f64>))| {
+        if impact.joint_springs[..number].iter().any(|(earlier, _)| earlier == name) {
+            return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
+        }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
         let (stiffness, damping, free_position) = match **values {
             [stiffness] => (stiffness, 0.0, None),
@@ -158,7 +161,7 @@ fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, Stu
         };
         Ok(JointSpring { joint, stiffness, damping, free_position })
     };
-    impact.joint_springs.iter().map(spring).collect()
+    impact.joint_springs.iter().enumerate().map(spring).collect()
 }
 
 /// Velocities of the movable joints.

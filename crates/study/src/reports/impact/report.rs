@@ -13,8 +13,8 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::build_mass_report;
 use crate::reports::impact::additions::{
-    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord, greatest_speed, percussion,
-    rates_of, reflected, reflected_over,
+    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord, greatest_speed,
+    limits_without_effect, percussion, rates_of, reflected, reflected_over,
 };
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
@@ -131,6 +131,8 @@ pub struct ImpactReport {
     pub in_time: Option<ImpactTimeRecord>,
     /// Greatest closing speed by limits of joint rates and gears, if requested.
     pub greatest_closing_speed: Option<GreatestSpeedRecord>,
+    /// Joints with a limit of the rate or of the gear that has no effect: the impact does not change their rates.
+    pub limits_without_effect: Vec<String>,
     /// Reflected inertias, if requested.
     pub reflected_inertia: Vec<ReflectedRecord>,
     /// Reflected inertias over ranges of positions, if requested.
@@ -212,6 +214,7 @@ pub fn impact(
         in_time: in_time(&evaluated, impact, &rigid, &held)?,
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
+        limits_without_effect: limits_without_effect(&evaluated, impact),
         reflected_inertia: reflected(&evaluated, impact)?,
         reflected_over: reflected_over(&evaluated, impact)?,
         percussion: percussion(&evaluated, impact)?,

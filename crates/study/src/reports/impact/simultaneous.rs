@@ -5,6 +5,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::{FurtherContact, ImpactQuestion};
+use crate::thresholds::SAME_FRICTION;
 use nalgebra::DVector;
 use percuss_dynamics::{Contact, Direction, Frame, Gap, LocatedContact};
 use percuss_impact::{
@@ -76,8 +77,10 @@ pub struct StickingRecord {
     pub tangential_impulses: Vec<Option<f64>>,
     /// Coefficient of friction that the sticking needs; null if open, and for contacts that let go.
     pub required_friction: Vec<Option<f64>>,
-    /// True if the given friction suffices at all contacts that stick, false if it does not at one of them; null without a
-    /// given friction, and if open requirements leave the answer open.
+    /// Least coefficient of friction for which all these contacts can stick: with redundant contacts, over all distributions of the open
+    /// impulses. Null if none suffices: a contact has a tangential impulse without a normal one.
+    pub least_friction: Option<f64>,
+    /// True if the given friction suffices for all contacts to stick; null without a given friction.
     pub friction_suffices: Option<bool>,
     /// Opening speed of each contact after the impact, m/s.
     pub opening_speeds: Vec<f64>,
@@ -295,16 +298,6 @@ fn spread(laws: &[SimultaneousLawRecord], contacts: usize) -> f64 {
     (0..contacts).map(of_contact).fold(0.0, f64::max)
 }
 
-/// True if a coefficient of friction suffices at all contacts that stick; `None` if open requirements decide.
-fn friction_suffices(found: &StickingImpact, coefficient: f64) -> Option<bool> {
-    let sticking = found.contacts.iter().filter(|contact| contact.sticks);
-    let required: Vec<Option<f64>> = sticking.map(|contact| contact.required_friction).collect();
-    if required.iter().flatten().any(|needed| *needed > coefficient) {
-        return Some(false);
-    }
-    required.iter().all(Option::is_some).then_some(true)
-}
-
 /// Record of a plastic impact.
 fn sticking_record(
     evaluated: &EvaluatedQuestion,
@@ -325,7 +318,10 @@ fn sticking_record(
         sticks: found.contacts.iter().map(|c| c.sticks).collect(),
         normal_impulses: found.contacts.iter().map(|c| c.normal_impulse).collect(),
         tangential_impulses: found.contacts.iter().map(|c| c.tangential_impulse).collect(),
-        friction_suffices: question.friction.and_then(|mu| friction_suffices(found, mu)),
+        friction_suffices: question
+            .friction
+            .map(|mu| found.least_friction.is_some_and(|least| least <= mu * (1.0 + SAME_FRICTION))),
+        least_friction: found.least_friction,
         required_friction: required,
         opening_speeds: found.contacts.iter().map(|c| c.opening_speed).collect(),
         energy_loss: found.energy_loss,

@@ -1,0 +1,50 @@
+//! Errors of a search for extremes.
+
+use crate::motion::driver_rates::RatesError;
+use percuss_dynamics::{AssemblyError, ConfigurationError, ResponseError};
+
+/// Error of a search for extremes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExtremesError {
+    /// A range is empty or not finite.
+    #[error("joint \"{joint}\": the range {lower} to {upper} is empty or not finite")]
+    Range {
+        /// The joint.
+        joint: String,
+        /// Lower end, rad or m.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+    },
+    /// The axis of a range of normals has no direction.
+    #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
+    NoAxis,
+    /// A range of normals for a quantity that is no effective mass.
+    #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
+    NormalsOfMass,
+    /// No joint varies.
+    #[error("no joint varies; give the range of at least one driving joint")]
+    NoJoint,
+    /// A varied joint does not drive, or has several velocities.
+    #[error("joint \"{joint}\" is no driving joint with one velocity")]
+    NoDriver {
+        /// The joint.
+        joint: String,
+    },
+    /// No start has a pose with a finite value.
+    #[error("no start of the search has a pose with a finite value")]
+    NoStart,
+    /// The configuration cannot be set.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// A pose does not close.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// A contact is invalid.
+    #[error(transparent)]
+    Contact(#[from] ResponseError),
+    /// The motions of the drivers are not determined.
+    #[error(transparent)]
+    Rates(#[from] RatesError),
+}
