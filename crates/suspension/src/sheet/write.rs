@@ -238,7 +238,7 @@ pub fn template_keys() -> String {
         "the template's name",
         "the suspension's name; the template's where it is missing",
         "of every length without its own: m, cm, mm, in; required",
-        "of every inertia without its own: kg m2 where it is missing, or kg cm2, kg mm2, g mm2, t mm2",
+        "of every inertia without its own: kg m2 where it is missing, or kg cm2, kg mm2, g mm2, t mm2, lb in2",
         "`iso` (x forward, y left, z up) or `adams` (x backward, y right, z up); required",
         "the side that the points describe: left where it is missing, or right",
         "what is built: left, right or both; the side of the points where it is missing",
