@@ -176,6 +176,8 @@ pub(crate) const LIFT_OFF_SPEED: f64 = 1e-9;
 pub(crate) const DIFFERENCE: f64 = 1e-5;
 /// Depths to which m̄ is followed for an impact with the varying mass, relative to the penetration of the constant mass.
 pub(crate) const STROKES: [f64; 3] = [1.05, 1.3, 2.0];
+/// Depth to which m̄ is followed if the motion ends before that, relative to the depth at the end: at a dead centre m̄ has no limit.
+pub(crate) const BEFORE_END: f64 = 0.98;
 /// Largest step over the penetration, relative to the depth.
 pub(crate) const LARGEST_PENETRATION: f64 = 1.0 / 16.0;
 /// First step of the motion over the penetration, relative to the penetration.

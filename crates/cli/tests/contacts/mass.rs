@@ -122,12 +122,13 @@ fn flags_mean_what_they_say() {
     assert!(kilograms(&format!("{ARM} --armature elbow=0.5")) > m * 1.001);
     let turret = "mass models/six_r_arm.urdf --link turret --point 0.1,0,0 --normal 0,1,0";
     let heavy_base = kilograms(turret);
-    assert!(kilograms(&format!("{turret} --base floating --link-mass pedestal=40kg")) < heavy_base);
+    let of_point = format!("{turret} --base floating --link-mass pedestal=40kg");
+    assert!(kilograms(&of_point) < heavy_base);
+    assert!(percuss(&of_point).stderr.contains("\"pedestal\" has a mass and no moments of inertia"));
     // A floating base needs a mass.
     let massless = percuss(&format!("{turret} --base floating"));
     assert_eq!(massless.code, 2);
-    let said = "--base: the root link \"pedestal\" has no mass; a floating root link needs a mass: set its mass \
-                (--link-mass pedestal=KG)";
+    let said = "--base: the root link \"pedestal\" has no mass; a floating root link needs mass and inertia";
     assert!(massless.stderr.contains(said), "{}", massless.stderr);
     // A free body in series.
     let other = kilograms(&format!("{ARM} --against-mass 500g"));

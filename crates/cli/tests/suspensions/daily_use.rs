@@ -39,7 +39,7 @@ fn mistakes_are_answered_with_the_remedy() {
         &folder,
         2,
         &[&at_stop[..], &["--base", "floating"]].concat(),
-        &["[chassis]", "--link-mass chassis=KG"],
+        &["[chassis]", "needs mass and inertia"],
     );
     let text = fs::read_to_string(folder.path("my.toml")).unwrap();
     let chassis = "[chassis]\nmass = 1200\ncom = [-1200, 0, 500]\ninertia = [400, 1500, 1600]\n\n[lower_arm]";

@@ -85,6 +85,7 @@ finding_kinds! {
     OtherAssembly = "other-assembly", Warning, Pose;
     OutsideLimits = "outside-limits", Warning, Positions;
     PenetrationUnreachable = "penetration-unreachable", Warning, Report;
+    PointMassBase = "point-mass-base", Warning, Model;
     PointConverted = "point-converted", Note, Pose;
     PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
     RackMoved = "rack-moved", Warning, Report;

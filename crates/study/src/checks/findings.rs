@@ -9,8 +9,8 @@ use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
 use crate::values::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
-    Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
-    RigidLoops, Singularity, System,
+    Assembly, Base, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose,
+    Remark, RigidLoops, Singularity, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
@@ -238,6 +238,24 @@ pub(crate) fn guess_findings(
     found
 }
 
+/// Warning for a floating base with mass and without moments of inertia, such as a chassis of which only the mass is given.
+fn point_mass_base_finding(system: &System) -> Option<Finding> {
+    let root = system.mechanism().root();
+    let link = system.mechanism().link(root);
+    let own = link.inertial().filter(|own| own.mass > 0.0 && own.about_com.norm() == 0.0)?;
+    // Links fixed to the root link may have the inertia.
+    let is_alone = system.rigid_body_mass(root).is_some_and(|mass| mass <= own.mass);
+    (system.base() == Base::Floating && is_alone).then(|| {
+        let message = format!(
+            "the floating root link \"{}\" has a mass and no moments of inertia: it turns without resistance, and the effective mass is \
+             too small; give mass, com and inertia in the model, or in a section [{}] of a suspension sheet",
+            link.name(),
+            link.name()
+        );
+        Finding::new(FindingKind::PointMassBase, FindingSubject::Link(root), message)
+    })
+}
+
 /// Findings about the contact point and remarks of the contact response.
 pub(crate) fn collect_response_findings(
     system: &System,
@@ -249,6 +267,7 @@ pub(crate) fn collect_response_findings(
         far_point_check::far_point_finding(system.mechanism(), contact.link, &contact.point, names)
             .into_iter()
             .collect();
+    found.extend(point_mass_base_finding(system));
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
     // The status of a massless result already reports massless motions.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });

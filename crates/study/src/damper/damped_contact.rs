@@ -19,7 +19,7 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
+use crate::thresholds::{BEFORE_END, DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
 use percuss_contact::VaryingMassImpact;
 use percuss_contact::exports::{MassDrift, Options, StopMotion};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
@@ -97,7 +97,13 @@ pub(crate) fn damping_report(
     diagnostics.extend(law_mismatch_diagnostic(damping));
     let unit = if matches!(damping.options.stop, Some(StopMotion::Turn)) { "mrad" } else { "mm" };
     let reached = ended.zip(record.max_penetration);
-    diagnostics.extend(drift_diagnostic(&drift, reached, unit, prepared.question.names));
+    diagnostics.extend(drift_diagnostic(
+        &drift,
+        reached,
+        over_stroke.is_some(),
+        unit,
+        prepared.question.names,
+    ));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -189,17 +195,27 @@ fn over_stroke(
     let path = PenetrationPath { prepared, contact };
     // A mass that grows over the penetration penetrates deeper than the constant mass.
     STROKES.into_iter().find_map(|factor| {
-        let masses = path.masses_to(pose, factor * depth).ok()?;
+        let mut stroke = factor * depth;
+        let masses = match path.masses_to(pose, stroke) {
+            Ok(masses) => masses,
+            // The impact may end before the motion of the mechanism does.
+            Err(end) => {
+                stroke = BEFORE_END * end.depth;
+                path.masses_to(pose, stroke).ok()?
+            }
+        };
         let impact = impact_over_stroke(damping, &masses).ok()??;
-        (impact.max_penetration <= factor * depth).then_some(impact)
+        (impact.max_penetration <= stroke).then_some(impact)
     })
 }
 
 /// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable: `ended` has the end of the motion
-/// and the penetration that the impact needs. `unit`: name of 0.001 m or 0.001 rad.
+/// and the penetration that the impact needs. `varies`: true if the impact with varying mass is known. `unit`: name of 0.001 m or
+/// 0.001 rad.
 fn drift_diagnostic(
     drift: &Drift,
     ended: Option<(PenetrationEnd, f64)>,
+    varies: bool,
     unit: &str,
     names: Names,
 ) -> Option<DiagnosticRecord> {
@@ -219,9 +235,13 @@ fn drift_diagnostic(
         return Some(Finding::about_result(FindingKind::PenetrationUnreachable, message).into());
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
+    let varying = match varies {
+        true => "a result with varying mass is given beside it",
+        false => "no result with varying mass is known",
+    };
     let message = format!(
         "the effective mass changes by {:+.1} % while the contact is compressed, and the damper is that of the mass at the \
-         touch: a result with varying mass is given beside it; a stiffer contact or a slower impact reduces the change",
+         touch: {varying}; a stiffer contact or a slower impact reduces the change",
         100.0 * over
     );
     Some(Finding::about_result(FindingKind::MassDrifts, message).into())

@@ -38,7 +38,7 @@ pub enum Fault {
     #[error(transparent)]
     Conditions(#[from] ConditionsError),
     /// Floating root link without mass.
-    #[error("{}", massless_base(link, Names::Fields))]
+    #[error("{}", massless_base(link))]
     MasslessBase {
         /// Root link.
         link: String,
@@ -459,7 +459,7 @@ impl Fault {
             Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
             Fault::Dependent(error) => assembly_error_message(error, names),
             Fault::Contact(error) => contact_error_message(error, names),
-            Fault::MasslessBase { link } => massless_base(link, names),
+            Fault::MasslessBase { link } => massless_base(link),
             Fault::Travel(TravelError::Assembly(error)) => assembly_error_message(error, names),
             other => other.to_string(),
         }
@@ -467,15 +467,10 @@ impl Fault {
 }
 
 /// Message: a floating root link without mass.
-fn massless_base(link: &str, names: Names) -> String {
-    let given = match names {
-        Names::Fields => String::new(),
-        Names::Flags => format!(" (--link-mass {link}=KG)"),
-        Names::Keys => format!(" (model.link_mass: {link} = KG)"),
-    };
+fn massless_base(link: &str) -> String {
     format!(
-        "the root link \"{link}\" has no mass; a floating root link needs a mass: set its mass{given}, write mass, com and \
-         inertia in a section [{link}] of a suspension sheet, or use a fixed base"
+        "the root link \"{link}\" has no mass; a floating root link needs mass and inertia: write mass, com and inertia in the \
+         model, or in a section [{link}] of a suspension sheet, or use a fixed base"
     )
 }
 
