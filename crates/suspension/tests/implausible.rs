@@ -198,21 +198,31 @@ fn values_in_other_units_are_one_finding() {
 /// Exchanged seats of springs and dampers, and joints far from the wheel, are one finding for every template, unit and convention of axes.
 #[test]
 fn astray_seats_and_joints_are_one_finding() {
-    let (mut exchanged, mut astray) = (0, 0);
+    let (mut exchanged, mut arms, mut astray) = (0, 0, 0);
     for (template, _) in template_names() {
         for unit in LengthUnit::ALL {
             for axes in VehicleAxes::ALL {
                 let text = template_sheet(template, &TemplateOptions { unit, axes }).expect("a template");
-                for pair in [["spring_seat", "spring_chassis_seat"], ["damper_seat", "damper_chassis_seat"]] {
+                let exchange = |pair: [&str; 2]| {
                     let changed = format!("\n{text}").replace(&format!("\n{} =", pair[1]), "\nOTHER =");
                     let changed = changed.replace(&format!("\n{} =", pair[0]), &format!("\n{} =", pair[1]));
-                    let changed = changed.replace("\nOTHER =", &format!("\n{} =", pair[0]));
-                    let found = findings(&changed, &ImportOptions::default());
+                    findings(
+                        &changed.replace("\nOTHER =", &format!("\n{} =", pair[0])),
+                        &ImportOptions::default(),
+                    )
+                };
+                for pair in [["spring_seat", "spring_chassis_seat"], ["damper_seat", "damper_chassis_seat"]] {
+                    let found = exchange(pair);
                     let of_seats: Vec<_> = found.iter().filter(|d| d.code == "exchanged-seats").collect();
                     let [finding] = &of_seats[..] else { panic!("{template} {pair:?}: {found:?}") };
                     assert!(finding.message.contains(&format!("{} on ", pair[0])), "{finding}");
                     assert!(finding.message.contains(&format!(" {}", unit.name())), "{finding}");
                     exchanged += 1;
+                }
+                if ["lower_ball", "upper_ball"].iter().all(|point| text.contains(&format!("\n{point} ="))) {
+                    let found = exchange(["lower_ball", "upper_ball"]);
+                    assert!(found.iter().any(|d| d.code == "exchanged-arms"), "{template}: {found:?}");
+                    arms += 1;
                 }
                 let of_ball = lines_of(&text, "lower_ball").into_iter().find(|(_, of, _)| of == "points");
                 let Some((at, _, ball)) = of_ball.filter(|_| template.starts_with("double")) else {
@@ -231,7 +241,7 @@ fn astray_seats_and_joints_are_one_finding() {
             }
         }
     }
-    assert!(exchanged == 18 * 8 * 2 && astray > 0, "{exchanged}, {astray}");
+    assert!(exchanged == 18 * 8 * 2 && arms > 0 && astray > 0, "{exchanged}, {arms}, {astray}");
 }
 
 /// A section without `on` is a warning with the assumed and the possible links, unless one body is usual.

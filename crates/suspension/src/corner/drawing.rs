@@ -139,6 +139,7 @@ impl Drawing {
             }
         }
         has_warned |= self.check_heights(wheel, findings, places);
+        has_warned |= self.check_exchanged_arms(findings, places);
         let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
@@ -201,6 +202,21 @@ impl Drawing {
             has_warned = true;
         }
         has_warned
+    }
+
+    /// Warns about an outer point of an upper arm below that of the lower arm. Returns true after a warning.
+    fn check_exchanged_arms(&self, findings: &mut Findings, places: FilePlaces) -> bool {
+        let of = |name: &str| self.points.iter().find(|point| point.name == name);
+        let (Some(upper), Some(lower)) = (of("upper_ball"), of("lower_ball")) else { return false };
+        if upper.at.z >= lower.at.z {
+            return false;
+        }
+        let message = format!(
+            "upper_ball is {} below lower_ball: exchange the two points, or correct their z",
+            places.length(lower.at.z - upper.at.z)
+        );
+        findings.warning("exchanged-arms", &upper.spot, message);
+        true
     }
 
     /// Hardpoint at a position (m) and its place in the file.
