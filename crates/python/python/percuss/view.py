@@ -45,6 +45,13 @@ def _place(rotation: _Array, origin: _Array) -> _Array:
     return matrix
 
 
+def _line(colour: int, width: int) -> Any:
+    """Material of lines; the stubs of meshcat do not accept it for line segments."""
+    import meshcat.geometry as shapes
+
+    return shapes.LineBasicMaterial(color=colour, linewidth=width)
+
+
 def show(
     pose: Pose,
     contact: Contact | None = None,
@@ -72,7 +79,7 @@ def show(
     bones = [origins[link] for joint in pose.model.joints for link in (joint.parent, joint.child)]
     if bones:
         lines = shapes.PointsGeometry(np.stack(bones, axis=1).astype(np.float32))
-        root["links"].set_object(shapes.LineSegments(lines, shapes.LineBasicMaterial(color=_LINKS, linewidth=3)))
+        root["links"].set_object(shapes.LineSegments(lines, _line(_LINKS, 3)))
     for link, origin in origins.items():
         ball = root["origins"][link.replace("/", "_")]
         ball.set_object(shapes.Sphere(0.01 * size), shapes.MeshLambertMaterial(color=_LINKS))
@@ -88,7 +95,7 @@ def show(
         ball.set_object(shapes.Sphere(0.02 * size), shapes.MeshLambertMaterial(color=_CONTACT))
         ball.set_transform(_place(np.eye(3), point))
         ends = np.stack([point, point + 0.25 * size * normal], axis=1).astype(np.float32)
-        arrow = shapes.LineSegments(shapes.PointsGeometry(ends), shapes.LineBasicMaterial(color=_CONTACT, linewidth=4))
+        arrow = shapes.LineSegments(shapes.PointsGeometry(ends), _line(_CONTACT, 4))
         root["contact"]["normal"].set_object(arrow)
         centre, halves, directions, _ = ellipsoid_of(pose, contact.link, contact.point, scale)
         # A rotation: three directions of right hand.
