@@ -85,8 +85,8 @@ finding_kinds! {
     OtherAssembly = "other-assembly", Warning, Pose;
     OutsideLimits = "outside-limits", Warning, Positions;
     PenetrationUnreachable = "penetration-unreachable", Warning, Report;
-    PointMassBase = "point-mass-base", Warning, Model;
     PointConverted = "point-converted", Note, Pose;
+    PointMassBase = "point-mass-base", Warning, Model;
     PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
     RackMoved = "rack-moved", Warning, Report;
     ReversedAxis = "reversed-axis", Note, Model;
