@@ -50,6 +50,7 @@ mod suspensions {
     mod daily_use;
     mod import;
     mod kinematics;
+    mod own_contacts;
     mod own_suspension;
     mod several_contacts;
     mod target_search;

@@ -27,6 +27,12 @@ impl StopForce {
         (is_curve && increases).then_some(Self { deflections, forces })
     }
 
+    /// Last point of the curve: compression (m) and force (N).
+    pub fn end(&self) -> (f64, f64) {
+        let last = |values: &[f64]| values.last().copied().unwrap_or_default();
+        (last(&self.deflections), last(&self.forces))
+    }
+
     /// Force (N) and its slope (N/m) at a compression (m); zero before the touch. At a corner of the curve the slope of the
     /// next piece.
     pub fn at(&self, compression: f64) -> (f64, f64) {

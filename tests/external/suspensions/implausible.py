@@ -79,6 +79,26 @@ def other_axes(rng, car, spelling, text):
     return text.replace(f'axes = "{one}"', f'axes = "{other}"', 1)
 
 
+def turned(rng, car, spelling, text):
+    """The sheet states wrong axes and the wrong side: the car is turned by 180 degrees about z."""
+    if car.template in ("solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"):
+        return None  # The links of a solid axle may lie before or behind the axle.
+    axes, other_axes = ("adams", "iso") if spelling[2] else ("iso", "adams")
+    side, other_side = ("right", "left") if spelling[3] else ("left", "right")
+    text = text.replace(f'axes = "{axes}"', f'axes = "{other_axes}"', 1)
+    return text.replace(f'side = "{side}"', f'side = "{other_side}"', 1)
+
+
+def zero_gap(rng, car, spelling, text):
+    """The gap of a stop is 0, as in a form that is not filled in."""
+    names = [name for name, keys in car.stops.items() if keys.gap is not None]
+    if not names:
+        return None
+    changed = copy.deepcopy(car)
+    changed.stops[str(rng.choice(names))].gap = 0.0
+    return changed
+
+
 def grams(rng, car, spelling, text):
     """One mass is in grams."""
     changed = copy.deepcopy(car)
@@ -216,7 +236,7 @@ def exchanged_seats(rng, car, spelling, text):
 
 
 MISTAKES = [
-    other_unit, other_inertia_unit, other_sign, other_height, other_side, other_axes, grams, all_grams, tonnes, about_the_origin,
+    other_unit, other_inertia_unit, other_sign, other_height, other_side, other_axes, turned, zero_gap, grams, all_grams, tonnes, about_the_origin,
     camber_in_radians, wheel_y, far_ball, gap_in_metres, rate_of_another_unit, preload_of_another_unit, deflections_in_metres,
     forces_in_kilonewtons, exchanged_seats,
 ]  # fmt: skip

@@ -10,7 +10,7 @@ use crate::terminal::limits;
 use crate::terminal::report::{
     note, notes_are_shown, with_findings, write_diagnostics, write_json, write_out,
 };
-use crate::terminal::text::{bar, number, triple, upper_bound};
+use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty};
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, SheetPoint, Status,
@@ -195,7 +195,17 @@ pub fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
         (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
-        (Status::Finite, m) => format!("{} kg", number(m.unwrap_or_default())),
+        (Status::Finite, m) => {
+            let mass = m.unwrap_or_default();
+            match &report.tolerance {
+                Some(tolerance) if tolerance.root_sum_square > 0.0 => {
+                    let spread = tolerance.root_sum_square;
+                    let [mass, spread] = [mass, spread].map(|x| within_uncertainty(x, spread));
+                    format!("{mass} ± {spread} kg (tolerances, root sum square)")
+                }
+                _ => format!("{} kg", number(mass)),
+            }
+        }
     }
 }
 

@@ -151,7 +151,16 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
             let written = SweepOutput { gradient: sweep.gradient, output, table, figure: &figure, strict };
             let of_rows = study.question_of_rows(question);
             if of_rows.travel.len() < question.travel.len() {
-                note("[pose] travel applies to the contact at its pose; the rows vary the travel themselves");
+                let left_out: Vec<String> = question
+                    .travel
+                    .iter()
+                    .filter(|travel| !of_rows.travel.contains(travel))
+                    .map(ToString::to_string)
+                    .collect();
+                let left_out = left_out.join(", ");
+                note(&format!(
+                    "[pose] travel = {left_out} applies to the contact at its pose; the rows vary the travel themselves"
+                ));
             }
             sweep::run_sweep(&study.model, &of_rows, &sweep.rows, &written)?;
             // Without a file the rows are on the standard output, which is one table.

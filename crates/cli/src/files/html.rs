@@ -31,9 +31,9 @@ table.data{font-size:.9rem;font-variant-numeric:tabular-nums}td.hash{font:.72rem
 figure>svg{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-inside:avoid}figcaption{font-size:.9rem;margin-top:.3rem}\
 @media(max-width:46rem){nav{columns:1}td.name{width:9rem}}\
 @page{size:A4;margin:16mm 16mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font:8pt sans-serif;color:#5c636e}}\
-@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}.result{padding:.3rem .8rem .4rem;margin:.6rem 0}p.lead{font-size:1.3rem}h2,h3,p.intro{break-after:avoid}nav{columns:2}a{color:inherit}\
+@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}.result{padding:.3rem .8rem .4rem;margin:.6rem 0}p.lead{font-size:1.3rem}h2,h3,h2+p,p.intro,tr:nth-child(-n+3){break-after:avoid}nav{columns:2}a{color:inherit}\
 .result,.warning,.note,pre{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
-tr,figure,table.short{break-inside:avoid}figure>svg{width:auto;max-height:112mm}figure.large>svg{max-height:150mm}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
+tr,figure,table.short{break-inside:avoid}figure>svg{width:auto;max-height:165mm}figure.large>svg{max-height:150mm}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
 
 /// Path as a relative reference: every byte except letters, digits and `-._~/` is written as `%XX` (RFC 3986, 2.1).
 fn percent_encoded(path: &str) -> String {

@@ -4,6 +4,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{KinematicColumn, KinematicsReport};
+use percuss_suspension::LengthUnit;
 use std::path::Path;
 
 /// Quantities of the figure if none are selected.
@@ -15,8 +16,8 @@ const SHARED: [&str; 2] = ["motion_ratio_", "force_"];
 const MOST_PANELS: usize = 8;
 
 /// Title of the panel of a column, and the name of its curve.
-fn panel_and_curve(column: &KinematicColumn) -> (String, String) {
-    let unit = column.unit.of_table().0;
+fn panel_and_curve(column: &KinematicColumn, length_unit: LengthUnit) -> (String, String) {
+    let unit = column.unit.of_table(length_unit).0;
     let side = if column.side.is_empty() { String::new() } else { format!(" {}", column.side) };
     let shared = SHARED.iter().find_map(|start| Some((*start, column.quantity.strip_prefix(start)?)));
     let (name, curve) = match shared {
@@ -62,10 +63,11 @@ pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Fi
         if column.missing.is_some() || !(selected || is_usual(column)) {
             continue;
         }
-        let (y_label, name) = panel_and_curve(column);
-        let factor = column.unit.of_table().1;
+        let (y_label, name) = panel_and_curve(column, report.length_unit);
+        let factor = column.unit.of_table(report.length_unit).1;
         let point = |row: &percuss_study::KinematicsRow| {
-            (1e3 * row.variable.unwrap_or_default(), row.values.get(i).copied().flatten().map(|y| factor * y))
+            let x = report.length_unit.of_metres(row.variable.unwrap_or_default());
+            (x, row.values.get(i).copied().flatten().map(|y| factor * y))
         };
         let style = if column.side == "right" { Style::Dashed } else { Style::Line };
         let series = Series { name, style, points: report.rows.iter().map(point).collect() };
@@ -88,7 +90,7 @@ pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Fi
     Ok(Figure {
         title: "Kinematics".to_owned(),
         subtitle: file.map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
-        x_label: format!("{variable} (mm)"),
+        x_label: format!("{variable} ({})", report.length_unit.name()),
         panels,
         ..Figure::default()
     })

@@ -85,6 +85,7 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     let percent =
         |kg: f64| format!("{} kg ({} %)", short_number(kg), short_number(100.0 * kg / report.effective_mass));
     let mut out = String::from("\neffect of the tolerances\n");
+    let _ = writeln!(out, "  nominal value      {} kg", number(report.effective_mass));
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
     out += &fact_line("  of which", &words.join("; "));

@@ -60,3 +60,5 @@ pub const FLAT_CURVE: f64 = 1e-4;
 pub const SAME_CURVE: f64 = 1e-6;
 /// Rows of a sweep with the effect of the tolerances in a report; each takes about twelve evaluations per hardpoint.
 pub const TOLERANCE_ROWS: usize = 9;
+/// The same for each of several contacts.
+pub const TOLERANCE_ROWS_OF_SEVERAL: usize = 5;

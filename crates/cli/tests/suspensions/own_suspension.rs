@@ -198,7 +198,7 @@ fn from_an_empty_folder_to_a_report() {
         let words = ["mass", "mine.toml", "--at", &format!("bump_stop{side}"), "--format", "json"];
         let touch: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
         let touch = touch["effective_mass"].as_f64().expect("a number");
-        assert!(page.contains(&format!("m̄ = {}", &format!("{touch:.3}")[..5])), "{template}: {touch}");
+        assert!(page.contains(&format!("{touch:.3}")[..5]), "{template}: {touch}");
         assert!(
             !page.contains(&*std::env::temp_dir().to_string_lossy()),
             "a page names no folder of this machine"

@@ -138,8 +138,8 @@ fn swept(folder: &Scratch, words: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("a report")).expect("JSON")
 }
 
-/// The motion ratio of a sweep over heave or roll belongs to this motion: the ratio of `percuss kinematics`, which is per travel of
-/// the own wheel; the right wheel moves down in roll.
+/// The motion ratio of a sweep over heave or roll belongs to this motion: the ratio of `percuss kinematics`, per upward
+/// travel of the wheel on the side of the contact. A contact on the other side than the single moved wheel has none.
 #[test]
 fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
     let folder = Scratch::new("ratios-of-heave");
@@ -150,19 +150,25 @@ fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
             let range = format!("--{motion} -20mm:20mm:3");
             let kinematics = json(&format!("kinematics {sheet} {range} --format json"));
             for contact in ["spring", "damper", "bump_stop"] {
-                for (side, sign) in [("left", 1.0), ("right", if motion == "roll" { -1.0 } else { 1.0 })] {
+                for side in ["left", "right"] {
                     let words = format!("sweep {sheet} --at {contact}_{side} {range}");
                     let report = swept(&folder, &words);
                     assert_eq!(report["motion_ratio_of"], motion);
                     for row in 0..3 {
                         let per_wheel = &kinematics["rows"][row][&format!("motion_ratio_{contact}_{side}")];
-                        let expected = sign * number(per_wheel);
+                        let expected = number(per_wheel);
                         let found = number(&report["rows"][row]["motion_ratio"]);
                         assert!((found / expected - 1.0).abs() < 1e-9, "{words} {row}: {found}, {expected}");
                     }
                 }
             }
         }
+    }
+    let sheet = folder.path("car.toml");
+    let one_wheel = "--vary travel:wheel_centre_left:0,0,0:0,0,1=0:1mm:2";
+    for (contact, has_ratio) in [("bump_stop_left", true), ("bump_stop_right", false)] {
+        let report = swept(&folder, &format!("sweep {sheet} --at {contact} {one_wheel}"));
+        assert_eq!(report["rows"][1]["motion_ratio"].is_number(), has_ratio, "{contact}");
     }
     let report = swept(&folder, &format!("sweep {SHEET} --at spring --wheel-travel 0:1mm:2"));
     assert_eq!(report["motion_ratio_of"], "wheel-travel");

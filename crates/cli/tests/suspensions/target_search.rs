@@ -197,7 +197,11 @@ fn the_nearest_value_is_stated() {
     let words =
         "kinematics car.toml --solve rocker_back.z --for motion_ratio_spring=5 --within 10mm --format json";
     let outcome = run(&folder, &words.split(' ').collect::<Vec<_>>());
-    assert!(outcome.code == 1 && outcome.stderr.contains("not reached within 10 mm"), "{}", outcome.stderr);
+    assert!(
+        outcome.code == 1 && outcome.stderr.contains("not reached within 10.00 mm"),
+        "{}",
+        outcome.stderr
+    );
     let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     let found = &report["coordinates"][0];
     let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
@@ -260,9 +264,13 @@ fn a_required_value_names_its_contact() {
         assert_eq!(dotted.code, 0, "{}", dotted.stderr);
         assert_eq!(dotted.stdout, search(&format!("motion_ratio_bump_stop{side}=0.9")).stdout);
     }
+    // Without a contact, the quantity is that of the spring.
+    assert_eq!(search("motion_ratio=0.9").stdout, search("spring.motion_ratio=0.9").stdout);
+    let words = "kinematics car.toml --solve rocker_bak.z --for motion_ratio=0.9 --within 10mm";
+    let misspelled = run(&folder, &words.split(' ').collect::<Vec<_>>());
+    assert!(misspelled.code == 2 && misspelled.stderr.contains("rocker_back"), "{}", misspelled.stderr);
     for (required, words) in [
-        ("motion_ratio=0.9", &["is that of a spring, damper or stop", "bump_stop_left.motion_ratio"][..]),
-        ("bump_stp.motion_ratio=0.9", &["did you mean", "motion_ratio_bump_stop"]),
+        ("bump_stp.motion_ratio=0.9", &["did you mean", "motion_ratio_bump_stop"][..]),
         ("cambr=1deg", &["did you mean \"camber"]),
     ] {
         let outcome = search(required);

@@ -64,6 +64,7 @@ finding_kinds! {
     FarContactTravel = "far-contact-travel", Warning, Report;
     FarFromGuess = "far-from-guess", Warning, Pose;
     FarPoint = "far-point", Warning, Model;
+    ForceBeyondData = "force-beyond-data", Warning, Report;
     HoldPulls = "hold-pulls", Warning, Pose;
     HoldUndetermined = "hold-undetermined", Note, Pose;
     ImmovableMechanism = "immovable-mechanism", Note, Pose;

@@ -85,7 +85,7 @@ pub(crate) fn damping_report(
     };
     let record = damper(damping, mass)?;
     let (drift, ended) = drift(evaluated, mass, record.max_penetration);
-    let over_stroke = over_stroke(evaluated, damping, &record);
+    let over_stroke = over_stroke(evaluated, damping, &record, ended.as_ref());
     let mut options = options(damping.options, evaluated, mass);
     let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
     options.drift =
@@ -180,33 +180,46 @@ fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift
     (Drift { per_metre, over_penetration, ends_at }, ended)
 }
 
+/// Impact with varying m̄ that is over before the end of the motion, if it is.
+fn impact_before(end: &PenetrationEnd, damping: &DampingQuestion) -> Option<VaryingMassImpact> {
+    let is_before = |(depth, _): &&(f64, f64)| *depth <= BEFORE_END * end.depth;
+    let masses: Vec<(f64, f64)> = end.masses.iter().take_while(is_before).copied().collect();
+    let (stroke, _) = *masses.last()?;
+    let impact = impact_over_stroke(damping, &masses).ok()??;
+    (impact.max_penetration <= stroke).then_some(impact)
+}
+
 /// Impact with m̄ as it changes over the penetration; `None` without a speed, or if the motion of the impact ends before
-/// the largest penetration.
+/// the largest penetration. `ended`: end of the motion before the penetration of the constant mass.
 fn over_stroke(
     evaluated: &EvaluatedQuestion,
     damping: &DampingQuestion,
     record: &DamperRecord,
+    ended: Option<&PenetrationEnd>,
 ) -> Option<VaryingMassImpact> {
     let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
     let depth = record.max_penetration.filter(|depth| *depth > 0.0)?;
     if result.response.singular_pose || !result.response.mechanism_moves() {
         return None;
     }
+    if let Some(end) = ended {
+        return impact_before(end, damping);
+    }
     let path = PenetrationPath { prepared, contact };
     // A mass that grows over the penetration penetrates deeper than the constant mass.
-    STROKES.into_iter().find_map(|factor| {
-        let mut stroke = factor * depth;
-        let masses = match path.masses_to(pose, stroke) {
-            Ok(masses) => masses,
-            // The impact may end before the motion of the mechanism does.
-            Err(end) => {
-                stroke = BEFORE_END * end.depth;
-                path.masses_to(pose, stroke).ok()?
+    for factor in STROKES {
+        let stroke = factor * depth;
+        match path.masses_to(pose, stroke) {
+            Ok(masses) => {
+                let impact = impact_over_stroke(damping, &masses).ok()??;
+                if impact.max_penetration <= stroke {
+                    return Some(impact);
+                }
             }
-        };
-        let impact = impact_over_stroke(damping, &masses).ok()??;
-        (impact.max_penetration <= stroke).then_some(impact)
-    })
+            Err(end) => return impact_before(&end, damping),
+        }
+    }
+    None
 }
 
 /// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable: `ended` has the end of the motion
@@ -219,7 +232,7 @@ fn drift_diagnostic(
     unit: &str,
     names: Names,
 ) -> Option<DiagnosticRecord> {
-    if let Some((PenetrationEnd { depth: reached, error }, depth)) = ended {
+    if let Some((PenetrationEnd { depth: reached, error, .. }, depth)) = ended {
         let amount = |depth: f64| format!("{:.2} {unit}", 1e3 * depth);
         let why = match error {
             Some(error) => error.message(names),

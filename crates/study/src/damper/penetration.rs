@@ -23,6 +23,8 @@ pub(crate) struct PenetrationEnd {
     pub depth: f64,
     /// Error of the question at this depth; `None` if the motion itself ends.
     pub error: Option<StudyError>,
+    /// m̄ (kg) over the penetration (m) up to this depth.
+    pub masses: Vec<(f64, f64)>,
 }
 
 /// Motion of impact from first touch on.
@@ -46,7 +48,11 @@ impl PenetrationPath<'_> {
     pub fn masses_to(&self, pose: &Pose, depth: f64) -> Result<Vec<(f64, f64)>, PenetrationEnd> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
-        let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd { depth: done, error })?;
+        let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd {
+            depth: done,
+            error,
+            masses: Vec::new(),
+        })?;
         let mut error = None;
         let mut masses = vec![(0.0, at.mass)];
         while done < depth {
@@ -68,7 +74,7 @@ impl PenetrationPath<'_> {
                     error = why.or(error);
                     step /= 2.0;
                     if step < LEAST_PENETRATION * depth {
-                        return Err(PenetrationEnd { depth: done, error });
+                        return Err(PenetrationEnd { depth: done, error, masses });
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
 //! unreachable row.
 
-use crate::model::wheel_points::sliding_rack;
+use crate::model::wheel_points::{sliding_rack, wheel_centres};
 use crate::pose::driver::Driver;
 use crate::pose::joined_motion::closing_speed;
 use crate::pose::joined_travels::JoinedTravels;
@@ -314,12 +314,22 @@ impl PointTravel {
 
     /// Closing speed of the contact per speed of the point along its direction; negative if the contact closes while the point
     /// moves against its direction. Travels that are solved together and a suspension with a held rack define the motion; a
-    /// single point has the motion of the impact.
+    /// single point has the motion of the impact. In a roll, the ratio is per upward travel of the wheel on the side of the contact;
+    /// a contact on the other side than the single moved wheel has no ratio.
     pub fn motion_ratio(&self, pose: &Pose, contact: &Contact, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
+        let mechanism = pose.mechanism();
+        let wheels = wheel_centres(mechanism, mechanism.link(contact.link).name());
         if let Some(Joined { travels, ratios, .. }) = &self.joined {
-            let travels: Vec<_> = travels.travels.iter().zip(ratios.iter().copied()).collect();
+            let own = travels.travels.iter().position(|travel| wheels == [travel.link()]);
+            let of_own_wheel = own.and_then(|own| ratios.get(own)).map_or(1.0, |ratio| ratio.signum());
+            let travels: Vec<_> =
+                travels.travels.iter().zip(ratios.iter().map(|ratio| of_own_wheel * ratio)).collect();
             return closing_speed(pose, &travels, &self.set, contact);
+        }
+        let is_wheel = wheel_centres(mechanism, "").contains(&self.travel.link());
+        if is_wheel && !wheels.contains(&self.travel.link()) {
+            return None;
         }
         if sliding_rack(pose.mechanism()).is_some_and(|rack| self.set.contains(&rack)) {
             return closing_speed(pose, &[(&self.travel, 1.0)], &self.set, contact);

@@ -33,15 +33,18 @@ pub struct PositionFile {
 }
 
 impl RowSource {
-    /// Question of the rows: without the travel of the pose if the rows vary a travel.
+    /// Question of the rows: if they vary a travel, without the travels of the pose, apart from a roll beside a range of heave, or the reverse.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
-        let varies_travel = match self {
-            RowSource::Grid(ranges) => ranges.iter().any(|vary| matches!(vary.quantity, Varied::Travel(_))),
-            RowSource::File(_) | RowSource::Random { .. } => false,
+        let varied = match self {
+            RowSource::Grid(ranges) => ranges.iter().find_map(|vary| match &vary.quantity {
+                Varied::Travel(moved) => Some(moved),
+                Varied::Joint(_) => None,
+            }),
+            RowSource::File(_) | RowSource::Random { .. } => None,
         };
         let mut question = question.clone();
-        if varies_travel {
-            question.travel.clear();
+        if let Some(varied) = varied {
+            question.travel.retain(|travel| travel.moved.is_beside(varied));
         }
         question
     }

@@ -81,7 +81,11 @@ pub fn contact_list_of(
     let mut found: Vec<(&String, DiagnosticRecord)> = Vec::new();
     let mut listed = Vec::with_capacity(contacts.len());
     for (name, question) in contacts {
-        let answer = match damping {
+        let kind =
+            question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
+        let always_touches = matches!(kind, ContactKind::Spring | ContactKind::Damper);
+        // No impact occurs between parts that always touch.
+        let answer = match damping.filter(|_| !always_touches) {
             Some(damping) => mass_with_damper(model, question, damping),
             None => mass(model, question),
         };
@@ -100,8 +104,6 @@ pub fn contact_list_of(
             Err(error) if error.has_no_result() => (None, Some(error.message(question.names))),
             Err(error) => return Err(error),
         };
-        let kind =
-            question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
         listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem, remaining_gap });
     }
     let answered = listed.iter().filter(|contact| contact.report.is_some()).count();

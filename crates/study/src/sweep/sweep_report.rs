@@ -43,7 +43,7 @@ pub struct SweepHeading {
     pub contact: Option<String>,
     /// Motion of the motion ratio: the name of the travel, or, without a travel, `estimate` for the point of the estimate. The
     /// ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of `heave` or `roll`, for this motion of
-    /// the wheels. The key is absent without a motion ratio.
+    /// the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_ratio_of: Option<String>,
     /// Joints of the pose of each row.

@@ -16,7 +16,6 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::given_travel::GivenTravel;
-use crate::question::travel::moved::Moved;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::question::travel::vary::{Varied, Vary};
 use crate::sweep::batch_evaluator::BatchEvaluator;
@@ -247,12 +246,8 @@ fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
 
 /// True if the last range varies a motion of the wheels, and the travels are other motions of the wheels.
 fn are_motions_beside_range(travels: &[GivenTravel], ranges: &[Vary]) -> bool {
-    let Some(Varied::Travel(varied @ Moved::Wheels(_))) = ranges.last().map(|range| &range.quantity) else {
-        return false;
-    };
-    let is_beside =
-        |travel: &GivenTravel| matches!(travel.moved, Moved::Wheels(_)) && travel.moved != *varied;
-    travels.iter().all(is_beside)
+    let Some(Varied::Travel(varied)) = ranges.last().map(|range| &range.quantity) else { return false };
+    travels.iter().all(|travel| travel.moved.is_beside(varied))
 }
 
 /// Appends a travel of the question to the ranges, as last range with one value.

@@ -3,12 +3,12 @@
 use super::design::{Design, GivenBody, ON_DAMPER, Part, SEATS, STOPS, Stop, THIRD_SPRING, is_central};
 use super::frames;
 use super::spindle::Spindle;
-use super::{Body, CHASSIS, Corner, RACK};
+use super::{Body, CHASSIS, Corner, GROUND, RACK};
 use crate::findings::{Findings, Spot};
 use crate::limits::STOP_GAPS;
 use crate::units::short;
-use percuss_formats::reading::OBLIQUE_PINS;
-use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind};
+use percuss_formats::reading::{OBLIQUE_PINS, shortened};
+use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind, near_names};
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
 
@@ -72,8 +72,9 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
                         findings.unwrap_geometry(direction, &stop.spot, "the direction of the stop is zero")
                     }
                 };
-                let gap = stop.gap.unwrap_or_else(|| normal.dot(&(above - at)));
-                check_gap(section, &stop, gap, design.unit, findings);
+                let distance = normal.dot(&(above - at));
+                let gap = stop.gap.unwrap_or(distance);
+                check_gap(section, &stop, gap, Some(distance), design.unit, findings);
                 (ContactKind::Stop, ContactNormal::Fixed(normal), Some(gap))
             }
             "spring" => (ContactKind::Spring, ContactNormal::Toward(Vector3::zeros()), None),
@@ -82,6 +83,7 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
     add_damper_stops(design, &mut left, findings);
+    add_own_contacts(design, &mut left, findings);
     left.drawing.set_hardpoints(
         design.points.iter().map(|(name, (at, spot))| (*name, *at, spot, !is_central(design.axle, name))),
     );
@@ -103,8 +105,27 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
-/// Warns about an implausible gap (m) of a stop, in the unit of the file.
-fn check_gap(section: &str, stop: &Stop, gap: f64, unit: LengthUnit, findings: &mut Findings) {
+/// Warns about an implausible gap (m) of a stop, in the unit of the file. `distance`: distance of its two points along the normal, m.
+fn check_gap(
+    section: &str,
+    stop: &Stop,
+    gap: f64,
+    distance: Option<f64>,
+    unit: LengthUnit,
+    findings: &mut Findings,
+) {
+    if stop.gap == Some(0.0) && distance.is_none_or(|distance| STOP_GAPS.contains(&distance)) {
+        let other = distance.map_or_else(
+            || "give the gap at the design position".to_owned(),
+            |distance| {
+                let apart = short(unit.of_metres(distance));
+                format!("its points are {apart} {} apart: give the gap, or remove the key", unit.name())
+            },
+        );
+        let message = format!("the gap is 0: the stop would touch at the design position; {other}");
+        findings.warning("implausible-gap", &stop.spot, message);
+        return;
+    }
     let given = format!("{} {}", short(unit.of_metres(gap)), unit.name());
     if gap < 0.0 {
         let cause = match stop {
@@ -124,6 +145,37 @@ fn check_gap(section: &str, stop: &Stop, gap: f64, unit: LengthUnit, findings: &
             unit.name()
         );
         findings.warning("implausible-gap", &stop.spot, message);
+    }
+}
+
+/// Adds the contacts that the file names itself.
+fn add_own_contacts(design: &Design, corner: &mut Corner, findings: &mut Findings) {
+    for contact in &design.contacts {
+        let against = contact.against.as_ref().filter(|(link, _)| link != GROUND);
+        let mut links = [Some(&contact.link), against].into_iter().flatten();
+        if let Some((link, spot)) = links.find(|(link, _)| !corner.has_link(link)) {
+            let near = near_names(link, corner.link_names()).into_iter().next();
+            let near = near.map_or_else(String::new, |near| format!("; did you mean {near}?"));
+            let names = corner.link_names().join(", ");
+            findings.error(
+                "unknown-link",
+                spot,
+                format!("no link \"{}\"{near} (the links are {names})", shortened(link)),
+            );
+            continue;
+        }
+        let normal = frames::unit(contact.direction / contact.direction.amax());
+        let normal = findings.unwrap_geometry(normal, &contact.spot, "the direction is zero");
+        let against = contact.against.as_ref().map_or(GROUND, |(link, _)| link);
+        let kind = if contact.gap.is_some() { ContactKind::Stop } else { ContactKind::Other };
+        let of = [contact.link.0.as_str(), against];
+        corner.add_contact_at(
+            (&contact.name, kind),
+            of,
+            contact.at,
+            ContactNormal::Fixed(normal),
+            contact.gap,
+        );
     }
 }
 
@@ -162,7 +214,7 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
             continue;
         }
         let Some(gap) = stop.gap else { continue };
-        check_gap(section, stop, gap, design.unit, findings);
+        check_gap(section, stop, gap, None, design.unit, findings);
         let seats = SEATS.iter().find(|(key, _)| Some(*key) == damper);
         let Some((_, seats)) = seats else {
             let message = format!(

@@ -102,6 +102,8 @@ pub(crate) struct Design {
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Gap and direction of stops, as given in the file, by section.
     pub stops: BTreeMap<&'static str, Stop>,
+    /// Contacts that the file names itself.
+    pub contacts: Vec<OwnContact>,
     /// True if every rod without mass becomes a massless link on a universal joint instead of a distance closure.
     pub rods_are_links: bool,
     /// True if a massless rod without length is left to the checks of the mechanism.
@@ -127,6 +129,24 @@ pub(crate) struct Stop {
     pub gap: Option<f64>,
     /// Direction from the pad to the stop; without it, the line between the two points.
     pub direction: Option<Vector3<f64>>,
+    /// Position in the file.
+    pub spot: Spot,
+}
+
+/// Contact that a file names itself: a point of a link that moves toward the ground or another link.
+#[derive(Clone, Debug)]
+pub(crate) struct OwnContact {
+    pub name: String,
+    /// Link of the point, and the place of its name in the file.
+    pub link: (String, Spot),
+    /// The point, m.
+    pub at: Vector3<f64>,
+    /// Direction from the point to the obstacle, of any length.
+    pub direction: Vector3<f64>,
+    /// Link of the obstacle and the place of its name; `None`: the ground.
+    pub against: Option<(String, Spot)>,
+    /// Gap at the design position, m; `None` for parts that always touch.
+    pub gap: Option<f64>,
     /// Position in the file.
     pub spot: Spot,
 }

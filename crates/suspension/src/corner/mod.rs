@@ -98,6 +98,17 @@ impl Corner {
         self.shared.contains(&link)
     }
 
+    /// Names of the links, sorted, without frames fixed to other links.
+    pub fn link_names(&self) -> Vec<&str> {
+        let is_frame = |name: &str| {
+            self.joints.iter().any(|joint| joint.child == name && joint.kind == JointKind::Fixed)
+        };
+        let mut names: Vec<&str> =
+            self.origins.keys().map(String::as_str).filter(|name| !is_frame(name)).collect();
+        names.sort_unstable();
+        names
+    }
+
     /// True if the corner has a link of this name.
     pub fn has_link(&self, name: &str) -> bool {
         self.origins.contains_key(name)
@@ -186,11 +197,23 @@ impl Corner {
         normal: ContactNormal,
         gap: Option<f64>,
     ) {
+        self.add_contact_at((name, kind), [link, against], self.origin(link), normal, gap);
+    }
+
+    /// Adds a named contact at a point of the vehicle, m; the normal as in [`add_contact`](Self::add_contact).
+    pub fn add_contact_at(
+        &mut self,
+        (name, kind): (&str, ContactKind),
+        [link, against]: [&str; 2],
+        at: Vector3<f64>,
+        normal: ContactNormal,
+        gap: Option<f64>,
+    ) {
         self.contacts.push(ContactDescription {
             name: name.to_owned(),
             kind,
             link: link.to_owned(),
-            point: Vector3::zeros(),
+            point: at - self.origin(link),
             against: against.to_owned(),
             normal,
             gap,
@@ -302,6 +325,7 @@ impl Corner {
             closure.axis2 = rotation_axis(&closure.axis2);
         }
         for contact in &mut corner.contacts {
+            contact.point = point(&contact.point) + origin_shift(&contact.link);
             if let ContactNormal::Fixed(normal) = &mut contact.normal {
                 *normal = point(normal);
             }

@@ -8,7 +8,7 @@ use crate::corner::spindle::Spindle;
 use crate::findings::{Findings, Spot};
 use crate::options::Side;
 use crate::units::{VehicleAxes, short};
-use percuss_spatial::{Matrix3, Vector3};
+use percuss_spatial::Matrix3;
 
 /// Moment of inertia about the line of a link, relative to the sum of its principal moments, from which the pins of its universal
 /// joint have an influence above the digits that a report shows.
@@ -71,7 +71,80 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
     } else if at.y <= 0.0 && !findings.has_errors() {
         findings.error("wrong-side", &spot, wrong_side_message(sheet, at.y));
     }
+    warn_reversed_x(sheet, findings);
     Spindle::new(findings, body, at, [sheet.camber, sheet.toe], sheet.axle_inertia, sheet.wheel)
+}
+
+/// Warns about a vehicle whose front points lie behind the rear ones. Masses do not depend on this, but caster, toe and anti-dive get the
+/// wrong sign.
+fn warn_reversed_x(sheet: &Sheet, findings: &mut Findings) {
+    let pairs = front_points(sheet);
+    let behind: Vec<&FrontPoint> = pairs.iter().filter(|pair| pair.is_behind()).collect();
+    if findings.has_errors() || 2 * behind.len() <= pairs.len() {
+        return;
+    }
+    let Some(FrontPoint { front, back, at: [front_x, back_x] }) = behind.first() else { return };
+    let axes = sheet.frame.axes;
+    let of_file = |x: &f64| {
+        let sign = if axes == VehicleAxes::Iso { 1.0 } else { -1.0 };
+        short(sign * sheet.frame.unit.of_metres(*x) + 0.0)
+    };
+    let side = match sheet.points_side {
+        Side::Both => String::new(),
+        _ if sheet.template.middle => String::new(),
+        Side::Left => " and side = \"right\"".to_owned(),
+        Side::Right => " and side = \"left\"".to_owned(),
+    };
+    let message = format!(
+        "{front} (x = {}) lies behind {back} (x = {}) in the axes \"{}\" ({}), and so do {} of {} such points: angles and anti-dive would \
+         have the wrong sign. Write {}{side}, or change the sign of every x",
+        of_file(front_x),
+        of_file(back_x),
+        axes.name(),
+        axes.words(),
+        behind.len(),
+        pairs.len(),
+        other_axes(axes)
+    );
+    findings.warning("reversed-x", &sheet.design.spot(front), message);
+}
+
+/// Point that lies in front of another one on every vehicle, and the x of both, m.
+struct FrontPoint {
+    front: String,
+    back: String,
+    at: [f64; 2],
+}
+
+impl FrontPoint {
+    /// True if the point lies behind the other one.
+    fn is_behind(&self) -> bool {
+        self.at[0] < self.at[1]
+    }
+}
+
+/// Points of a sheet that lie in front of others: those named `front`, apart from the ends of an axis of a rocker; pivots of trailing arms,
+/// in front of the wheel; the lower end of a fork.
+fn front_points(sheet: &Sheet) -> Vec<FrontPoint> {
+    let x = |name: &str| sheet.design.point(name).map(|at| at.x);
+    let pair = |key: &&'static str| {
+        let back = match *key {
+            "arm_inner" | "arm_outer" | "arm_chassis" | "swing_arm_left" => "wheel_centre".to_owned(),
+            "fork_bottom" => "fork_top".to_owned(),
+            name if name.starts_with("rocker") || !name.contains("front") => return None,
+            name => name.replace("front", "back"),
+        };
+        Some(FrontPoint { front: (*key).to_owned(), at: [x(key)?, x(&back)?], back })
+    };
+    sheet.design.points.keys().filter_map(pair).collect()
+}
+
+/// Conventions of axes other than `axes`, as keys of a sheet.
+fn other_axes(axes: VehicleAxes) -> String {
+    let others = VehicleAxes::ALL.into_iter().filter(|known| *known != axes);
+    let list: Vec<String> =
+        others.map(|known| format!("axes = \"{}\" ({})", known.name(), known.words())).collect();
+    list.join(" or ")
 }
 
 /// Message for a wheel at `y` ≤ 0 (m) on the side that the points describe, with the key to change: `axes` if the front points
@@ -91,28 +164,19 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
     let points = || sheet.design.points.iter().filter(|(key, _)| **key != "wheel_centre");
     let lateral = || points().filter(|(key, (at, _))| !sheet.template.is_central(key) && at.y != 0.0);
     let across = lateral().filter(|(_, (at, _))| at.y < 0.0).count();
-    let is_reversed = |(key, (front, _)): (&&str, &(Vector3<f64>, Spot))| {
-        let back = sheet.design.point(&format!("{}_back", key.strip_suffix("_front")?))?;
-        Some(front.x < back.x)
-    };
-    let reversed: Vec<bool> = points().filter_map(is_reversed).collect();
-    let axes_remedy = || {
-        let others = VehicleAxes::ALL.into_iter().filter(|known| *known != axes);
-        let list: Vec<String> =
-            others.map(|known| format!("axes = \"{}\" ({})", known.name(), known.words())).collect();
-        list.join(" or ")
-    };
+    let pairs = front_points(sheet);
+    let reversed = pairs.iter().filter(|pair| pair.is_behind()).count();
     let remedy = if 2 * across < lateral().count() {
         format!("only this point is on that side: change the sign of its y to {}", -given)
-    } else if reversed.is_empty() {
+    } else if pairs.is_empty() {
         format!(
             "the other points are on that side too: write side = \"{other}\", or, if x and y point the other way, {}",
-            axes_remedy()
+            other_axes(axes)
         )
-    } else if 2 * reversed.iter().filter(|is_reversed| **is_reversed).count() > reversed.len() {
+    } else if 2 * reversed > pairs.len() {
         format!(
             "the other points are on that side too, and front points lie behind rear ones, so the axes are others: write {}",
-            axes_remedy()
+            other_axes(axes)
         )
     } else {
         format!("the other points are on that side too: write side = \"{other}\"")

@@ -168,6 +168,19 @@ impl Entries {
         self.list.iter().find(|entry| entry.key.starts_with(prefix)).map(|entry| entry.spot.clone())
     }
 
+    /// Names of the sections `HEAD.NAME`, each once, with the place of the first key.
+    pub fn sections_of(&self, head: &str) -> Vec<(String, Spot)> {
+        let mut names: Vec<(String, Spot)> = Vec::new();
+        for entry in &self.list {
+            let section = entry.key.rsplit_once('.').and_then(|(section, _)| section.split_once('.'));
+            let Some((_, name)) = section.filter(|(of, _)| *of == head) else { continue };
+            if names.iter().all(|(known, _)| known != name) {
+                names.push((name.to_owned(), entry.spot.clone()));
+            }
+        }
+        names
+    }
+
     /// Values of a key as written, for messages; empty if absent.
     pub fn given(&self, key: &str) -> String {
         self.list

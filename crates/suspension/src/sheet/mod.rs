@@ -8,14 +8,13 @@ mod adams;
 mod aliases;
 mod build;
 mod catalogue;
+mod contacts;
 mod entries;
 mod point_table;
 mod read;
 mod table;
 mod template;
 mod toml_text;
-#[cfg(feature = "xlsx")]
-mod workbook;
 mod write;
 
 pub(super) use build::build;

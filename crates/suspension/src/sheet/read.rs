@@ -4,7 +4,7 @@ use super::catalogue;
 use super::entries::{Cell, Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{Shape, Template, symmetric_matrix};
-use super::{adams, aliases, table, toml_text};
+use super::{adams, aliases, contacts, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
@@ -81,8 +81,9 @@ pub(in super::super) fn read(
     let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
     for entry in entries.unread() {
         let spot = &entry.spot;
-        let known = sheet.as_ref().map(|s| catalogue::keys_of(s.template)).unwrap_or_default();
-        if sheet.is_some() {
+        if let Some(sheet) = &sheet {
+            let mut known = catalogue::keys_of(sheet.template);
+            known.extend(contacts::contact_keys(&entries));
             findings.error("unknown-key", spot, catalogue::unknown_key_message(&entry.key, &known));
         }
     }
@@ -126,8 +127,10 @@ impl SheetReader<'_> {
         let rack = self.rack(template);
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
+        let contacts = contacts::read_contacts(self.entries, self.findings, frame, points_side);
         let design = Design {
             unit: frame.unit,
+            contacts,
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,

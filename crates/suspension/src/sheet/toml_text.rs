@@ -1,5 +1,6 @@
 //! Reader of the entries of a sheet in TOML.
 
+use super::contacts::CONTACT;
 use super::entries::{Cell, Entries};
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_BYTES;
@@ -38,7 +39,14 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
             DeValue::Table(section) => {
                 for (inner, value) in section {
                     let name = format!("{}.{}", key.get_ref(), inner.get_ref());
-                    found.push((inner.span().start, name, value));
+                    match value.get_ref() {
+                        DeValue::Table(contact) if key.get_ref() == CONTACT => {
+                            for (last, value) in contact {
+                                found.push((last.span().start, format!("{name}.{}", last.get_ref()), value));
+                            }
+                        }
+                        _ => found.push((inner.span().start, name, value)),
+                    }
                 }
             }
             _ => found.push((key.span().start, key.get_ref().to_string(), value)),

@@ -208,6 +208,7 @@ impl SheetWriter<'_> {
             self.write_key("gap", &gap, "at the design position; default: the distance of its points");
         }
         self.write_line("# A stop also has the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
+        self.write_line("# Any other contact: [contact.NAME] with point and direction, [x, y, z], on (a link); optional: against, gap.");
         self.write_line("# A stop on the rod of the damper has on = \"damper\", a gap (a change of the damper's length) and no points.");
         if template.has_rack() {
             self.write_line("");
@@ -313,6 +314,12 @@ pub fn template_keys() -> String {
     row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
         "the stop's force over its compression: two lists of the same length, the compressions from 0",
+        "all",
+    );
+    row(
+        "contact.NAME.point`, `.on`, `.direction`, `.against`, `.gap",
+        "a contact with a name of your own, for `--at NAME`: a point, the link that it is on, and the direction to the obstacle; the \
+         other link, without it the ground; the gap at the design position, which makes it a stop",
         "all",
     );
     let steered = of(&|t| t.has_rack());

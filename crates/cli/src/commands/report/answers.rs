@@ -1,5 +1,6 @@
 //! Sections of the other questions of a study: variants, damper, map, safe speed.
 
+use super::bands::{Tolerances, add_band};
 use super::findings::add_warnings;
 use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
 use crate::commands::suspension::kinematics;
@@ -18,7 +19,12 @@ use percuss_study::{
 };
 
 /// Section of the variants.
-pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page: &mut Page) {
+pub(super) fn add_variants(
+    compared: &ComparisonReport,
+    tolerances: &[Tolerances],
+    study: &StudyFile,
+    page: &mut Page,
+) {
     let title = match (compare::has_several_contacts(compared), study.variants.is_empty()) {
         (true, true) => "Contacts",
         (true, false) => "Contacts and variants",
@@ -40,11 +46,11 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     let is_of_one = !compare::has_several_contacts(compared);
     if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {
         let content = "Effective mass of the designs over the varied quantity";
-        add_figure(all, content, page);
+        add_figure(all, content, &[], page);
     }
     if compare::has_several_contacts(compared) {
         let mut drawn: Vec<Figure> = Vec::new();
-        for of_contact in compare::contact_figures(compared, &figure) {
+        for (i, of_contact) in compare::contact_figures(compared, &figure).into_iter().enumerate() {
             match drawn.iter().find(|other| has_same_curves(other, &of_contact)) {
                 Some(other) => {
                     page.paragraph(
@@ -55,7 +61,7 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
                 None => {
                     let content = of_contact.title.clone();
                     drawn.push(of_contact.clone());
-                    add_figure(of_contact, &content, page);
+                    add_figure(of_contact, &content, tolerances.get(i).map_or(&[], Vec::as_slice), page);
                 }
             }
         }
@@ -85,11 +91,12 @@ fn has_same_curves(one: &Figure, other: &Figure) -> bool {
         })
 }
 
-/// Adds a figure whose outliers are clipped; constants are stated in the caption, without a picture if nothing else remains.
-fn add_figure(mut figure: Figure, content: &str, page: &mut Page) {
+/// Adds a figure whose outliers are clipped, with the band of tolerances; constants are stated in the caption, without a picture if nothing else remains.
+fn add_figure(mut figure: Figure, content: &str, tolerances: &[(f64, f64)], page: &mut Page) {
     let clipped = clip_outliers(&mut figure);
+    let band = add_band(&mut figure, tolerances);
     let constants = remove_flat_panels(&mut figure);
-    let caption = [constants, clipped].join(" ").trim().to_owned();
+    let caption = [&constants, &clipped, band].join(" ").trim().to_owned();
     if figure.panels.is_empty() {
         page.paragraph("", &format!("{}: {caption}", figure.title));
     } else {
@@ -111,7 +118,7 @@ pub(super) fn add_kinematics(report: &KinematicsReport, study: &StudyFile, page:
                 let labels: Vec<&str> = panels.iter().map(|panel| panel.y_label.as_str()).collect();
                 let title = labels.join(", ");
                 let part = Figure { panels: panels.to_vec(), title, ..figure.clone() };
-                add_figure(part, "Kinematics over the travel", page);
+                add_figure(part, "Kinematics over the travel", &[], page);
             }
         }
         Err(_) => page

@@ -1,11 +1,17 @@
 //! Tolerance of the effective mass over a sweep, as a band about the curve.
 
+use crate::pictures::sweep_figure::axis_unit;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use percuss_render::{Series, Style};
+use percuss_render::{Figure, Series, Style};
 use percuss_study::{
-    GivenPosition, GivenTravel, MassQuestion, Model, RowSource, StudyFile, Varied, tolerance_report,
+    ComparisonReport, GivenPosition, GivenTravel, MassQuestion, Model, RowSource, StudyContact, StudyFile,
+    Varied, tolerance_report,
 };
+use rayon::prelude::*;
+
+/// Pairs of a value on the axis and a tolerance of m̄, kg.
+pub(super) type Tolerances = Vec<(f64, f64)>;
 
 /// First-order tolerance, kg, at evenly distributed values (SI units) of a sweep over one range: pairs of the value times `scale` and the
 /// root sum square of the tolerances of the study. Empty without tolerances, for another source of rows, and without a result.
@@ -14,37 +20,63 @@ use percuss_study::{
 /// Those of [`tolerance_report`], apart from a pose that is not reached.
 pub(super) fn tolerances_over(
     study: &StudyFile,
+    question: &MassQuestion,
     rows: &RowSource,
     values: &[f64],
     scale: f64,
-) -> Result<Vec<(f64, f64)>, Failure> {
-    let (Some(tolerance), Some(question), RowSource::Grid(ranges)) =
-        (study.mass.tolerance, &study.question, rows)
-    else {
+) -> Result<Tolerances, Failure> {
+    let (Some(tolerance), RowSource::Grid(ranges)) = (study.mass.tolerance, rows) else {
         return Ok(Vec::new());
     };
     let question = &study.question_of_rows(question);
     let ([range], Some(last)) = (&ranges[..], values.len().checked_sub(1)) else { return Ok(Vec::new()) };
-    let steps = last.min(limits::TOLERANCE_ROWS - 1);
-    let mut found = Vec::new();
-    for i in 0..=steps {
+    let rows = match study.contacts.len() {
+        0 | 1 => limits::TOLERANCE_ROWS,
+        _ => limits::TOLERANCE_ROWS_OF_SEVERAL,
+    };
+    let steps = last.min(rows - 1);
+    let at_row = |i: usize| {
         let value = values[i * last / steps.max(1)];
-        let Some(at_row) = question_at(question, &study.model, &range.quantity, value) else {
-            return Ok(Vec::new());
+        let at_row = question_at(question, &study.model, &range.quantity, value)?;
+        let found = match tolerance_report(&study.model, &at_row, tolerance, None) {
+            Ok(Some(report)) => Ok((scale * value, report.root_sum_square)),
+            Ok(None) => return None,
+            Err(error) if error.has_no_result() => return None,
+            Err(error) => Err(error.into()),
         };
-        match tolerance_report(&study.model, &at_row, tolerance, None) {
-            Ok(Some(report)) => found.push((scale * value, report.root_sum_square)),
-            Ok(None) => {}
-            Err(error) if error.has_no_result() => {}
-            Err(error) => return Err(error.into()),
-        }
-    }
+        Some(found)
+    };
+    let mut found: Tolerances =
+        (0..=steps).into_par_iter().filter_map(at_row).collect::<Result<_, Failure>>()?;
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     Ok(found)
 }
 
+/// Tolerances over the rows of a comparison at each contact of a study with several contacts, in the unit of its figures.
+pub(super) fn tolerances_of_contacts(
+    study: &StudyFile,
+    compared: &ComparisonReport,
+) -> Result<Vec<Tolerances>, Failure> {
+    let (Some(sweep), [varied]) = (&study.sweep, &compared.varied[..]) else { return Ok(Vec::new()) };
+    let values: Vec<f64> = compared.rows.iter().filter_map(|row| row.varied.first().copied()).collect();
+    let scale = axis_unit(varied).0;
+    let of_contact =
+        |contact: &StudyContact| tolerances_over(study, &contact.question, &sweep.rows, &values, scale);
+    study.contacts.par_iter().map(of_contact).collect()
+}
+
+/// Adds the band of the tolerances to the first curve of a figure, that of m̄ of the design itself; returns the sentence of the caption.
+pub(super) fn add_band(figure: &mut Figure, tolerances: &[(f64, f64)]) -> &'static str {
+    let Some(panel) = figure.panels.first_mut() else { return "" };
+    let Some(band) = panel.series.first().and_then(|mass| tolerance_band(&mass.points, tolerances)) else {
+        return "";
+    };
+    panel.series.push(band);
+    "The band is the first-order effect of the tolerances."
+}
+
 /// Band of the tolerances about a curve: `tolerances` in ascending order of x, interpolated linearly. `None` for fewer than two.
-pub(super) fn tolerance_band(curve: &[(f64, Option<f64>)], tolerances: &[(f64, f64)]) -> Option<Series> {
+fn tolerance_band(curve: &[(f64, Option<f64>)], tolerances: &[(f64, f64)]) -> Option<Series> {
     let half_width = |x: f64| {
         let pair = tolerances.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&x))?;
         let [(from, low), (to, high)] = [pair[0], pair[1]];
@@ -56,7 +88,8 @@ pub(super) fn tolerance_band(curve: &[(f64, Option<f64>)], tolerances: &[(f64, f
     let mut points = Vec::new();
     for run in all.split(Option::is_none).filter(|run| run.len() > 1) {
         let run: Vec<(f64, f64, f64)> = run.iter().copied().flatten().collect();
-        points.extend(run.iter().map(|(x, mass, half)| (*x, Some(mass - half))));
+        // A mass is not negative.
+        points.extend(run.iter().map(|(x, mass, half)| (*x, Some((mass - half).max(0.0)))));
         points.extend(run.iter().rev().map(|(x, mass, half)| (*x, Some(mass + half))));
         points.push((run[0].0, None));
     }

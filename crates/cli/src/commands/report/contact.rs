@@ -65,6 +65,7 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     let Some(mass) = report.effective_mass else { return facts };
     if let Some(tolerance) = &report.tolerance {
+        facts.push(("nominal value", format!("{} kg", number(mass))));
         let percent = |kg: f64| format!("{} kg ({:.2} %)", effect_text(kg), 100.0 * kg / mass);
         let both = format!(
             "{} root sum square, {} with all at the limit",

@@ -46,7 +46,7 @@ pub(super) fn text(
         sweep.add_to(&mut page, &table, first.map(|contact| contact.name.as_str()));
     }
     if let Some(compared) = &results.compared {
-        answers::add_variants(compared, study, &mut page);
+        answers::add_variants(compared, &results.tolerances, study, &mut page);
     }
     if let Some(report) = &results.kinematics {
         answers::add_kinematics(report, study, &mut page);

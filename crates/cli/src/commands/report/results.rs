@@ -1,5 +1,6 @@
 //! Results of all questions of a study.
 
+use super::bands::{Tolerances, tolerances_of_contacts};
 use super::sweep::{SweepSection, run_sweep};
 use crate::args::RunArgs;
 use crate::commands::compare;
@@ -40,6 +41,8 @@ pub(super) struct StudyResults {
     pub impact: Option<ImpactReport>,
     pub sweep: Option<SweepSection>,
     pub compared: Option<ComparisonReport>,
+    /// Tolerances over the rows at each of several contacts.
+    pub tolerances: Vec<Tolerances>,
     pub kinematics: Option<KinematicsReport>,
     pub mapped: Option<MapResult>,
     pub speeds: Option<Vec<SafeSpeedReport>>,
@@ -72,6 +75,10 @@ impl StudyResults {
             let compared = percuss_study::compare(&study.designs(&compare::study_name(&args.study)));
             Some(compared.map_err(|error| compare::failure(&error, Names::Keys))?)
         };
+        let tolerances = match &compared {
+            Some(compared) => tolerances_of_contacts(study, compared)?,
+            None => Vec::new(),
+        };
         let mapped = match study.map.as_ref().map(|map| &map.question) {
             None => None,
             Some(StudyMapQuestion::Surfaces(requested)) => {
@@ -98,6 +105,7 @@ impl StudyResults {
             impact,
             sweep,
             compared,
+            tolerances,
             kinematics,
             mapped,
             speeds,

@@ -14,6 +14,8 @@ pub(super) fn effect_text(kg: f64) -> String {
 
 /// Rate per millimetre with four significant digits.
 fn per_millimetre(rate: f64) -> String {
+    // A rate below a microgram per millimetre is rounding.
+    let rate = if rate.abs() < 1e-6 { 0.0 } else { rate };
     number(format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3))
 }
 

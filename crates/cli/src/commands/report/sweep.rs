@@ -1,6 +1,6 @@
 //! Sweep of a study: table, figure and values of some rows.
 
-use super::bands::{tolerance_band, tolerances_over};
+use super::bands::{add_band, tolerances_over};
 use super::findings::add_warnings;
 use crate::files::csv::SweepTable;
 use crate::files::html::Page;
@@ -75,18 +75,15 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
             // A report shows no path of the machine.
             let model = Path::new(&figure.subtitle).file_name();
             figure.subtitle = model.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let mut caption = clip_outliers(&mut figure);
+            let clipped = clip_outliers(&mut figure);
             let scale = varied.as_ref().map_or(1.0, |(_, (scale, _))| *scale);
-            let tolerances = tolerances_over(study, &requested.rows, &values, scale)?;
-            if let Some(panel) = figure.panels.first_mut()
-                && let Some(band) =
-                    panel.series.first().and_then(|mass| tolerance_band(&mass.points, &tolerances))
-            {
-                panel.series.push(band);
-                caption += " The band is the first-order effect of the tolerances.";
-            }
+            let band = match &study.question {
+                Some(question) => tolerances_over(study, question, &requested.rows, &values, scale)?,
+                None => Vec::new(),
+            };
+            let band = add_band(&mut figure, &band);
             let constants = remove_flat_panels(&mut figure);
-            let caption = [constants, caption].join(" ").trim().to_owned();
+            let caption = [&constants, &clipped, band].join(" ").trim().to_owned();
             if figure.panels.is_empty() { Err(caption) } else { Ok((figure.to_svg(), caption)) }
         }
         // The picture cannot show this sweep; the table contains it.

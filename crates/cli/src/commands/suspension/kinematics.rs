@@ -13,6 +13,7 @@ use percuss_study::{
     KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model, StudyFile,
     StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
+use percuss_suspension::LengthUnit;
 use std::fmt::Write;
 
 /// Runs the command.
@@ -129,8 +130,8 @@ fn show_search(
     }
     if !report.is_reached {
         return Err(Failure::NoAnswer(format!(
-            "the required values are not reached within {} mm; above are the nearest values found and their coordinates",
-            1e3 * report.within
+            "the required values are not reached within {}; above are the nearest values found and their coordinates",
+            model.length_unit().text(report.within)
         )));
     }
     match &args.output {
@@ -147,7 +148,7 @@ fn search_text(report: &TargetReport) -> String {
         table.row([label, number(found.old), number(found.new), String::new()]);
     }
     for target in &report.targets {
-        let (unit, factor, _) = target.unit.of_table();
+        let (unit, factor, _) = target.unit.of_table(report.length_unit);
         let label =
             if unit.is_empty() { target.quantity.clone() } else { format!("{}, {unit}", target.quantity) };
         let [old, new, required] = [target.old, target.reached, target.required].map(|x| number(x * factor));
@@ -174,7 +175,7 @@ fn search_as_csv(report: &TargetReport) -> String {
         out += &csv::line(&[found.coordinate.clone(), found.unit.to_owned(), old, new, String::new()]);
     }
     for target in &report.targets {
-        let (unit, factor, _) = target.unit.of_table();
+        let (unit, factor, _) = target.unit.of_table(report.length_unit);
         let [old, new, required] =
             [target.old, target.reached, target.required].map(|x| csv::number(x * factor));
         out += &csv::line(&[target.quantity.clone(), unit.to_owned(), old, new, required]);
@@ -199,24 +200,25 @@ const AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
 pub fn table_rows(report: &KinematicsReport) -> Vec<Vec<String>> {
     let given: Vec<usize> =
         (0..report.columns.len()).filter(|i| report.columns[*i].missing.is_none()).collect();
+    let unit = report.length_unit;
     let head = |i: &usize| {
         let column = &report.columns[*i];
         let side = if column.side.is_empty() { String::new() } else { format!(", {}", column.side) };
-        words(column) + &side
+        words(column, unit) + &side
     };
-    let first = format!("{} (mm)", report.variable.unwrap_or_default());
+    let first = format!("{} ({})", report.variable.unwrap_or_default(), unit.name());
     let mut rows = vec![[first].into_iter().chain(given.iter().map(head)).collect::<Vec<_>>()];
     for row in &report.rows {
-        let value = |i: &usize| shown(report.columns[*i].unit, row.values.get(*i).copied().flatten());
-        let variable = shown(KinematicUnit::Length, row.variable);
+        let value = |i: &usize| shown(report.columns[*i].unit, unit, row.values.get(*i).copied().flatten());
+        let variable = shown(KinematicUnit::Length, unit, row.variable);
         rows.push([variable].into_iter().chain(given.iter().map(value)).collect());
     }
     rows
 }
 
 /// Name of a column with its unit in tables.
-fn heading(column: &KinematicColumn) -> String {
-    match column.unit.of_table().0 {
+fn heading(column: &KinematicColumn, length_unit: LengthUnit) -> String {
+    match column.unit.of_table(length_unit).0 {
         "" => column.name(),
         "%" => format!("{}_percent", column.name()),
         unit => format!("{}_{}", column.name(), unit.replace('/', "_per_")),
@@ -225,21 +227,27 @@ fn heading(column: &KinematicColumn) -> String {
 
 /// The rows as CSV; numbers read back unchanged.
 fn rows_as_csv(report: &KinematicsReport) -> String {
-    let mut header: Vec<String> = report.variable.iter().map(|name| format!("{name}_mm")).collect();
-    header.extend(report.columns.iter().map(heading));
+    let unit = report.length_unit;
+    let mut header: Vec<String> =
+        report.variable.iter().map(|name| format!("{name}_{}", unit.name())).collect();
+    header.extend(report.columns.iter().map(|column| heading(column, unit)));
     let mut out = csv::line(&header);
     for row in &report.rows {
-        let mut cells: Vec<String> = row.variable.iter().map(|x| csv::number(1e3 * x)).collect();
+        let mut cells: Vec<String> = row.variable.iter().map(|x| csv::number(unit.of_metres(*x))).collect();
         let values = report.columns.iter().zip(&row.values);
-        cells.extend(values.map(|(column, value)| csv::cell(value.map(|x| x * column.unit.of_table().1))));
+        cells.extend(
+            values.map(|(column, value)| {
+                csv::cell(value.map(|x| x * column.unit.of_table(report.length_unit).1))
+            }),
+        );
         out += &csv::line(&cells);
     }
     out
 }
 
 /// Text of a value in the unit of tables; – without a value.
-fn shown(unit: KinematicUnit, value: Option<f64>) -> String {
-    let (_, factor, decimals) = unit.of_table();
+fn shown(unit: KinematicUnit, length_unit: LengthUnit, value: Option<f64>) -> String {
+    let (_, factor, decimals) = unit.of_table(length_unit);
     match value.map(|x| format!("{:.decimals$}", x * factor)) {
         None => "–".to_owned(),
         // A value that rounds to zero is shown without a sign.
@@ -257,8 +265,8 @@ fn named_in_words(quantity: &str) -> String {
 }
 
 /// Name of a quantity in words, with its unit.
-fn words(column: &KinematicColumn) -> String {
-    let unit = column.unit.of_table().0;
+fn words(column: &KinematicColumn, length_unit: LengthUnit) -> String {
+    let unit = column.unit.of_table(length_unit).0;
     let name = named_in_words(&column.quantity);
     if unit.is_empty() { name } else { format!("{name}, {unit}") }
 }
@@ -282,7 +290,8 @@ fn tables(report: &KinematicsReport) -> String {
     }
     for row in &report.rows {
         if let (Some(problem), Some(x)) = (&row.problem, row.variable) {
-            let text = format!("{} {} mm: {problem}", report.variable.unwrap_or_default(), 1e3 * x);
+            let at = report.length_unit.text(x);
+            let text = format!("{} {at}: {problem}", report.variable.unwrap_or_default());
             let _ = writeln!(out, "{}", wrap_hanging(&text, 2));
         }
     }
@@ -303,7 +312,7 @@ fn list(report: &KinematicsReport) -> String {
     for (column, value) in
         report.columns.iter().zip(&row.values).filter(|(column, _)| column.missing.is_none())
     {
-        let name = words(column);
+        let name = words(column, report.length_unit);
         let place = sides.iter().position(|side| *side == column.side).unwrap_or(0);
         let known = lines.iter().position(|line| line[0] == name);
         let line = known.unwrap_or_else(|| {
@@ -312,23 +321,24 @@ fn list(report: &KinematicsReport) -> String {
         });
         let line = &mut lines[line];
         line.resize(line.len().max(place + 2), String::new());
-        line[place + 1] = shown(column.unit, *value);
+        line[place + 1] = shown(column.unit, report.length_unit, *value);
     }
     aligned(&lines)
 }
 
 /// Several rows as tables, each with the variable first and as many quantities as fit on a line.
 fn blocks(report: &KinematicsReport) -> String {
-    let variable = |row: usize| shown(KinematicUnit::Length, report.rows[row].variable);
-    let first: Vec<String> = [report.variable.unwrap_or_default().to_owned(), "mm".to_owned()]
+    let unit = report.length_unit;
+    let variable = |row: usize| shown(KinematicUnit::Length, unit, report.rows[row].variable);
+    let first: Vec<String> = [report.variable.unwrap_or_default().to_owned(), unit.name().to_owned()]
         .into_iter()
         .chain((0..report.rows.len()).map(variable))
         .collect();
     let given = report.columns.iter().enumerate().filter(|(_, column)| column.missing.is_none());
     let columns = given.map(|(i, column)| {
-        let unit = column.unit.of_table().0;
-        let head = [column.name().replace('_', " "), unit.to_owned()];
-        let values = report.rows.iter().map(|row| shown(column.unit, row.values.get(i).copied().flatten()));
+        let head = [column.name().replace('_', " "), column.unit.of_table(unit).0.to_owned()];
+        let values =
+            report.rows.iter().map(|row| shown(column.unit, unit, row.values.get(i).copied().flatten()));
         head.into_iter().chain(values).collect::<Vec<String>>()
     });
     let wide = |column: &[String]| column.iter().map(|cell| width(cell)).max().unwrap_or(0) + 2;

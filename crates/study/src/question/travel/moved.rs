@@ -139,6 +139,15 @@ impl Moved {
         }
     }
 
+    /// True if this motion of the wheels and another one have independent travels: heave and roll.
+    pub fn is_beside(&self, other: &Self) -> bool {
+        use WheelMotion::{Heave, Roll};
+        matches!(
+            (self, other),
+            (Moved::Wheels(Heave), Moved::Wheels(Roll)) | (Moved::Wheels(Roll), Moved::Wheels(Heave))
+        )
+    }
+
     /// Points that move, with their displacements.
     pub(crate) fn points(
         &self,

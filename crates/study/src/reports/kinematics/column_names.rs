@@ -14,6 +14,19 @@ pub fn column_name(text: &str) -> String {
     }
 }
 
+/// True for the name of a quantity that springs, dampers and stops have, without the name of one of them, and a column of the quantity.
+pub(crate) fn is_of_every_contact(name: &str, column: &str) -> bool {
+    CONTACT_QUANTITIES.contains(&name)
+        && column.strip_prefix(name).is_some_and(|contact| contact.starts_with('_'))
+}
+
+/// Column of a target: a quantity without the name of a contact is that of the spring, if the suspension has one.
+pub(crate) fn target_column(name: &str, columns: &[String]) -> String {
+    let of_spring = format!("{name}_spring");
+    let has_spring = columns.iter().any(|column| column.starts_with(&of_spring));
+    if CONTACT_QUANTITIES.contains(&name) && has_spring { of_spring } else { name.to_owned() }
+}
+
 /// Message about an unknown column. For a quantity with one column per spring, damper and stop, the message lists these columns.
 pub(crate) fn unknown_column(name: &str, names: &[String]) -> String {
     let of_contacts: Vec<String> = names

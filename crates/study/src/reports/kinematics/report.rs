@@ -1,15 +1,18 @@
 //! Report of the kinematics of a suspension: one row per value of the variable.
 
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
 use crate::question::travel::moved::WheelMotion;
-use crate::reports::kinematics::column_names::{column_name, unknown_column};
+use crate::reports::kinematics::column_names::{column_name, is_of_every_contact, unknown_column};
 use crate::reports::kinematics::linkage_motion::Linkage;
 use crate::reports::kinematics::question::{KinematicVariable, KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::row_values::RowEvaluation;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
+use percuss_suspension::{LengthUnit, StopForce};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::sync::Arc;
@@ -84,6 +87,9 @@ pub struct KinematicsReport {
     pub rows: Vec<KinematicsRow>,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
+    /// Unit of lengths in tables and figures.
+    #[serde(skip)]
+    pub length_unit: LengthUnit,
 }
 
 impl KinematicsReport {
@@ -99,7 +105,11 @@ impl KinematicsReport {
         let mut chosen: Vec<usize> = Vec::new();
         for text in names {
             let name = column_name(text.trim());
-            let is_named = |column: &KinematicColumn| column.name() == name || column.quantity == name;
+            let is_named = |column: &KinematicColumn| {
+                column.name() == name
+                    || column.quantity == name
+                    || is_of_every_contact(&name, &column.quantity)
+            };
             let found: Vec<usize> = (0..self.columns.len())
                 .filter(|i| is_named(&self.columns[*i]) && !chosen.contains(i))
                 .collect();
@@ -162,6 +172,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         found.push(evaluate_state(&prepared, question, &state)?);
     }
     let columns: Arc<[KinematicColumn]> = columns(&found).into();
+    let beyond_data = beyond_data(&prepared, &values, &found, model.length_unit());
     let row = |(variable, found): (Option<f64>, Result<KinematicValues, String>)| {
         let value = |column: &KinematicColumn| {
             let values = found.as_ref().ok()?;
@@ -176,6 +187,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
     let rows = values.into_iter().zip(found).map(row).collect();
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(prepared.rack_finding(question.steers()).map(DiagnosticRecord::from));
+    diagnostics.extend(beyond_data.into_iter().map(DiagnosticRecord::from));
     Ok(KinematicsReport {
         schema: "percuss.kinematics/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -185,7 +197,53 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         columns: columns.to_vec(),
         rows,
         diagnostics,
+        length_unit: model.length_unit(),
     })
+}
+
+/// Findings about forces outside the data of the sheet: a spring longer than its free length, a stop compressed beyond its curve. The
+/// values are those of the first such row.
+fn beyond_data(
+    kinematics: &SuspensionKinematics,
+    variables: &[Option<f64>],
+    rows: &[Result<KinematicValues, String>],
+    unit: LengthUnit,
+) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for element in &kinematics.elements {
+        let column = format!("force_{}", element.name);
+        let force = |row: &KinematicValues| {
+            let value = row.0.iter().find(|value| value.name == column && value.side == element.side);
+            value.and_then(|value| value.value.clone().ok())
+        };
+        let end = element.stop.as_ref().map(StopForce::end);
+        let is_beyond = |force: &f64| match end {
+            Some((_, last_force)) => *force > last_force,
+            None => *force < 0.0,
+        };
+        let outside: Vec<(Option<f64>, f64)> = variables
+            .iter()
+            .zip(rows)
+            .filter_map(|(variable, row)| Some((*variable, force(row.as_ref().ok()?).filter(is_beyond)?)))
+            .collect();
+        let Some((variable, force)) = outside.first() else { continue };
+        let at = variable.map_or_else(String::new, |x| format!(" at {}", unit.text(x)));
+        let rows = if outside.len() > 1 { format!(" ({} rows)", outside.len()) } else { String::new() };
+        let name = format!("{}{}", element.name, element.side);
+        let message = match end {
+            Some((deflection, last_force)) => format!(
+                "{name}: the force {force:.0} N{at} is beyond the end of the curve of the sheet ({last_force:.0} N at {}){rows}; \
+                 the last slope is continued, and stops become stiffer",
+                unit.text(deflection)
+            ),
+            None => format!(
+                "{name}: the force is {force:.0} N{at}{rows}: the spring is longer than its free length and would pull. A coil spring comes \
+                 off its seat there, and the wheel rate is then smaller"
+            ),
+        };
+        findings.push(Finding::new(FindingKind::ForceBeyondData, FindingSubject::Closure(name), message));
+    }
+    findings
 }
 
 /// Columns of all rows in the order of the first row reached, with the first reason of a column without values.

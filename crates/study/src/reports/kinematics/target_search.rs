@@ -6,7 +6,7 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
-use crate::reports::kinematics::column_names::{column_name, unknown_column};
+use crate::reports::kinematics::column_names::{column_name, target_column, unknown_column};
 use crate::reports::kinematics::question::{KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
@@ -16,6 +16,7 @@ use crate::thresholds::{
     SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
+use percuss_mechanism::near_names;
 use percuss_units::{Dimension, LengthUnit, Quantity};
 use serde::Serialize;
 use std::str::FromStr;
@@ -136,6 +137,9 @@ pub struct TargetReport {
     pub evaluations: usize,
     /// Displacements of the hardpoints, m, in the axes of the sheet, as for `--move`.
     pub moves: Vec<(String, [f64; 3])>,
+    /// Unit of lengths in tables.
+    #[serde(skip)]
+    pub length_unit: LengthUnit,
 }
 
 /// Designs with changed coordinates.
@@ -441,9 +445,15 @@ pub fn search_targets(
             search.within
         )));
     }
-    let mut designs = Designs { model, question, search, required: Vec::new(), evaluations: 0 };
+    let mut search = search.clone();
     let start = DVector::zeros(unknowns);
-    let values = designs.quantities(&start)?.map_err(refuse)?;
+    let mut first = Designs { model, question, search: &search, required: Vec::new(), evaluations: 0 };
+    let values = first.quantities(&start)?.map_err(refuse)?;
+    let evaluations = first.evaluations;
+    let names: Vec<String> = values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
+    search.targets.iter_mut().for_each(|target| target.quantity = target_column(&target.quantity, &names));
+    let search = &search;
+    let mut designs = Designs { model, question, search, required: Vec::new(), evaluations };
     for target in &search.targets {
         find(&values, &target.quantity)
             .map_err(|why| KinematicsError::Search { why: format!("--for: {why}") })?;
@@ -471,7 +481,15 @@ pub fn search_targets(
     let old = |unknown: &UnknownCoordinate| {
         let found = coordinates.iter().find(|(point, _)| *point == unknown.point);
         found.map(|(_, at)| at[unknown.axis]).ok_or_else(|| KinematicsError::Search {
-            why: format!("no hardpoint \"{}\" in the sheet (--solve)", unknown.point),
+            why: {
+                let names = coordinates.iter().map(|(point, _)| point.as_str());
+                let near = near_names(&unknown.point, names.clone()).into_iter().next();
+                let near = near.map_or_else(
+                    || format!("; these are: {}", names.collect::<Vec<_>>().join(", ")),
+                    |near| format!(" (did you mean \"{near}\"?)"),
+                );
+                format!("no hardpoint \"{}\" in the sheet (--solve){near}", unknown.point)
+            },
         })
     };
     let old: Vec<f64> = search.unknowns.iter().map(old).collect::<Result<_, _>>()?;
@@ -504,6 +522,7 @@ pub fn search_targets(
         targets: search.targets.iter().enumerate().map(reached).collect(),
         evaluations: designs.evaluations,
         moves: designs.moves(&found.x),
+        length_unit: model.length_unit(),
     })
 }
 

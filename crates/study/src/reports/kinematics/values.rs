@@ -1,9 +1,11 @@
 //! Quantities of a row: name, wheel, unit, and a value or the reason for its absence.
 
+use percuss_units::LengthUnit;
+
 /// Unit of a quantity, in SI and in tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KinematicUnit {
-    /// m; mm in tables.
+    /// m; mm or in in tables.
     Length,
     /// rad; deg in tables.
     Angle,
@@ -38,9 +40,10 @@ impl KinematicUnit {
         }
     }
 
-    /// Unit of tables with its number per SI unit, and the number of decimals in a text.
-    pub fn of_table(self) -> (&'static str, f64, usize) {
+    /// Unit of tables with its number per SI unit, and the number of decimals in a text. `length`: unit of lengths.
+    pub fn of_table(self, length: LengthUnit) -> (&'static str, f64, usize) {
         match self {
+            KinematicUnit::Length if length == LengthUnit::Inch => (length.name(), length.of_metres(1.0), 3),
             KinematicUnit::Length => ("mm", 1e3, 2),
             KinematicUnit::Angle => ("deg", 180.0 / std::f64::consts::PI, 4),
             KinematicUnit::AnglePerLength => ("deg/m", 180.0 / std::f64::consts::PI, 3),

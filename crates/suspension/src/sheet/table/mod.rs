@@ -5,10 +5,11 @@
 //! a unit (`x [mm]`), defines these columns; columns with other names are ignored. The unit applies to the points of the
 //! table, and by default to all lengths. Titles may precede the header or the first key. Rows that begin with # are comments.
 
+#[cfg(feature = "xlsx")]
+mod workbook;
+
 use super::catalogue::{self, HEAD};
 use super::entries::{Cell, Entries, TableRow, parse_number};
-#[cfg(feature = "xlsx")]
-use super::workbook;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};

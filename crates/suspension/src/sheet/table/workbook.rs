@@ -3,7 +3,7 @@
 //! Limits are checked before the library reads the workbook. The library allocates memory for the counts stated in a workbook,
 //! and copies a cell format for every cell style that refers to the format.
 
-use super::entries::{Cell, TableRow};
+use super::super::entries::{Cell, TableRow};
 use crate::findings::Spot;
 use crate::limits::workbook::{
     MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_SHARED_FORMULAS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES,

@@ -1,0 +1,224 @@
+//! Contacts that a sheet names itself; axes of a sheet; forces outside the data of a sheet.
+
+use super::own_suspension::{done, run};
+use crate::support::Scratch;
+use serde_json::Value;
+
+const CONTACTS: &str = "
+[contact.skid]
+point = [30.0, 600.0, 100.0]
+on = \"lower_arm\"
+direction = [0.0, 3.0, 4.0]
+[contact.frame_stop]
+point = [30.0, 600.0, 250.0]
+on = \"lower_arm\"
+direction = [0.0, 0.0, 2.0]
+against = \"chassis\"
+gap = 40.0
+";
+
+fn report(folder: &Scratch, words: &str) -> Value {
+    let words: Vec<&str> = words.split_whitespace().chain(["--format", "json"]).collect();
+    serde_json::from_str(&done(folder, &words)).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+fn mass(folder: &Scratch, words: &str) -> f64 {
+    number(&report(folder, words)["effective_mass"])
+}
+
+/// Warnings of a command that succeeds, on one line.
+fn told(folder: &Scratch, words: &str) -> String {
+    let outcome = run(folder, &words.split_whitespace().collect::<Vec<_>>());
+    assert_eq!(outcome.code, 0, "{words}: {}", outcome.stderr);
+    outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// A contact of the sheet is the contact of the same link, point and normal given by flags, on either side and in either axes.
+#[test]
+fn contacts_of_a_sheet_are_those_of_the_flags() {
+    let folder = Scratch::new("own-contacts");
+    let text = done(&folder, &["template", "double-wishbone"]) + CONTACTS;
+    folder.write("car.toml", &text);
+    // The frame of the arm is at the point lower_front of the template.
+    let by_flags = "--link lower_arm --point -0.15,0.22,-0.09 --normal 0,0.6,0.8";
+    let skid = mass(&folder, "mass car.toml --at skid");
+    let flags = mass(&folder, &format!("mass car.toml {by_flags}"));
+    assert!((skid / flags - 1.0).abs() < 1e-12, "{skid} and {flags}");
+    let stop = report(&folder, "mass car.toml --at frame_stop");
+    assert_eq!(stop["named_contact"]["kind"], "stop");
+    assert!((number(&stop["contact"]["point_world"][2]) - 0.29).abs() < 1e-9, "the point rises by the gap");
+    // The same car, turned by 180° about z.
+    let turned = |line: &str| match line.split_once("= [").filter(|(key, _)| !key.starts_with('#')) {
+        Some((key, numbers)) => {
+            let (numbers, rest) = numbers.split_once(']').expect("a list");
+            let mut n: Vec<f64> = numbers.split(',').map(|x| x.trim().parse().expect("a number")).collect();
+            // Coordinates x and y, and the products of inertia xz and yz, change their signs.
+            let flipped = match (key.contains("inertia"), n.len()) {
+                (false, _) => 0..2,
+                (true, 6) => 4..6,
+                (true, _) => 0..0,
+            };
+            n[flipped].iter_mut().for_each(|x| *x = 0.0 - *x);
+            format!("{key}= {n:?}{rest}")
+        }
+        None => line.replace("axes = \"iso\"", "axes = \"adams\""),
+    };
+    folder.write("turned.toml", &text.lines().map(turned).collect::<Vec<_>>().join("\n"));
+    folder.write("both.toml", &text.replace("build = \"left\"", "build = \"both\""));
+    for (file, contact) in [("turned.toml", "skid"), ("both.toml", "skid_left"), ("both.toml", "skid_right")]
+    {
+        let found = mass(&folder, &format!("mass {file} --at {contact}"));
+        assert!((found / skid - 1.0).abs() < 1e-11, "{file} {contact}: {found} and {skid}");
+    }
+    let axle = done(&folder, &["template", "solid-axle-panhard"])
+        + "\n[contact.link]\npoint = [0.0, 300.0, 200.0]\non = \"axle\"\ndirection = [0.0, 0.0, 1.0]\n";
+    folder.write("axle.toml", &axle);
+    let at = |side: &str| {
+        let point = report(&folder, &format!("mass axle.toml --at link_{side}"));
+        number(&point["contact"]["point_world"][1])
+    };
+    assert_eq!([at("left"), at("right")], [0.3, -0.3]);
+    for (from, into, message) in [
+        (
+            "on = \"lower_arm\"\ndirection = [0.0, 3.0",
+            "on = \"lower_am\"\ndirection = [0.0, 3.0",
+            "did you mean lower_arm",
+        ),
+        ("point = [30.0, 600.0, 100.0]\n", "", "contact.skid.point: the key is missing"),
+        ("gap = 40.0\n", "gab = 40.0\n", "did you mean \"contact.frame_stop.gap\""),
+        ("[0.0, 3.0, 4.0]", "[0.0, 0.0, 0.0]", "the direction is zero"),
+        ("against = \"chassis\"", "against = \"frame\"", "no link \"frame\""),
+        ("[contact.skid]", "[contact.bump_stop]", "bump_stop"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        folder.write("wrong.toml", &text.replacen(from, into, 1));
+        let outcome = run(&folder, &["mass", "wrong.toml", "--at", "frame_stop"]);
+        let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(outcome.code == 2 && told.contains(message), "{into}: {told}");
+    }
+}
+
+/// Templates without a point that lies in front of another one on every vehicle.
+const AXLES_ON_LINKS: [&str; 4] =
+    ["solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"];
+
+/// Axes and side that are both wrong turn the car by 180°: masses remain, but caster and anti-dive change their signs.
+#[test]
+fn reversed_axes_are_warned_of() {
+    let folder = Scratch::new("reversed-axes");
+    let listed = done(&folder, &["template", "--list"]);
+    let names =
+        listed.lines().filter_map(|line| line.split_whitespace().next().filter(|_| !line.starts_with(' ')));
+    let mut compared = 0;
+    for template in names.filter(|name| !AXLES_ON_LINKS.contains(name)) {
+        let text = done(&folder, &["template", template]);
+        folder.write("car.toml", &text);
+        let right = text.replace("side = \"left\"", "side = \"right\"");
+        folder.write("turned.toml", &right.replace("axes = \"iso\"", "axes = \"adams\""));
+        let as_written = told(&folder, "check car.toml");
+        assert!(!as_written.contains("lies behind"), "{template}: {as_written}");
+        let turned = told(&folder, "check turned.toml");
+        let remedy = ["lies behind", "Write axes = \"iso\""];
+        assert!(remedy.iter().all(|words| turned.contains(words)), "{template}: {turned}");
+        let has_sides = !["swing-arm", "telescopic-fork"].contains(&template);
+        assert_eq!(turned.contains("side = \"left\""), has_sides, "{template}: {turned}");
+        compared += 1;
+    }
+    // The links of a solid axle may lie before or behind the axle.
+    assert_eq!(compared, 18 - AXLES_ON_LINKS.len());
+}
+
+/// Forces beyond the curve of a stop, and of a spring longer than its free length, are warned of with the first row.
+#[test]
+fn forces_beyond_the_data_of_a_sheet_are_warned_of() {
+    let folder = Scratch::new("beyond-data");
+    let text = done(&folder, &["template", "double-wishbone"]);
+    let with = |sections: &[(&str, &str)]| {
+        let add = |text: String, (section, keys): &(&str, &str)| {
+            text.replacen(&format!("[{section}]\n"), &format!("[{section}]\n{keys}"), 1)
+        };
+        folder.write("car.toml", &sections.iter().fold(text.clone(), add));
+    };
+    let spring = |preload: f64| format!("rate = \"40 N/mm\"\npreload = {preload}\n");
+    let stop = "deflections = [0.0, 5.0, 12.0]\nforces = [0.0, 300.0, 2500.0]\n";
+    let travel = "kinematics car.toml --wheel-travel -100mm:90mm:20";
+    with(&[("spring", &spring(800.0)), ("bump_stop", stop)]);
+    let told_of = told(&folder, travel);
+    let rows = report(&folder, travel);
+    let value = |key: &str| -> Vec<(f64, f64)> {
+        let rows = rows["rows"].as_array().expect("rows").iter();
+        rows.map(|row| (number(&row["variable"]), number(&row[key]))).collect()
+    };
+    let pulling: Vec<_> = value("force_spring").into_iter().filter(|(_, force)| *force < 0.0).collect();
+    let beyond: Vec<_> = value("force_bump_stop").into_iter().filter(|(_, force)| *force > 2500.0).collect();
+    for (name, found) in [("spring", &pulling), ("bump_stop", &beyond)] {
+        let (at, force) = found.first().expect("a row outside the data");
+        let mut words = vec![format!("{name}: the force"), format!("{force:.0} N at {:.2} mm", 1e3 * at)];
+        words.extend((found.len() > 1).then(|| format!("({} rows)", found.len())));
+        words.iter().for_each(|words| assert!(told_of.contains(words), "{words}: {told_of}"));
+    }
+    with(&[
+        ("spring", &spring(8000.0)),
+        ("bump_stop", "deflections = [0.0, 90.0]\nforces = [0.0, 90000.0]\n"),
+    ]);
+    assert!(!told(&folder, travel).contains("the force"), "no row is outside these data");
+}
+
+/// A roll of the pose stays beside a range of heave; a travel of the same motion does not.
+#[test]
+fn a_constant_roll_remains_beside_a_range_of_heave() {
+    let folder = Scratch::new("roll-beside-heave");
+    folder.write("axle.toml", &done(&folder, &["template", "solid-axle-panhard"]));
+    let of_study = |travel: &str| {
+        let study = format!(
+            "[model]\npath = \"axle.toml\"\n[contact]\nat = \"spring_left\"\n[pose]\ntravel = [\"{travel}\"]\n\
+             [sweep]\nvary = \"heave=-40mm:40mm:3\"\noutput = \"study.csv\"\n"
+        );
+        folder.write("study.toml", &study);
+        let note = told(&folder, "run study.toml --force --notes");
+        (std::fs::read_to_string(folder.path("study.csv")).expect("rows"), note)
+    };
+    let by_flags = |flags: &str| {
+        let words = format!(
+            "sweep axle.toml --at spring_left --heave -40mm:40mm:3 {flags} --output flags.csv --force"
+        );
+        told(&folder, &words);
+        std::fs::read_to_string(folder.path("flags.csv")).expect("rows")
+    };
+    let (level, rolled) = (by_flags(""), by_flags("--travel roll=30mm"));
+    assert!(level != rolled);
+    assert_eq!(of_study("roll=30mm").0, rolled);
+    let (rows, note) = of_study("heave=30mm");
+    assert_eq!(rows, level);
+    assert!(note.contains("[pose] travel = heave=0.03 applies to the contact at its pose"), "{note}");
+}
+
+/// The number has the digits that the tolerances support, with the nominal value below it.
+#[test]
+fn digits_follow_the_tolerances() {
+    let folder = Scratch::new("digits");
+    folder.write("car.toml", &done(&folder, &["template", "double-wishbone"]));
+    let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop", "--tolerance", "mass=2%,point=1mm"]);
+    assert!(
+        text.starts_with("effective mass       151.1 ± 3.6 kg (tolerances, root sum square)\n"),
+        "{text}"
+    );
+    assert!(text.contains("nominal value      151.080732 kg"), "{text}");
+}
+
+/// A list with dampers has no warning about a damper between parts that always touch; a gap of 0 is questioned.
+#[test]
+fn lists_and_gaps_ask_no_false_question() {
+    let folder = Scratch::new("lists-and-gaps");
+    let text = done(&folder, &["template", "double-wishbone"]);
+    folder.write("car.toml", &text);
+    let list = told(&folder, "mass car.toml --at all --restitution 0.3 --stiffness 20N/mm --speed 1");
+    assert!(list.contains("bump_stop") && !list.contains("spring") && !list.contains("damper:"), "{list}");
+    folder.write("zero.toml", &text.replace("gap = 30.0", "gap = 0"));
+    let zero = told(&folder, "mass zero.toml --at bump_stop");
+    assert!(zero.contains("the gap is 0") && zero.contains("its points are 81.39 mm apart"), "{zero}");
+}
