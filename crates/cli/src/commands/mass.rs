@@ -41,7 +41,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
 }
 
 /// Value of --at for all named contacts of a model.
-const ALL_CONTACTS: &str = "all";
+pub const ALL_CONTACTS: &str = "all";
 
 /// Writes the list of all named contacts; refuses requests about a single one.
 fn show_all_contacts(

@@ -1,14 +1,7 @@
 //! Units of a table, and number of significant digits.
 
-use percuss_study::{DecimalSign, Dimension, StudyTable, TableUnit};
-
-/// Unit of lengths in a table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Length {
-    #[default]
-    Metre,
-    Millimetre,
-}
+use percuss_study::{DecimalSign, StudyTable, TableUnit};
+use percuss_suspension::LengthUnit;
 
 /// Unit of angles in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,7 +14,7 @@ pub enum Angle {
 /// Style of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TableStyle {
-    pub length: Length,
+    pub length: LengthUnit,
     pub angle: Angle,
     /// True if column names contain units and numbers are rounded.
     pub names_units: bool,
@@ -48,8 +41,9 @@ impl TableStyle {
         for unit in &table.units {
             style.names_units = true;
             match unit {
-                TableUnit::Metre => style.length = Length::Metre,
-                TableUnit::Millimetre => style.length = Length::Millimetre,
+                TableUnit::Metre => style.length = LengthUnit::Metre,
+                TableUnit::Millimetre => style.length = LengthUnit::Millimetre,
+                TableUnit::Inch => style.length = LengthUnit::Inch,
                 TableUnit::Radian => style.angle = Angle::Radian,
                 TableUnit::Degree => style.angle = Angle::Degree,
             }
@@ -64,13 +58,12 @@ impl TableStyle {
 
     /// Unit of a column for a quantity in `rad`, `m`, or another SI unit.
     pub fn unit(&self, si: &'static str) -> ColumnUnit {
-        let unit = match (si, self.length, self.angle) {
-            ("m", Length::Millimetre, _) => Dimension::Length.display_unit(),
-            ("rad", _, Angle::Degree) => Dimension::Angle.display_unit(),
-            _ => None,
+        let (name, factor) = match (si, self.angle) {
+            ("m", _) => (self.length.name(), self.length.of_metres(1.0)),
+            ("rad", Angle::Degree) => ("deg", 1.0_f64.to_degrees()),
+            _ => (si, 1.0),
         };
-        let si = ColumnUnit { name: si, factor: 1.0 };
-        unit.map_or(si, |unit| ColumnUnit { name: unit.name, factor: unit.per_si })
+        ColumnUnit { name, factor }
     }
 
     /// Rounds a number for output; `error` is a bound on its error, if known.

@@ -21,6 +21,9 @@ pub enum TableUnit {
     /// Lengths in millimetres.
     #[cfg_attr(feature = "flags", value(name = "mm"))]
     Millimetre,
+    /// Lengths in inches.
+    #[cfg_attr(feature = "flags", value(name = "in"))]
+    Inch,
     /// Angles in radians.
     #[cfg_attr(feature = "flags", value(name = "rad"))]
     Radian,
@@ -35,9 +38,10 @@ impl FromStr for TableUnit {
         match text {
             "m" => Ok(TableUnit::Metre),
             "mm" => Ok(TableUnit::Millimetre),
+            "in" => Ok(TableUnit::Inch),
             "rad" => Ok(TableUnit::Radian),
             "deg" => Ok(TableUnit::Degree),
-            _ => Err("expected m, mm, rad or deg"),
+            _ => Err("expected m, mm, in, rad or deg"),
         }
     }
 }
