@@ -96,6 +96,15 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
+    explain_parts(model, question, true)
+}
+
+/// Sensitivities as for [`explain`]; `with_points`: also those of the hardpoints, which take twelve evaluations each.
+pub(crate) fn explain_parts(
+    model: &Model,
+    question: &MassQuestion,
+    with_points: bool,
+) -> Result<Option<Explanation>, StudyError> {
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let response = &evaluated.result.response;
     let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
@@ -103,7 +112,7 @@ pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanat
         return Ok(None);
     }
     let (links, rotors) = (links(&evaluated, mass), rotors(&evaluated));
-    let points = points(model, question);
+    let points = if with_points { points(model, question) } else { Vec::new() };
     let mut by_mass: Vec<&LinkSensitivity> = links.iter().filter(|link| link.per_kilogram > 0.0).collect();
     by_mass.sort_by(|a, b| b.per_kilogram.total_cmp(&a.per_kilogram));
     let of_mass =

@@ -7,7 +7,7 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
-use crate::reports::explain::{Explanation, changed_mass, explain};
+use crate::reports::explain::{Explanation, changed_mass, explain_parts};
 use crate::thresholds::SAMPLES;
 use percuss_dynamics::interruption;
 use percuss_units::{Dimension, Quantity};
@@ -185,7 +185,8 @@ pub fn tolerance_report(
     if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
         return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
     }
-    let Some(explanation) = explain(model, question)? else { return Ok(None) };
+    let with_points = tolerance.point > 0.0;
+    let Some(explanation) = explain_parts(model, question, with_points)? else { return Ok(None) };
     let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
     let root = |all: &[ToleranceEffect]| all.iter().map(|e| e.change * e.change).sum::<f64>().sqrt();
     let all = rates.concatenated();

@@ -1,6 +1,6 @@
 //! Report of the kinematics of a suspension: one row per value of the variable.
 
-use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -213,7 +213,10 @@ fn beyond_data(
     for element in &kinematics.elements {
         let column = format!("force_{}", element.name);
         let force = |row: &KinematicValues| {
-            let value = row.0.iter().find(|value| value.name == column && value.side == element.side);
+            let value = row
+                .0
+                .iter()
+                .find(|value| value.name == column && (element.is_shared || value.side == element.side));
             value.and_then(|value| value.value.clone().ok())
         };
         let end = element.stop.as_ref().map(StopForce::end);
@@ -241,7 +244,7 @@ fn beyond_data(
                  off its seat there, and the wheel rate is then smaller"
             ),
         };
-        findings.push(Finding::new(FindingKind::ForceBeyondData, FindingSubject::Closure(name), message));
+        findings.push(Finding::about_result(FindingKind::ForceBeyondData, message));
     }
     findings
 }
