@@ -35,7 +35,7 @@ pub fn not_computed(error: impl Display) -> PyErr {
 }
 
 /// Conversion for `map_err`: puts the name of the argument before the message, unless the message starts with it. An `InputError` keeps its
-/// type; other type, value and overflow errors become `ArgumentTypeError`. `LoadError`, `NoAnswerError` and all others stay as they are.
+/// type; other type, value and overflow errors become `ArgumentTypeError`. `LoadError`, `NoAnswerError`, `NotComputedError` and all others stay as they are.
 pub fn of_argument(name: &str) -> impl Fn(PyErr) -> PyErr {
     move |error| {
         Python::attach(|py| {
@@ -44,7 +44,10 @@ pub fn of_argument(name: &str) -> impl Fn(PyErr) -> PyErr {
                 true => message,
                 false => format!("{name}: {message}"),
             };
-            if error.is_instance_of::<LoadError>(py) || error.is_instance_of::<NoAnswerError>(py) {
+            if error.is_instance_of::<LoadError>(py)
+                || error.is_instance_of::<NoAnswerError>(py)
+                || error.is_instance_of::<NotComputedError>(py)
+            {
                 error
             } else if error.get_type(py).is(py.get_type::<InputError>()) {
                 input(message)
