@@ -239,7 +239,7 @@ fn read_chrono(
 ) -> Option<(Mechanism, Comments, Understood)> {
     check_options(reader, options);
     if options.wheel.is_none() {
-        warn_no_wheel(reader, "and suspension files hold none");
+        warn_no_wheel(reader, "and files of Chrono::Vehicle contain none");
     }
     for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
         if given {
@@ -430,7 +430,7 @@ fn check_options(findings: &mut Findings, options: &ImportOptions) {
 
 /// Warns that the mechanism has no wheel; `why` completes the message.
 fn warn_no_wheel(findings: &mut Findings, why: &str) {
-    let message = format!("no wheel was given, {why}: its mass is not in the answer");
+    let message = format!("no wheel is given, {why}: the mechanism has no wheel mass");
     findings.warning("no-wheel", &Spot::default(), message);
 }
 

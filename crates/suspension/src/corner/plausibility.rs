@@ -53,8 +53,8 @@ impl GivenMass {
     }
 }
 
-/// Message about masses in grams: several of them are too large, at least [`LEAST_SHARE_IN_GRAMS`] of all, and each would be plausible in
-/// grams. `None` for other masses.
+/// Message about masses in grams; `None` unless at least two masses, and at least the share [`LEAST_SHARE_IN_GRAMS`] of all, are too large
+/// in kilograms and plausible in grams.
 pub(crate) fn masses_in_grams(masses: &[GivenMass]) -> Option<String> {
     let heavy: Vec<&GivenMass> = masses.iter().filter(|mass| mass.is_heavy()).collect();
     let share = heavy.len() as f64 / masses.len().max(1) as f64;
@@ -131,7 +131,7 @@ pub(super) fn check_wheel(
     places: FilePlaces,
 ) {
     let mass = wheel.mass;
-    // A mass that no wheel has is a finding of its own.
+    // An implausible mass is reported separately.
     if mass <= 0.0 || mass > MAX_WHEEL_MASS {
         return;
     }

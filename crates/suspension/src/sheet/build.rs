@@ -10,8 +10,8 @@ use crate::options::Side;
 use crate::units::{VehicleAxes, short};
 use percuss_spatial::Matrix3;
 
-/// Moment of inertia about the line of a link, relative to the sum of its principal moments, from which the pins of its universal
-/// joint have an influence above the digits that a report shows.
+/// Smallest moment of inertia of a link about its own line, relative to the sum of its principal moments, at which the pins of its
+/// universal joint change the digits of a report.
 const LEAST_ABOUT_LINE: f64 = 1e-6;
 
 /// Builds the corner of a sheet; reports points that determine no axis or line.
