@@ -147,7 +147,7 @@ fn touch_pose(
         }
     }
     let full = Search::Full { least_part: LEAST_PART };
-    // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
+    // Pose with a part of the gaps closed, on the branch of the start: the path back ends at the start.
     let with_part = |part: f64, from: &Pose, search: Search| -> Result<Pose, StudyError> {
         let scaled: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(part)).collect();
         let pose = solve_all(&scaled, from, search, question.names)?;
@@ -155,7 +155,7 @@ fn touch_pose(
         let returned = solve_all(&back, &pose, full, question.names)?;
         let is_same = is_same_pose(&returned, &start);
         is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
-            why: "the gap has a minimum on the way".to_owned(),
+            why: "the gap has a minimum on the path".to_owned(),
             nearest: None,
             motion: None,
         })
