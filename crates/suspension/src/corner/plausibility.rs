@@ -171,8 +171,8 @@ pub(super) struct MirroredMass<'c> {
 }
 
 impl<'c> MirroredMass<'c> {
-    /// Compares the distances of the centre of mass from the box around the joints (vehicle frame, m) with the given and with other signs.
-    /// `None` if the given signs are plausible, or no other signs are better.
+    /// Compares the distances of the centre of mass from the box around the joints (vehicle frame, m) with the given signs and with changed
+    /// signs. `None` if the given signs are plausible, or no change of signs is better.
     pub fn find(link: &'c str, com: Vector3<f64>, joints: Vec<Vector3<f64>>, spot: Spot) -> Option<Self> {
         let distance = distance_from_box(&com, &joints);
         let with_signs = |axes: &[usize]| {
@@ -209,9 +209,9 @@ pub(super) fn warn_mirrored_masses(found: &[MirroredMass], findings: &mut Findin
         let likewise =
             if likewise.is_empty() { String::new() } else { format!("; likewise {}", likewise.join(", ")) };
         let defect = match axes {
-            [1] => "has the sign of the other side of the vehicle than the joints of the part",
+            [1] => "is on the other side of the vehicle than the joints of the part",
             [_] => "has another sign than the joints of the part",
-            _ => "have other signs than the joints of the part, as in other axes",
+            _ => "have other signs than the joints of the part, as if given in other axes",
         };
         let Frame { axes: file_axes, .. } = places.frame;
         let message = format!(
