@@ -44,7 +44,7 @@ pub fn damp_contact(
 fn always_touching(contact: Option<&NamedContactRecord>) -> Option<Finding> {
     let NamedContactRecord { name, kind, .. } = contact.filter(|contact| contact.always_touches())?;
     let message = format!(
-        "{name} is a {kind}, whose parts always touch: the result is the damper of an impact at its seat, not one of the suspension"
+        "{name} is a {kind}, whose parts always touch: the result is the damper of an impact at its seat, not a damper of the suspension"
     );
     Some(Finding::about_result(FindingKind::AlwaysTouching, message))
 }

@@ -75,9 +75,9 @@ class SweepReport(Record):
     link: str
     """Contact link."""
     motion_ratio_of: str | None
-    """Motion of the motion ratio: the name of the travel, or, without a travel, "estimate" for the point of the estimate. The
-    ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of "heave" or "roll", for
-    this motion of the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion
+    """Travel of the motion ratio: the name of the varied travel, or "estimate" for the point of the estimate. The ratio of one
+    point is that of the motion of the impact (with a sliding rack held). The ratio of "heave" or "roll" is that of this
+    motion of the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion
     ratio."""
     rows: list[SweepRow]
     """All rows."""

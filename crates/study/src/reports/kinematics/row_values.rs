@@ -270,7 +270,7 @@ impl<'k> RowEvaluation<'k> {
         let tyre = tyre_rate.ok_or_else(|| "missing: --tyre-rate".to_owned());
         let body = match (&tyre, &sprung) {
             (Ok(tyre), Ok(sprung)) => frequencies(&rate, &mass, *sprung, *tyre).map(|both| both[0]),
-            // A rigid tyre.
+            // Without its rate, the tyre is rigid.
             (Err(_), Ok(sprung)) => rate.clone().and_then(|rate| root(rate / sprung)),
             (_, Err(why)) => Err(why.clone()),
         };
