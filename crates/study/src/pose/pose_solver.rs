@@ -187,7 +187,8 @@ fn touch_pose(
             Err(_) => high = middle,
         }
     }
-    // The parameter of the halvings is the closed part of the gap, so they fail near the smallest gap. The path has the arc length as parameter.
+    // The parameter of the halvings is the closed part of the gap, so they fail near the smallest gap. The parameter of the path is the arc
+    // length.
     match closing_path_end(&travels, &from) {
         Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, full) {
             Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),

@@ -75,8 +75,8 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
     Spindle::new(findings, body, at, [sheet.camber, sheet.toe], sheet.axle_inertia, sheet.wheel)
 }
 
-/// Warns about a vehicle whose front points lie behind the rear ones. Masses do not depend on this, but caster, toe and anti-dive get the
-/// wrong sign.
+/// Warns about a vehicle whose front points lie behind the rear ones. Masses do not depend on the direction of x, but caster, toe and
+/// anti-dive have the wrong sign.
 fn warn_reversed_x(sheet: &Sheet, findings: &mut Findings) {
     let pairs = front_points(sheet);
     let behind: Vec<&FrontPoint> = pairs.iter().filter(|pair| pair.is_behind()).collect();
@@ -175,7 +175,7 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
         )
     } else if 2 * reversed > pairs.len() {
         format!(
-            "the other points are on that side too, and front points lie behind rear ones, so the axes are others: write {}",
+            "the other points are on that side too, and front points lie behind rear ones, so the stated axes are wrong: write {}",
             other_axes(axes)
         )
     } else {

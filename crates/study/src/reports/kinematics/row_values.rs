@@ -362,7 +362,8 @@ fn root(x: f64) -> Result<f64, String> {
 }
 
 /// Undamped natural frequencies of the body and of the wheel, Hz, from the wheel rate k (`rate`, N/m), the unsprung mass m_u
-/// (`mass`, kg), the sprung mass m_s (kg) and the stiffness k_t of the tyre (N/m). Roots of m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
+/// (`mass`, kg), the sprung mass m_s (kg) and the stiffness k_t of the tyre (N/m). Roots of
+/// m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
 fn frequencies(
     rate: &Result<f64, String>,
     mass: &Result<f64, String>,
