@@ -504,7 +504,8 @@ fn add_rack(
 ) -> MechanismBuilder {
     let (kind, link, comment) = match rack {
         Rack::Fixed => {
-            let comment = "the tie rods' inner ends do not move; prismatic along y, it would steer";
+            let comment =
+                "fixed: the inner ends of the tie rods do not move; a prismatic joint along y would steer";
             (JointKind::Fixed, LinkDescription::massless(RACK), comment)
         }
         Rack::Sliding { mass } => {
@@ -512,7 +513,7 @@ fn add_rack(
             (JointKind::Prismatic, link, "steers")
         }
     };
-    annotations.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
+    annotations.comments.links.insert(RACK.to_owned(), "holds the inner ends of the tie rods".to_owned());
     annotations.comments.joints.insert(RACK.to_owned(), comment.to_owned());
     let joint = JointDescription::new(RACK, kind, CHASSIS, RACK).at(at.into());
     let mut joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };
