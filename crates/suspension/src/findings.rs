@@ -110,7 +110,7 @@ impl Findings {
             let spot = Spot::default();
             self.list.push(Finding { severity: Severity::Warning, code: "and-more", spot, message });
         }
-        // An error in a workbook may come from the worksheet that was read; the list of the others is then part of the error.
+        // The wrong worksheet may be the cause of an error in a workbook; the list of the worksheets is then part of the error.
         if self.has_errors() {
             let of_worksheets = self.list.iter_mut().filter(|f| f.code == FIRST_WORKSHEET);
             of_worksheets.for_each(|f| f.severity = Severity::Error);
@@ -137,7 +137,7 @@ impl Findings {
 mod tests {
     use super::*;
 
-    /// The list of worksheets is a note, and part of the error if the worksheet that was read has one, such as missing masses.
+    /// The list of worksheets is a note; after an error in the worksheet, such as missing masses, it is part of the error.
     #[test]
     fn worksheets_are_listed_with_an_error() {
         let listed = |with_error: bool| {

@@ -33,7 +33,7 @@ impl StopForce {
         (last(&self.deflections), last(&self.forces))
     }
 
-    /// Force (N) and its slope (N/m) at a compression (m); zero before the touch. At a corner of the curve the slope of the
+    /// Force (N) and its slope (N/m) at a compression (m); zero before the touch. At a corner of the curve, the slope is that of the
     /// next piece.
     pub fn at(&self, compression: f64) -> (f64, f64) {
         if compression < 0.0 {

@@ -239,7 +239,7 @@ fn read_chrono(
 ) -> Option<(Mechanism, Comments, Understood)> {
     check_options(reader, options);
     if options.wheel.is_none() {
-        warn_no_wheel(reader, "and suspension files hold none");
+        warn_no_wheel(reader, "and files of Chrono::Vehicle contain none");
     }
     for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
         if given {
@@ -430,7 +430,7 @@ fn check_options(findings: &mut Findings, options: &ImportOptions) {
 
 /// Warns that the mechanism has no wheel; `why` completes the message.
 fn warn_no_wheel(findings: &mut Findings, why: &str) {
-    let message = format!("no wheel was given, {why}: its mass is not in the answer");
+    let message = format!("no wheel is given, {why}: the mechanism has no wheel mass");
     findings.warning("no-wheel", &Spot::default(), message);
 }
 
@@ -504,7 +504,8 @@ fn add_rack(
 ) -> MechanismBuilder {
     let (kind, link, comment) = match rack {
         Rack::Fixed => {
-            let comment = "the tie rods' inner ends do not move; prismatic along y, it would steer";
+            let comment =
+                "fixed: the inner ends of the tie rods do not move; a prismatic joint along y would steer";
             (JointKind::Fixed, LinkDescription::massless(RACK), comment)
         }
         Rack::Sliding { mass } => {
@@ -512,7 +513,7 @@ fn add_rack(
             (JointKind::Prismatic, link, "steers")
         }
     };
-    annotations.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
+    annotations.comments.links.insert(RACK.to_owned(), "holds the inner ends of the tie rods".to_owned());
     annotations.comments.joints.insert(RACK.to_owned(), comment.to_owned());
     let joint = JointDescription::new(RACK, kind, CHASSIS, RACK).at(at.into());
     let mut joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };

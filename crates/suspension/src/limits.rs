@@ -51,21 +51,21 @@ pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 pub(crate) const WHEEL_RADII: RangeInclusive<f64> = 0.1..=1.0;
 /// Largest plausible mass of a wheel with its tyre, kg: that of a truck.
 pub(crate) const MAX_WHEEL_MASS: f64 = 150.0;
-/// Plausible mass of a wheel with its tyre over the cube of its radius, kg/m³. Of a kart it is 900, of a truck 800, of a light racing car
-/// 400. A radius in centimetres that is read in inches, or the reverse, changes it by a factor of 16.
+/// Plausible mass of a wheel with its tyre over the cube of its radius, kg/m³: 900 for a kart, 800 for a truck, 400 for a light racing
+/// car. A radius in centimetres that is read in inches, or the reverse, changes it by a factor of 16.
 pub(crate) const WHEEL_DENSITIES: RangeInclusive<f64> = 165.0..=3000.0;
 /// Largest plausible mass of an arm, a rod, a carrier or a spindle, kg: that of a truck's hub.
 pub(crate) const MAX_PART_MASS: f64 = 150.0;
 /// Largest plausible mass of an axle or a beam, kg: that of a driven axle of a truck.
 pub(crate) const MAX_AXLE_MASS: f64 = 1500.0;
-/// Largest plausible mass of a part over the cube of its size, kg/m³; size: `CheckedPart::size`. Of arms and
-/// rods it is below 100, of a short rocker 1000. A mass in grams is a thousand times as large.
+/// Largest plausible mass of a part over the cube of its size, kg/m³; size: `CheckedPart::size`. Arms and rods have less than 100,
+/// a short rocker has 1000. A mass in grams is a thousand times as large.
 pub(crate) const MAX_PART_DENSITY: f64 = 5000.0;
-/// The same for a rod, which has two joints and nothing else: 21 for a tie rod of a car, 60 for one of a truck.
+/// The same for a rod, which has two joints and nothing else: 21 for a tie rod of a car, 60 for a tie rod of a truck.
 pub(crate) const MAX_ROD_DENSITY: f64 = 600.0;
 /// Mass of a rod, kg, that is plausible for every length.
 pub(crate) const LIGHT_ROD: f64 = 10.0;
-/// Smallest size of a part, m, for this comparison: the joints of a spindle are at one point.
+/// Smallest size of a part, m, for comparisons with its mass and inertia: the joints of a spindle are at one point.
 pub(crate) const MIN_PART_SIZE: f64 = 0.05;
 /// Smallest ratio of tr D to tr(I − D), D = m (r² 1 − r rᵀ), at which an inertia I is probably about the origin of the vehicle.
 /// An inertia about the centre of mass seldom has so large a ratio together with a valid difference I − D.
@@ -73,7 +73,7 @@ pub(crate) const LEAST_DISTANCE_TERM: f64 = 2.0;
 /// Plausible radius of gyration of a part over its size: 0.29 for a rod, 0.2 to 0.6 for arms and carriers. A unit of inertia that is a
 /// hundred times too small or too large changes it by a factor of ten.
 pub(crate) const GYRATION_RADII: RangeInclusive<f64> = 0.04..=2.0;
-/// Smallest size of a part in this comparison, m: a carrier is larger than the distances of its joints.
+/// Size of a smaller part in the upper bound of this radius, m: a carrier is larger than the distances of its joints.
 pub(crate) const LEAST_CARRIER_SIZE: f64 = 0.15;
 /// Plausible radius of gyration of a wheel over its radius: 0.6 to 0.85 for a wheel with its tyre.
 pub(crate) const WHEEL_GYRATION_RADII: RangeInclusive<f64> = 0.15..=2.0;
@@ -101,8 +101,8 @@ pub(crate) const MAX_TRACK: f64 = 3.0;
 pub(crate) const MAX_UPRIGHT_REACH: f64 = 0.55;
 /// Largest plausible length of a spring or damper, m: that of a strut or of the fork of a motorcycle.
 pub(crate) const MAX_SPRING_LENGTH: f64 = 1.0;
-/// Distance by which the seat of a spring on the moving link is farther from its joints than the seat on the chassis, m, from which the
-/// two seats are regarded as exchanged. Springs and dampers are several times as long.
+/// The seats of a spring are regarded as exchanged if the moving seat is farther from the joints of the moving link than the chassis seat
+/// by more than this distance, m. Springs and dampers are several times as long.
 pub(crate) const EXCHANGED_SEATS: f64 = 0.05;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger
 /// distance suggests a value from another vehicle or in other axes. For a joint the limit is twice as large: one end of a

@@ -51,7 +51,7 @@ pub struct ImportOptions {
     pub side: Option<Side>,
     /// Wheel in place of the wheel in the file. Without any wheel, the mechanism has no wheel mass, and a warning is reported.
     pub wheel: Option<Wheel>,
-    /// True if the vehicle steers; `None`: as in the file, otherwise false.
+    /// Rack, fixed or sliding; `None`: as in the file, fixed by default.
     pub rack: Option<Rack>,
     /// Template for a table without a template name.
     pub template: Option<String>,

@@ -126,7 +126,7 @@ pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: L
     if far > MAX_VEHICLE_EXTENT {
         let other = if unit == LengthUnit::Metre { "mm" } else { "another unit" };
         let message = format!(
-            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {} m out. If the file is in {other}, \
+            "a coordinate of {size} {name}, read in {name}: no hardpoint has a coordinate of {} m. If the file is in {other}, \
              {}; if only this number is wrong, correct it",
             short(far),
             unit_remedy(if unit == LengthUnit::Metre { "mm" } else { "UNIT" })
@@ -184,7 +184,7 @@ pub(super) fn check_proportions(
         findings.error("wrong-unit", spot, message);
     } else if track < MIN_TRACK && !fitting.is_empty() && link.is_none_or(|link| link < MIN_LINK_LENGTH) {
         let message = format!(
-            "with coordinates in {stated}, the track would be only {:.0} mm: a model of a vehicle. {remedy}",
+            "with coordinates in {stated}, the track would be only {:.0} mm, the track of a scale model. {remedy}",
             1e3 * track
         );
         findings.warning("small-track", spot, message);

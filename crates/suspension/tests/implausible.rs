@@ -67,7 +67,7 @@ fn a_centre_of_mass_with_a_wrong_sign_is_named() {
                     let (number, rest) = stated.split_once(' ').expect("a unit");
                     let number: f64 = number.parse().expect("a number");
                     assert!(unit.to_metres((number + com[1]).abs()) < 1e-4, "{finding}");
-                    assert!(rest.starts_with(&format!("{} has the sign of the other side", unit.name())));
+                    assert!(rest.starts_with(&format!("{} is on the other side", unit.name())));
                     assert!(rest.contains(&format!("axes {}: {}", axes.name(), axes.words())), "{finding}");
                     count += 1;
                 }

@@ -125,15 +125,16 @@ fn text(report: &ContactListReport) -> String {
 }
 
 /// Reason for a missing motion ratio.
-pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given where more than the wheel can move, such as the other wheel of an axle: \
-                                   percuss sweep --heave or --roll gives it per travel of both wheels, percuss kinematics all of them.";
+pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given if more than the wheel can move, such as the other wheel of an axle: \
+                                   percuss sweep --heave or --roll gives the ratio per travel of both wheels, \
+                                   percuss kinematics all ratios.";
 
 /// Meaning of the columns.
 pub fn explanation(report: &ContactListReport) -> String {
     let mut out = String::new();
     let all = || report.contacts.iter().filter_map(named);
     out += if all().any(|named| named.brought_to_touch) || all().all(|named| named.gap.is_none()) {
-        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
+        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless a pose is given.\n"
     } else {
         "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
     };
@@ -145,7 +146,7 @@ pub fn explanation(report: &ContactListReport) -> String {
     let ratios = report.contacts.iter().filter_map(|contact| contact.report.as_ref());
     let held = ratios.flat_map(|report| &report.motion_ratios).find_map(|ratio| ratio.held.as_ref());
     if let Some(joint) = held {
-        let _ = writeln!(out, "It is given with the joint {joint} held, which moves in the impact.");
+        let _ = writeln!(out, "The ratio is given with the joint {joint} held, which moves in the impact.");
     }
     if report.contacts.iter().any(has_no_ratio) && all().any(|named| !named.wheel_travel.is_empty()) {
         let _ = writeln!(out, "{}", wrap_message(NO_MOTION_RATIO));

@@ -195,7 +195,7 @@ fn text(answer: &MapAnswer) -> String {
 /// Number of contacts without a finite mass, by status.
 fn counts_without_finite_mass(link: &LinkMap) -> String {
     let counts =
-        [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
+        [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without a result")];
     let some = counts.into_iter().filter(|(count, _)| *count > 0);
     some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
 }

@@ -170,7 +170,7 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     }
 }
 
-/// Notes which tables of a study with several contacts are about the first one.
+/// Notes the tables that apply to the first of several contacts only.
 fn note_single_contact(study: &StudyFile) {
     let tables = [
         ("[mass]", study.mass != StudyMass::default()),
@@ -182,7 +182,7 @@ fn note_single_contact(study: &StudyFile) {
     if let [first, ..] = &study.contacts[..]
         && !single.is_empty()
     {
-        note(&format!("of the first contact ({}) only: {}", first.name, single.join(", ")));
+        note(&format!("for the first contact ({}) only: {}", first.name, single.join(", ")));
     }
 }
 

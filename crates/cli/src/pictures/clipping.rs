@@ -88,7 +88,7 @@ fn constant(series: &Series) -> Option<f64> {
     (values.len() > 1 && is_flat && series.style != Style::Band).then_some(0.5 * (low + high))
 }
 
-/// Interrupts a curve between two values beyond opposite ends of the axis: between them lies a pole, and no line.
+/// Interrupts a curve between two values beyond opposite ends of the axis, because a pole lies between them.
 fn break_at_poles(series: &mut Series, bottom: f64, top: f64) {
     let side = |y: Option<f64>| y.map_or(0, |y| i32::from(y > top) - i32::from(y < bottom));
     let mut points: Vec<(f64, Option<f64>)> = Vec::with_capacity(series.points.len());
@@ -103,7 +103,7 @@ fn break_at_poles(series: &mut Series, bottom: f64, top: f64) {
     series.points = points;
 }
 
-/// Clips a figure that is written to a file, and says so on the terminal.
+/// Clips a figure that is written to a file, and prints the caption on the terminal.
 pub fn note_clipping(figure: &mut Figure) {
     let caption = clip_outliers(figure);
     if !caption.is_empty() {

@@ -34,7 +34,8 @@ fn panel_and_curve(column: &KinematicColumn, length_unit: LengthUnit) -> (String
     (label, curve)
 }
 
-/// True if two curves of one style coincide to [`limits::SAME_CURVE`] of their largest value, as those of a damper and of the stop on its rod.
+/// True if two curves of one style coincide to [`limits::SAME_CURVE`] of their largest value, such as the curves of a damper and of the
+/// stop on its rod.
 fn has_same_points(one: &Series, other: &Series) -> bool {
     let largest = one.points.iter().filter_map(|(_, y)| *y).fold(0.0, |most: f64, y| most.max(y.abs()));
     let is_near = |a: Option<f64>, b: Option<f64>| match (a, b) {

@@ -101,7 +101,7 @@ pub fn tolerances(report: &ToleranceReport) -> String {
         );
         out += &fact_line(&format!("  {} samples", samples.count), &text);
         if samples.unanswered > 0 {
-            out += &fact_line("", &format!("{} more had no answer", samples.unanswered));
+            out += &fact_line("", &format!("{} more have no result", samples.unanswered));
         }
     }
     out

@@ -1,4 +1,4 @@
-//! Output that both commands share: results to stdout, diagnostics to stderr.
+//! Output of all commands: results to stdout, diagnostics to stderr.
 
 use crate::terminal::diagnostics::lines;
 use crate::terminal::escape::{self, Terminal};
@@ -71,7 +71,7 @@ fn write_message(severity: &str, message: &str) {
     );
 }
 
-/// The result of a question; without a result, the findings about the model precede the error, because they may be its cause.
+/// Returns the result of a question. After an error, the findings about the model are written first, because they may be its cause.
 pub fn with_findings<T, E: Into<Failure>>(result: Result<T, E>, model: &Model) -> Result<T, Failure> {
     result.map_err(|error| {
         let warnings = model.diagnostics.iter().filter(|d| d.severity == Severity::Warning).cloned();
@@ -84,7 +84,7 @@ pub fn with_findings<T, E: Into<Failure>>(result: Result<T, E>, model: &Model) -
 /// Writes diagnostics to stderr.
 ///
 /// # Errors
-/// Under `strict`, any warning: the diagnostics are then in the error.
+/// Any warning if `strict`; the error then contains the diagnostics.
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
     // A warning that the model file marks as known becomes a note; under --strict this note counts as a warning.

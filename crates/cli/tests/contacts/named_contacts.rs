@@ -173,7 +173,7 @@ fn stops_that_a_sweep_passes_are_warned_of() {
     let single = warned(&format!("{bar} --at seat --vary hinge=-1:-1:1"));
     assert!(
         single.contains(&format!(
-            "the pad is {beyond:.2} mm, measured along the stop, beyond the touch of plane"
+            "the pad is {beyond:.2} mm beyond the touch of plane, along the direction of the stop"
         )),
         "{single}"
     );

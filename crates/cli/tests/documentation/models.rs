@@ -162,7 +162,7 @@ fn the_double_wishbone_without_its_wheel_is_the_reference() {
     let start = text.find("<link name=\"wheel\">").expect("a wheel");
     let end = start + text[start..].find("</link>").expect("it ends") + "</link>".len();
     let bare = format!("{}<link name=\"wheel\"/>{}", &text[..start], &text[end..]);
-    // The axle's 0.4 kg·m² about the axis of spin is part of the wheel; in the reference it is part of the spindle.
+    // The axle's 0.4 kg·m² about the spin axis is part of the wheel; in the reference it is part of the spindle.
     assert!(bare.contains("iyy=\"0.07352\""));
     let bare = bare.replace("iyy=\"0.07352\"", "iyy=\"0.47352\"");
     let spring =

@@ -108,7 +108,7 @@ fn a_travel_beyond_a_stop_is_stated() {
     let sheet = "models/suspensions/double-wishbone.toml";
     let touch = json(&format!("mass {sheet} --at bump_stop --format json"));
     let touch = 1e3 * number(&touch["named_contact"]["wheel_travel"][0]["travel"]);
-    let words = format!("beyond the touch of bump_stop, which touches at {touch:.2} mm of wheel travel");
+    let words = format!("the touch is at {touch:.2} mm of wheel travel");
     let beyond = format!("{:.3}mm", touch + 10.0);
     let before = format!("{:.3}mm", touch - 1.0);
     let warned = percuss(&format!("mass {sheet} --at spring --wheel-travel {beyond}"));

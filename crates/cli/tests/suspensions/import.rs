@@ -122,7 +122,7 @@ fn every_template_becomes_a_model_that_answers_on_either_side_and_both() {
             for words in ["read in", "axes iso", "track", "mass, kg"] {
                 assert!(outcome.stdout.contains(words), "{template} {side}: {words}: {}", outcome.stdout);
             }
-            assert!(outcome.stderr.contains("no wheel was given"), "{}", outcome.stderr);
+            assert!(outcome.stderr.contains("no wheel is given"), "{}", outcome.stderr);
             let check = json(&format!("check {model} --format json"));
             let sides = endings.len() as u64;
             assert_eq!(

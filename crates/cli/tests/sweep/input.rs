@@ -95,7 +95,7 @@ fn errors_in_a_file_are_reported_with_their_position() {
         (
             "twice",
             b"crank_hinge,crank_hinge [deg]\n0,0\n",
-            "column 2 (\"crank_hinge [deg]\"): column 1 is of the same number",
+            "column 2 (\"crank_hinge [deg]\"): column 1 gives the same position",
         ),
         ("a unit", b"crank_hinge [mm]\n0\n", "[mm] is the unit of a length (m); expected an angle (rad)"),
         ("no unit", b"crank_hinge [grad]\n0\n", "\"grad\" is no unit of a position; expected an angle (rad)"),

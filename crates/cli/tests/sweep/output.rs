@@ -208,7 +208,7 @@ fn a_mimic_is_not_varied_but_its_master_is() {
     let line = "sweep - --link a --point 1,0,0 --normal 0,1,0 --vary";
     let refused = support::percuss_with_stdin(&format!("{line} q=0:1:3"), model.as_bytes());
     assert_eq!(refused.code, 2);
-    assert!(refused.stderr.contains("it mimics \"p\"; vary that"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("it mimics \"p\"; vary that joint"), "{}", refused.stderr);
     let rows = support::percuss_with_stdin(&format!("{line} p=0:1:3"), model.as_bytes());
     let sweep = Sweep::read(&rows.stdout);
     for row in 0..3 {

@@ -304,7 +304,7 @@ fn damaged_files_are_reported_with_their_position() {
     refused("path.parquet: column 2 (\"tme\"): no joint is named \"tme\"");
     refused("or leave the column out (--ignore \"tme\")");
     write(&path, &[("crank_hinge", one()), ("crank_hinge", one())], false, None, 1, plain());
-    refused("column 1 is of the same number");
+    refused("column 1 gives the same position");
     write(&path, &all(Values::Double(Vec::new())), false, None, 1, plain());
     refused("it has a header and no rows");
     nested(&path);

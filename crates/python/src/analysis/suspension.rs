@@ -93,7 +93,7 @@ pub fn suspension_template(name: &str, unit: &str, axes: &str) -> PyResult<Strin
     template_sheet(name, &options).ok_or_else(|| {
         let names = template_names();
         let near = near_names(name, names.iter().map(|(name, _)| *name));
-        let near = near.first().map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        let near = near.first().map_or_else(|| ".".to_owned(), |near| format!("; did you mean {near}?"));
         let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
         input(format_args!("no template is named \"{name}\"{near} There are: {}", known.join(", ")))
     })

@@ -86,7 +86,7 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
     for gap in pose.assembly().drawn_gaps() {
         found.push(drawn_gap_finding(mechanism, &gap));
     }
-    // The driving joints of a suspension have no influence on its results.
+    // The choice of the driving joints has no influence on the results of a suspension.
     let is_suspension = || !wheel_centres(mechanism, "").is_empty();
     if !loops.declared && !loops.drivers.is_empty() && !is_suspension() {
         let drivers: Vec<String> =

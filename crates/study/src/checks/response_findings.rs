@@ -42,7 +42,7 @@ const REMARKS: [(RemarkFlags, FindingKind, &str); 20] = {
         (
             Flags::MASSLESS_MOTIONS,
             Kind::MasslessMotions,
-            "motions of the mechanism move no mass; they do not affect the answer",
+            "motions of the mechanism move no mass; they do not affect the result",
         ),
         (
             Flags::MASSLESS_TO_ROUNDING,

@@ -44,7 +44,7 @@ pub fn damp_contact(
 fn always_touching(contact: Option<&NamedContactRecord>) -> Option<Finding> {
     let NamedContactRecord { name, kind, .. } = contact.filter(|contact| contact.always_touches())?;
     let message = format!(
-        "{name} is a {kind}, whose parts always touch: the result is the damper of an impact at its seat, not one of the suspension"
+        "{name} is a {kind}, whose parts always touch: the result is the damper of an impact at its seat, not a damper of the suspension"
     );
     Some(Finding::about_result(FindingKind::AlwaysTouching, message))
 }
@@ -180,7 +180,7 @@ fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift
     (Drift { per_metre, over_penetration, ends_at }, ended)
 }
 
-/// Impact with varying m̄ that is over before the end of the motion, if it is.
+/// Impact with varying m̄; `None` unless it ends well before the end of the motion.
 fn impact_before(end: &PenetrationEnd, damping: &DampingQuestion) -> Option<VaryingMassImpact> {
     let is_before = |(depth, _): &&(f64, f64)| *depth <= BEFORE_END * end.depth;
     let masses: Vec<(f64, f64)> = end.masses.iter().take_while(is_before).copied().collect();
@@ -249,11 +249,11 @@ fn drift_diagnostic(
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let varying = match varies {
-        true => "a result with varying mass is given beside it",
+        true => "the report also has the result with varying mass",
         false => "no result with varying mass is known",
     };
     let message = format!(
-        "the effective mass changes by {:+.1} % while the contact is compressed, and the damper is that of the mass at the \
+        "the effective mass changes by {:+.1} % while the contact is compressed, and the damper is designed for the mass at the \
          touch: {varying}; a stiffer contact or a slower impact reduces the change",
         100.0 * over
     );

@@ -29,10 +29,10 @@ pub struct NamedContactRecord {
     pub gap: Option<f64>,
     /// True if the mechanism was moved until the stop touches.
     pub brought_to_touch: bool,
-    /// Stops that touch with it: those of the other side of the vehicle.
+    /// Other stops that touch at this pose: the same stop of the other side of the vehicle.
     pub touching: Vec<String>,
-    /// Effective mass of this stop, kg, in the motion in which all touching stops close at the same speed; null if it touches
-    /// alone, or if no impulses cause this motion.
+    /// Effective mass of this stop, kg, in the motion in which all touching stops close at the same speed; null if no other
+    /// stop touches, or if no impulses cause this motion.
     pub effective_mass_together: Option<f64>,
     /// Upward travel of each wheel centre from the pose as drawn to the pose of the result.
     pub wheel_travel: Vec<WheelTravelRecord>,

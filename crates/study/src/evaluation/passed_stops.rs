@@ -37,7 +37,7 @@ struct LimitedStop<'a> {
 }
 
 impl<'a> PassedStops<'a> {
-    /// Stops for a question with the travels `moved`; `None` without a travel, and without stops.
+    /// Stops for a question with the travels `moved`; `None` without a travel or without stops.
     pub fn of_travels<'m>(
         prepared: &PreparedQuestion<'a>,
         moved: impl IntoIterator<Item = &'m Moved>,
@@ -90,10 +90,10 @@ impl<'a> PassedStops<'a> {
             let name = stop.contact.name();
             let touch = *stop.touch.get_or_init(|| self.touch(name));
             let touch = touch.map_or_else(String::new, |travel| {
-                format!(", which touches at {} of wheel travel", unit.text(travel))
+                format!("; the touch is at {} of wheel travel", unit.text(travel))
             });
             let message = format!(
-                "the pad is {}, measured along the stop, beyond the touch of {name}{touch}",
+                "the pad is {} beyond the touch of {name}, along the direction of the stop{touch}",
                 unit.text(0.0 - gap)
             );
             let subject = FindingSubject::Contact(stop.number);

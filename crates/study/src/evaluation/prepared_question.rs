@@ -1,4 +1,4 @@
-//! Evaluation of a question, shared by all commands. [`Prepared`] resolves names, checks units and compiles the
+//! Evaluation of a question, shared by all commands. [`PreparedQuestion`] resolves names, checks units and compiles the
 //! conditions once; the contact is then evaluated at any number of poses.
 
 use crate::checks::finding::{Finding, FindingSubject};

@@ -66,7 +66,7 @@ impl RandomRows {
         Ok(Self { joints, ranges, width, count, seed })
     }
 
-    /// Appends the numbers of a row, from [`Uniform`] with the row number as the stream.
+    /// Appends the numbers of a row, from a [`RandomStream`] with the row number as the stream.
     pub fn append_row(&self, row: usize, values: &mut Vec<f64>) {
         let RandomStream(mut generator) = RandomStream::new(self.seed, row as u64);
         for range in &self.ranges {
@@ -107,8 +107,8 @@ fn unit(generator: &mut ChaCha8Rng) -> f64 {
 }
 
 /// Random unit quaternion w,x,y,z, uniform over all orientations. Source: Marsaglia 1972, "Choosing a point
-/// from the surface of a sphere". The method uses only operations with identical results on every machine; a
-/// sine has none.
+/// from the surface of a sphere". The method uses only operations with identical results on every machine; sines
+/// differ between machines.
 fn orientation(generator: &mut ChaCha8Rng) -> [f64; 4] {
     let mut in_disc = || {
         loop {

@@ -105,7 +105,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     Ok(MapAnswer { report, skins })
 }
 
-/// Question with a valid contact, required by `Prepared`; the contact itself is not evaluated.
+/// Question with a valid contact, required by `PreparedQuestion`; the contact itself is not evaluated.
 pub(crate) fn question_with_placeholder_contact(model: &Model, conditions: &MassQuestion) -> MassQuestion {
     let against = conditions.against.as_deref();
     let link = model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != against);

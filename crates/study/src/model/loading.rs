@@ -140,7 +140,8 @@ impl Model {
     }
 
     /// Reads a URDF, MJCF or SDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
-    /// selects a suspension's file, the content URDF, MJCF or SDF; `-` is one of these on the standard input. `max_size`: largest file size, bytes.
+    /// selects a suspension's file, the content URDF, MJCF or SDF; `-` is one of these on the standard input. `max_size`: largest file size,
+    /// bytes.
     ///
     /// # Errors
     /// [`LoadError`] with all findings; errors have their file positions.

@@ -18,9 +18,9 @@ pub(crate) struct JoinedTravels {
     pub drivers: Vec<JointId>,
     /// Set joints; these cannot drive.
     pub set: Vec<JointId>,
-    /// Least part of the way in one step.
+    /// Smallest step, as a fraction of the path.
     pub least_part: f64,
-    /// True if the way starts at another pose, at which the drivers may be at a dead centre: others are selected there.
+    /// True if the path starts at another pose, at which the drivers may be at a dead centre: drivers are selected again there.
     pub selects_drivers: bool,
 }
 
@@ -125,12 +125,12 @@ impl JoinedTravels {
         for _ in 0..TRAVEL_ROUNDS {
             let missing = self.travels.iter().zip(targets).map(|(t, target)| target - t.displacement(&pose));
             let missing = DVector::from_iterator(count, missing);
-            // Newton's method that leads away from the targets is not continued.
+            // Newton's method ends if it moves away from the targets.
             if missing.amax() > largest {
                 return reached.ok_or(None);
             }
             largest = LARGEST_RETREAT * missing.amax().max(within);
-            // One more step removes what the tolerance leaves.
+            // One more step removes the error that the tolerance permits.
             if missing.amax() <= within && (reached.is_some() || missing.amax() == 0.0) {
                 return Ok((pose, at));
             }
@@ -163,7 +163,7 @@ impl JoinedTravels {
         reached.ok_or(None)
     }
 
-    /// Start of a way at a pose, with the drivers selected there.
+    /// Start of a path at a pose, with the drivers selected there.
     fn with_selected_drivers(&self, configuration: &Configuration, pose: &Pose) -> Option<Progress> {
         let drivers = self.select_drivers(pose)?;
         let at = positions(pose, &drivers);
@@ -202,8 +202,8 @@ pub(crate) fn joint_unit(pose: &Pose, joint: JointId) -> f64 {
     if is_prismatic { mechanism.characteristic_length() } else { 1.0 }
 }
 
-/// Names of the joints whose rates grow without bound along the way; empty if no joint is near a dead centre. `rates`: of the
-/// first and of the last part of the way.
+/// Text with the joints whose rates grow without bound along the path; empty if no joint is near a dead centre. `first`, `last`: mean
+/// rates over the first and the last part of the path.
 fn dead_centre_text(pose: &Pose, [first, last]: &[Vec<JointRate>; 2]) -> String {
     let largest = last.iter().fold(0.0f64, |most, (_, rate)| most.max(rate.abs()));
     let near = first.iter().zip(last).filter(|((_, first), (_, last))| {

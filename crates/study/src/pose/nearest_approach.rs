@@ -12,8 +12,8 @@ use percuss_mechanism::JointId;
 /// Path on which one stop, or both stops of an axle, have closed the same part of their gaps.
 ///
 /// Gᵢ is the displacement of travel i over its gap. For one stop the path is the motion of its driver q; for two stops it is
-/// G₁(q) = G₂(q). Its parameter is the arc length of q (rad, or characteristic lengths), because dG/ds = 0 at the smallest gap: with G as the parameter the
-/// equations are singular there.
+/// G₁(q) = G₂(q). Its parameter is the arc length of q (rad, or characteristic lengths), because dG/ds = 0 at the smallest gap: with G as the
+/// parameter, the equations are singular at this pose.
 pub(crate) struct ClosingPath<'a> {
     pub travels: &'a JoinedTravels,
     pub configuration: &'a Configuration,

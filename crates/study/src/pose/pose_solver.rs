@@ -147,7 +147,7 @@ fn touch_pose(
         }
     }
     let full = Search::Full { least_part: LEAST_PART };
-    // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
+    // Pose with a part of the gaps closed, on the branch of the start: the path back ends at the start.
     let with_part = |part: f64, from: &Pose, search: Search| -> Result<Pose, StudyError> {
         let scaled: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(part)).collect();
         let pose = solve_all(&scaled, from, search, question.names)?;
@@ -155,7 +155,7 @@ fn touch_pose(
         let returned = solve_all(&back, &pose, full, question.names)?;
         let is_same = is_same_pose(&returned, &start);
         is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
-            why: "the gap has a minimum on the way".to_owned(),
+            why: "the gap has a minimum on the path".to_owned(),
             nearest: None,
             motion: None,
         })
@@ -187,7 +187,8 @@ fn touch_pose(
             Err(_) => high = middle,
         }
     }
-    // The parameter of the halvings is the closed part of the gap, so they fail near the smallest gap. The path has the arc length as parameter.
+    // The parameter of the halvings is the closed part of the gap, so they fail near the smallest gap. The parameter of the path is the arc
+    // length.
     match closing_path_end(&travels, &from) {
         Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, full) {
             Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),

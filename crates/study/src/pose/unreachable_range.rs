@@ -185,9 +185,9 @@ mod tests {
         assert_eq!(reach.excluding_row(5.0), None);
     }
 
-    /// A walk beyond the work limit happens once: no second walk in the same direction or the opposite one.
+    /// A search beyond the work limit happens once: no second search in the same or the opposite direction.
     #[test]
-    fn a_walk_that_is_too_long_is_made_once() {
+    fn a_search_that_is_too_long_is_made_once() {
         let mut reach = UnreachableRange::default();
         reach.record_unreached(0, 1e9, UnreachableExtent::BeyondWorkLimit(100.0));
         assert_eq!(

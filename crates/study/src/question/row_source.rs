@@ -24,7 +24,7 @@ pub enum RowSource {
 /// the columns `JOINT[0]`, `JOINT[1]`, …; a unit other than SI follows the name, such as `[deg]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionFile {
-    /// Path of the file, `-` for the standard input. A file that begins as a Parquet file is one, whatever its name.
+    /// Path of the file, `-` for the standard input. A file with the first bytes of a Parquet file is read as one, whatever its name.
     pub path: String,
     /// Names of ignored columns.
     pub ignore: Vec<String>,
@@ -33,7 +33,8 @@ pub struct PositionFile {
 }
 
 impl RowSource {
-    /// Question of the rows: if they vary a travel, without the travels of the pose, apart from a roll beside a range of heave, or the reverse.
+    /// Question of the rows. Rows that vary a travel replace the travels of the pose; only a roll with a range of heave, or a heave with a
+    /// range of roll, remains.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
         let varied = match self {
             RowSource::Grid(ranges) => ranges.iter().find_map(|vary| match &vary.quantity {

@@ -115,7 +115,7 @@ fn extension_finding(contact: &NamedContactRecord, ratios: &[MotionRatioRecord])
     (ratio < 0.0).then(|| Finding::about_result(FindingKind::ExtendingElement, message))
 }
 
-/// Findings about the way to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
+/// Findings about the path to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
 /// up; a long travel; a pad that hardly moves along the direction of the stop. Each has a common cause in the sheet.
 fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) -> Vec<Finding> {
     let mut found = Vec::new();

@@ -99,8 +99,8 @@ pub struct SafeSpeedQuestion {
 /// Speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SpeedRecord {
-    /// Robot mass m_R, kg: the effective mass plus its error bound, or the largest limit along the branches at
-    /// a singular pose. Null if the robot is immovable.
+    /// Robot mass m_R, kg: the mass of the standard, or the effective mass plus its error bound (at a singular pose the
+    /// largest limit along the branches). Null if the robot is immovable.
     pub robot_mass: Option<f64>,
     /// μ = 1/(1/m_H + 1/m_R), kg; null if neither side can move.
     pub reduced_mass: Option<f64>,

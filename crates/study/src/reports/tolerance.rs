@@ -139,7 +139,7 @@ impl Tolerance {
         let mut given: Vec<&str> = Vec::new();
         for part in text.split(',') {
             let wrong = |why: String| ToleranceError { part: part.to_owned(), why };
-            let (what, value) = part.split_once('=').ok_or_else(|| wrong("no = in it".into()))?;
+            let (what, value) = part.split_once('=').ok_or_else(|| wrong("it has no =".into()))?;
             let what = what.trim();
             let ratio = || Dimension::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
             let length = || {
@@ -152,7 +152,7 @@ impl Tolerance {
                 "com" => (&mut tolerance.com, length()?),
                 "armature" => (&mut tolerance.armature, ratio()?),
                 "point" => (&mut tolerance.point, length()?),
-                _ => return Err(wrong(format!("\"{what}\" has no tolerance"))),
+                _ => return Err(wrong(format!("\"{what}\" is no kind of tolerance"))),
             };
             if given.contains(&what) {
                 return Err(wrong("it is given twice".into()));

@@ -28,7 +28,7 @@ pub(crate) struct BatchEvaluator {
     shared_findings: Vec<Finding>,
 }
 
-/// Findings that hold for all rows; `None` if a generic sample pose has no finite m̄, or findings that depend on its
+/// Findings that hold for all rows; `None` if a generic sample pose has no finite m̄, or has findings that depend on its
 /// response.
 fn shared_findings(
     prepared: &PreparedQuestion,

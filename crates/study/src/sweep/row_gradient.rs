@@ -31,8 +31,8 @@ impl GradientLayout {
     }
 }
 
-/// Gradient g of m̄, one number per velocity of every movable joint, kg/rad or kg/m: dm̄/dt = Σ g q̇ for admissible motions. Empty unless m̄ is
-/// finite. In JSON: an object with a list per joint name.
+/// Gradient g of m̄, one number per velocity of every movable joint, kg/rad or kg/m: dm̄/dt = Σ g q̇ for admissible motions. Empty unless
+/// m̄ is finite. In JSON: an object with a list per joint name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowGradient {
     layout: Arc<GradientLayout>,

@@ -43,7 +43,7 @@ pub(crate) struct SweepContext<'a> {
 /// Pose of a row, or the reason for a missing pose.
 #[derive(Debug)]
 pub(crate) enum RowPose {
-    /// Row with a pose. `first`: first row reached of its line.
+    /// Row with a pose. `first`: true for the first row of its line that is reached.
     Posed { pose: Arc<Pose>, first: bool },
     /// Row reached and evaluated by the path follower.
     Followed(Box<FollowedRow>),
@@ -56,7 +56,7 @@ pub(crate) enum RowPose {
 /// Outcome of a row.
 #[derive(Debug)]
 pub(crate) enum RowOutcome<T> {
-    /// Value made of the row, true if the pose was reached, and the reason for a missing result.
+    /// Converted row, true if the pose was reached, and the reason for a missing result.
     Row { converted: T, reached: bool, error: Option<String> },
     /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
     /// the row without a result.

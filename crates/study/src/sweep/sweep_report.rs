@@ -41,9 +41,9 @@ pub struct SweepHeading {
     /// Named contact, for the title of a figure.
     #[serde(skip)]
     pub contact: Option<String>,
-    /// Motion of the motion ratio: the name of the travel, or, without a travel, `estimate` for the point of the estimate. The
-    /// ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of `heave` or `roll`, for this motion of
-    /// the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio.
+    /// Travel of the motion ratio: the name of the varied travel, or `estimate` for the point of the estimate. The ratio of one point
+    /// holds for the motion of the impact (with a sliding rack held). The ratio of `heave` or `roll` holds for this motion of the wheels,
+    /// per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_ratio_of: Option<String>,
     /// Joints of the pose of each row.

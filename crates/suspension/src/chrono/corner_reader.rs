@@ -96,11 +96,11 @@ impl<'t> CornerReader<'_, 't> {
     /// Axes of the inertia of a section, from its points.
     fn inertia_frame(&mut self, axes: InertiaAxes, points: &[Vector3<f64>], spot: &Spot) -> Matrix3<f64> {
         let at = |i: usize| points.get(i).copied().unwrap_or_default();
-        let vertical = "it is vertical, or its ends coincide: its axes have no direction";
+        let vertical = "it is vertical, or its ends coincide: its axes are undetermined";
         let (frame, defect) = match axes {
             InertiaAxes::Vehicle | InertiaAxes::Plane => return Matrix3::identity(),
             InertiaAxes::Arm => {
-                let defect = "its hinge's points and its outer point lie on one line, or coincide";
+                let defect = "the two points of its hinge and its outer point are on one line, or coincide";
                 (frames::arm_axes(at(0), at(1), at(2)), defect)
             }
             InertiaAxes::XInward => (frames::along_x(at(0) - at(1)), vertical),

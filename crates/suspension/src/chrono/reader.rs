@@ -1,4 +1,4 @@
-//! Typed access to the keys of a file; every finding has its key path and its position.
+//! Typed access to the keys of a file; every finding has a key path and a position.
 
 use super::json::{Array, Object};
 use crate::findings::{Findings, Spot};
@@ -185,7 +185,7 @@ impl<'t> Reader<'t> {
                 let message = "bushings are not modelled: the joint is rigid, as without this key".to_owned();
                 self.warning("bushing", &spot, message);
             } else {
-                self.warning("unknown-key", &spot, "the key is not known; it is passed over".to_owned());
+                self.warning("unknown-key", &spot, "the key is not known; it is ignored".to_owned());
             }
         }
     }

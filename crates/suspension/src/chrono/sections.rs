@@ -104,7 +104,7 @@ pub(in super::super) fn read_spindle<'t>(
     reader.warn_unread_keys(section, &[]);
     if given.com.y <= 0.0 && !reader.has_errors() {
         let message = format!(
-            "the spindle is at y = {}: these files describe the left side, which has y > 0; left and right are \
+            "the spindle is at y = {}: these files describe the left side, y > 0; left and right are therefore \
              exchanged",
             given.com.y
         );

@@ -105,7 +105,8 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
-/// Warns about an implausible gap (m) of a stop, in the unit of the file. `distance`: distance of its two points along the normal, m.
+/// Warns about an implausible gap (m) of a stop. `unit`: unit of the file, for messages; `distance`: distance of its two points along the
+/// normal, m.
 fn check_gap(
     section: &str,
     stop: &Stop,
@@ -373,7 +374,7 @@ impl CornerBuilder<'_> {
     /// Adds a floating joint from the chassis: only closures constrain the link.
     fn add_floating_joint(&mut self, link: &str, spot: Spot, comment: Option<&str>) {
         let name = format!("{link}_free");
-        let comment = comment.unwrap_or("only what is attached to it holds it");
+        let comment = comment.unwrap_or("constrained only by the loops");
         self.corner.add_joint((&name, JointKind::Floating), [CHASSIS, link], Vector3::x(), &spot, comment);
     }
 
@@ -528,7 +529,7 @@ impl CornerBuilder<'_> {
         let cosine = parent_pin.dot(&pin).abs();
         if cosine > OBLIQUE_PINS {
             let message = format!(
-                "the pins of the universal joint stand at {:.3}° to one another, not at 90°; they are taken as they are",
+                "the angle between the pins of the universal joint is {:.3}°, not 90°; the pins are used as given",
                 cosine.acos().to_degrees()
             );
             self.findings.warning("oblique-pins", &body.spot, message);
@@ -542,8 +543,8 @@ impl CornerBuilder<'_> {
         );
         self.corner.add_link(name, at, Some(body), comment);
         for (joint, links, pin, comment) in [
-            ("first", [parent, &*cross], parent_pin, "the pin that stays with the parent"),
-            ("second", [&*cross, name], pin, "the pin that stays with the link"),
+            ("first", [parent, &*cross], parent_pin, "pin fixed to the parent"),
+            ("second", [&*cross, name], pin, "pin fixed to the link"),
         ] {
             let joint = format!("{name}_{joint}_pin");
             self.corner.add_joint((&joint, JointKind::Revolute), links, pin, &body.spot, comment);

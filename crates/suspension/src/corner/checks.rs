@@ -67,11 +67,11 @@ impl Corner {
 
     /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
     /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
-    /// drawing check has reported their points, and the warning about the centre of mass if `knows_com`.
+    /// drawing check has reported their points, and the warning about the centre of mass if `is_com_reported`.
     fn check_link(
         &self,
         link: &str,
-        [has_warned, knows_com]: [bool; 2],
+        [has_warned, is_com_reported]: [bool; 2],
         findings: &mut Findings,
         places: FilePlaces,
     ) {
@@ -107,7 +107,8 @@ impl Corner {
                 warn("astray-point", name, name.to_owned(), &at, distance);
             }
         }
-        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0 && !knows_com) {
+        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0 && !is_com_reported)
+        {
             let at = origin + inertial.com;
             let distance = distance_from_box(&at, &near);
             if distance > MAX_DISTANCE_FROM_JOINTS {
@@ -116,9 +117,9 @@ impl Corner {
         }
     }
 
-    /// Warns about a track that no vehicle has, and about joints of an upright far from the centre of the wheel: about the centre if all
-    /// joints are far. Warnings about joints are omitted if `has_warned`, because the drawing check has reported their points. Returns true
-    /// if the centre is implausible; it then explains other findings about distances and sizes.
+    /// Warns about a wheel centre with an implausible track or far from all joints of the upright, otherwise about single joints far from
+    /// the centre. Warnings about joints are omitted if `has_warned`, because the drawing check has reported their points. Returns true if
+    /// the centre is implausible, because it is then the cause of other findings about distances and sizes.
     fn check_wheel_centre(&self, has_warned: bool, findings: &mut Findings, places: FilePlaces) -> bool {
         let Some(wheel) = self.drawing.wheels.first() else { return false };
         let centre = Vector3::from(wheel.centre);
@@ -195,7 +196,7 @@ impl Corner {
         }
         let other = distance_from_box(&self.origin(chassis_seat), joints);
         let distance = distance_from_box(&at, joints);
-        // A seat that is far from the other one is a wrong point, not an exchanged one.
+        // If the seats are far from each other, one of them is a wrong point, not an exchanged one.
         let is_one_spring = (self.origin(chassis_seat) - at).norm() <= MAX_SPRING_LENGTH;
         let is_exchanged = distance > other + EXCHANGED_SEATS && is_one_spring;
         (is_exchanged && !joints.is_empty()).then_some((*chassis_seat, other))

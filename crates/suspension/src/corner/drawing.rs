@@ -89,7 +89,7 @@ impl Drawing {
         self.lines.push(Line { name: name.to_owned(), ends: ends.map(Into::into) });
     }
 
-    /// Adds a point, for the check of its side.
+    /// Adds a point for the checks of side and height.
     pub fn add_point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
         let name = name.to_owned();
         self.points.push(CheckedPoint { name, at, spot: spot.clone(), has_side: true });
@@ -110,8 +110,8 @@ impl Drawing {
         self.points = points.map(point).collect();
     }
 
-    /// Warns about points on the other side of the vehicle and about disproportionate lengths. Returns true after a
-    /// warning.
+    /// Warns about points on the other side of the vehicle, implausible heights, exchanged arms and disproportionate lengths. Returns
+    /// true after a warning.
     pub fn check(&self, findings: &mut Findings, places: FilePlaces) -> bool {
         let Some(wheel) = self.wheels.first() else { return false };
         let mut has_warned = false;
@@ -121,14 +121,14 @@ impl Drawing {
         let is_across = |point: &CheckedPoint| {
             !is_in_middle && point.has_side && point.at.y * side < -MAX_ACROSS_MIDDLE_PLANE
         };
-        // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
+        // If most points are on the other side, the wheel is on the wrong side; the check of the spindle reports this.
         let most_are_across =
             2 * self.points.iter().filter(|point| is_across(point)).count() > self.points.len();
         for point in self.points.iter().filter(|_| !most_are_across) {
             if is_across(point) {
                 let CheckedPoint { name, at, spot, .. } = point;
                 let message = format!(
-                    "{name}: y = {} has the sign of the other side of the vehicle than the wheel (y = {}): change the sign of \
+                    "{name}: y = {} is on the other side of the vehicle than the wheel (y = {}): change the sign of \
                      its y, or correct the point. {}",
                     places.length(places.coordinates(*at).y),
                     places.length(places.coordinates(wheel.centre.into()).y),
@@ -204,7 +204,7 @@ impl Drawing {
         has_warned
     }
 
-    /// Warns about an outer point of an upper arm below that of the lower arm. Returns true after a warning.
+    /// Warns about an outer ball joint of the upper arm below the outer ball joint of the lower arm. Returns true after a warning.
     fn check_exchanged_arms(&self, findings: &mut Findings, places: FilePlaces) -> bool {
         let of = |name: &str| self.points.iter().find(|point| point.name == name);
         let (Some(upper), Some(lower)) = (of("upper_ball"), of("lower_ball")) else { return false };

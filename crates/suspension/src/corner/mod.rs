@@ -356,9 +356,10 @@ impl Corner {
                 seat.to_owned(),
                 format!("the moving seat; to {}: {direction}", suffixed(chassis_seat)),
             );
-            comments
-                .links
-                .insert(chassis_seat.to_owned(), format!("the seat on the chassis, over {}", suffixed(seat)));
+            comments.links.insert(
+                chassis_seat.to_owned(),
+                format!("the seat on the chassis, opposite {}", suffixed(seat)),
+            );
         }
         for (from, into) in [
             (comments.links, &mut annotations.comments.links),

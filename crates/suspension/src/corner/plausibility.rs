@@ -53,8 +53,8 @@ impl GivenMass {
     }
 }
 
-/// Message about masses in grams: several of them are too large, at least [`LEAST_SHARE_IN_GRAMS`] of all, and each would be plausible in
-/// grams. `None` for other masses.
+/// Message about masses in grams; `None` unless at least two masses, and at least the share [`LEAST_SHARE_IN_GRAMS`] of all, are too large
+/// in kilograms and plausible in grams.
 pub(crate) fn masses_in_grams(masses: &[GivenMass]) -> Option<String> {
     let heavy: Vec<&GivenMass> = masses.iter().filter(|mass| mass.is_heavy()).collect();
     let share = heavy.len() as f64 / masses.len().max(1) as f64;
@@ -131,7 +131,7 @@ pub(super) fn check_wheel(
     places: FilePlaces,
 ) {
     let mass = wheel.mass;
-    // A mass that no wheel has is a finding of its own.
+    // An implausible mass is reported separately.
     if mass <= 0.0 || mass > MAX_WHEEL_MASS {
         return;
     }
@@ -171,8 +171,8 @@ pub(super) struct MirroredMass<'c> {
 }
 
 impl<'c> MirroredMass<'c> {
-    /// Compares the distances of the centre of mass from the box around the joints (vehicle frame, m) with the given and with other signs.
-    /// `None` if the given signs are plausible, or no other signs are better.
+    /// Compares the distances of the centre of mass from the box around the joints (vehicle frame, m) with the given signs and with changed
+    /// signs. `None` if the given signs are plausible, or no change of signs is better.
     pub fn find(link: &'c str, com: Vector3<f64>, joints: Vec<Vector3<f64>>, spot: Spot) -> Option<Self> {
         let distance = distance_from_box(&com, &joints);
         let with_signs = |axes: &[usize]| {
@@ -209,9 +209,9 @@ pub(super) fn warn_mirrored_masses(found: &[MirroredMass], findings: &mut Findin
         let likewise =
             if likewise.is_empty() { String::new() } else { format!("; likewise {}", likewise.join(", ")) };
         let defect = match axes {
-            [1] => "has the sign of the other side of the vehicle than the joints of the part",
+            [1] => "is on the other side of the vehicle than the joints of the part",
             [_] => "has another sign than the joints of the part",
-            _ => "have other signs than the joints of the part, as in other axes",
+            _ => "have other signs than the joints of the part, as if given in other axes",
         };
         let Frame { axes: file_axes, .. } = places.frame;
         let message = format!(

@@ -58,7 +58,7 @@ impl Spindle {
         let at = self.centre;
         let with_axle = match self.axle_inertia {
             0.0 => String::new(),
-            axle => format!(", with the axle's {axle} kg·m² about the axis of spin in its inertia"),
+            axle => format!(", with the axle's {axle} kg·m² about the spin axis in its inertia"),
         };
         let comment = format!("Spindle{with_axle}: frame at its centre");
         corner.add_link("spindle", at, Some(&self.body), comment);
@@ -88,14 +88,14 @@ impl Spindle {
         let Some(radius) = wheel.radius else { return };
         if !WHEEL_RADII.contains(&radius) {
             let message = format!(
-                "the wheel's radius is {:.1} mm; a vehicle has none such: check its unit",
+                "the wheel's radius is {:.1} mm; no vehicle has such a wheel: check its unit",
                 1e3 * radius
             );
             findings.warning("implausible-wheel", spot, message);
         }
         // Lowest direction in the plane of the wheel.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
-        let defect = "the axis of spin is vertical: the wheel has no lowest point";
+        let defect = "the spin axis is vertical: the wheel has no lowest point";
         let down = findings.unwrap_geometry(down, spot, defect);
         let comment = "the wheel's lowest point; it turns with the wheel";
         corner.add_frame("contact_patch", "spindle", at + down * radius, comment);

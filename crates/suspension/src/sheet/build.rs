@@ -10,8 +10,8 @@ use crate::options::Side;
 use crate::units::{VehicleAxes, short};
 use percuss_spatial::Matrix3;
 
-/// Moment of inertia about the line of a link, relative to the sum of its principal moments, from which the pins of its universal
-/// joint have an influence above the digits that a report shows.
+/// Smallest moment of inertia of a link about its own line, relative to the sum of its principal moments, at which the pins of its
+/// universal joint change the digits of a report.
 const LEAST_ABOUT_LINE: f64 = 1e-6;
 
 /// Builds the corner of a sheet; reports points that determine no axis or line.
@@ -75,8 +75,8 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
     Spindle::new(findings, body, at, [sheet.camber, sheet.toe], sheet.axle_inertia, sheet.wheel)
 }
 
-/// Warns about a vehicle whose front points lie behind the rear ones. Masses do not depend on this, but caster, toe and anti-dive get the
-/// wrong sign.
+/// Warns about a vehicle whose front points lie behind the rear ones. Masses do not depend on the direction of x, but caster, toe and
+/// anti-dive have the wrong sign.
 fn warn_reversed_x(sheet: &Sheet, findings: &mut Findings) {
     let pairs = front_points(sheet);
     let behind: Vec<&FrontPoint> = pairs.iter().filter(|pair| pair.is_behind()).collect();
@@ -175,7 +175,7 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
         )
     } else if 2 * reversed > pairs.len() {
         format!(
-            "the other points are on that side too, and front points lie behind rear ones, so the axes are others: write {}",
+            "the other points are on that side too, and front points lie behind rear ones, so the stated axes are wrong: write {}",
             other_axes(axes)
         )
     } else {

@@ -132,7 +132,7 @@ pub(super) fn has_points_only(entries: &Entries) -> bool {
         && !bodies.chain(["wheel"]).any(|body| entries.has_section(body))
 }
 
-/// Refuses a table without masses, with the way to use the table.
+/// Refuses a table without masses; the message states how to use the table.
 pub(super) fn refuse_points_only(findings: &mut Findings, source: &Source, options: &ImportOptions) {
     let file = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
     let template = options.template.as_deref().unwrap_or("TEMPLATE");

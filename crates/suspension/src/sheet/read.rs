@@ -28,9 +28,9 @@ pub(in super::super) struct Sheet {
     pub rack: Rack,
     pub design: Design,
     pub wheel: Option<Wheel>,
-    /// rad.
+    /// Camber, rad.
     pub camber: f64,
-    /// rad.
+    /// Toe, rad.
     pub toe: f64,
     /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
@@ -254,7 +254,7 @@ impl SheetReader<'_> {
         if !self.entries.has("side") {
             return Some(Side::Left);
         }
-        self.keyword("side", None, named, "left or right, the side that the points describe,")
+        self.keyword("side", None, named, "left or right, the side of the points,")
     }
 
     /// Unit of inertias that are given without a unit.
@@ -280,7 +280,7 @@ impl SheetReader<'_> {
             _ => None,
         };
         let in_file = if self.entries.has("build") {
-            self.keyword("build", None, named, "left, right or both, what is to be built,")
+            self.keyword("build", None, named, "left, right or both, the side to build,")
         } else {
             None
         };
@@ -486,7 +486,7 @@ impl SheetReader<'_> {
             Some((values, _)) => [values[0], values[1], values[2]],
             None => {
                 if !self.entries.has("wheel.inertia") {
-                    let expected = "[xx, yy, zz] about the wheel's centre, y along the axis of spin,";
+                    let expected = "[xx, yy, zz] about the wheel's centre, y along the spin axis,";
                     self.entries.missing(self.findings, "wheel.inertia", expected);
                 }
                 [0.0; 3]

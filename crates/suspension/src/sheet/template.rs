@@ -72,7 +72,7 @@ pub(crate) struct Keys {
 pub(crate) struct ExampleBody {
     #[serde(default)]
     pub shape: Shape,
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
     /// Centre of mass, mm.
     #[serde(default)]

@@ -70,23 +70,23 @@ impl SheetWriter<'_> {
             self.write_line(&format!("# {line}"));
         }
         self.write_line("#");
-        self.write_line("# The figures are an example, those of no car: put yours in their place. Then");
+        self.write_line("# The values are an example and describe no actual vehicle: replace them. Then");
         let is_both = template.axle || template.point(THIRD_SPRING.1).is_some();
         let side = if is_both { "_left" } else { "" };
         self.write_line("#   percuss mass THIS.toml --at all");
         self.write_line(&format!("#   percuss mass THIS.toml --at bump_stop{side}"));
         self.write_line(
-            "# give the effective masses at all contacts, and the one at the bump stop when it touches.",
+            "# print the effective masses at all contacts, and the effective mass at the touch of the bump stop.",
         );
         self.write_line("");
         self.write_key("template", &format!("\"{}\"", template.name), "");
         self.write_key("name", &format!("\"{}\"", template.title), "yours");
-        self.write_key("unit", &format!("\"{unit}\""), "of every length here: m, cm, mm or in");
+        self.write_key("unit", &format!("\"{unit}\""), "unit of all lengths: m, cm, mm or in");
         self.write_key("inertia_unit", "\"kg m2\"", "or kg mm2, kg cm2, g mm2, t mm2");
         let other = VehicleAxes::ALL.into_iter().find(|a| *a != axes).unwrap_or(axes);
         let words = format!("{}; or {}: {}", axes.words(), other.name(), other.words());
         self.write_key("axes", &format!("\"{}\"", axes.name()), &words);
-        self.write_key("side", "\"left\"", "the side that the points describe, or right");
+        self.write_key("side", "\"left\"", "side of the points: left or right");
         let build = if is_both { "\"both\"" } else { "\"left\"" };
         let comment = match template.only_build() {
             Some(_) if template.axle => "both sides are on one axle",
@@ -95,7 +95,7 @@ impl SheetWriter<'_> {
         };
         self.write_key("build", build, &format!("what is built: {comment}"));
         self.write_line(
-            "# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) in the place of [points]",
+            "# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) instead of [points]",
         );
     }
 
@@ -138,11 +138,11 @@ impl SheetWriter<'_> {
             self.write_line(&format!("# {}", description_of(&keys().bodies, key)));
             match body.shape {
                 Shape::Rod => {
-                    self.write_line("# A slender rod between its points; any body with com and inertia; massless without this section.");
+                    self.write_line("# With only a mass, a slender rod; with com and inertia, any body; without this section, massless.");
                     self.write_rod_ends(template, key);
                 }
                 Shape::Optional => self.write_line("# May be left out."),
-                Shape::Spindle => self.write_line("# Its centre of mass is the wheel's centre unless com is given; inertia in the wheel's axes, y that of spin."),
+                Shape::Spindle => self.write_line("# Its centre of mass is the wheel centre unless com is given; inertia in the wheel's axes, y along the spin axis."),
                 Shape::Any => {}
             }
             self.write_line(&format!("[{key}]"));
@@ -163,7 +163,7 @@ impl SheetWriter<'_> {
             let list: Vec<String> = kept.iter().map(|x| number(*x)).collect();
             self.write_key("inertia", &format!("[{}]", list.join(", ")), "");
             if body.shape == Shape::Spindle {
-                let comment = "of the drive shaft about the axis of spin, if it drives";
+                let comment = "of the drive shaft about the spin axis, if the wheel is driven";
                 self.write_key("axle_inertia", "0.0", comment);
             }
         }
@@ -184,7 +184,7 @@ impl SheetWriter<'_> {
 
     fn write_wheel(&mut self, template: &Template) {
         self.write_line("");
-        self.write_line("# the wheel with its tyre; inertia about its centre, y along the axis of spin");
+        self.write_line("# the wheel with its tyre; inertia about its centre, y along the spin axis");
         self.write_line("[wheel]");
         self.write_key("mass", "18.5", "");
         self.write_key("inertia", "[0.62, 1.05, 0.62]", "");
@@ -198,7 +198,7 @@ impl SheetWriter<'_> {
     fn write_attachments(&mut self, template: &Template) {
         let holders: Vec<&str> = template.holders_of("spring").collect();
         self.write_line("");
-        self.write_line(&format!("# Which link each is on: {}.", holders.join(", ")));
+        self.write_line(&format!("# Each is on one of these links: {}.", holders.join(", ")));
         let is_body = |section: &str| template.bodies.iter().any(|(key, _)| key == section);
         for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
             self.write_line(&format!("[{section}]"));
@@ -207,7 +207,7 @@ impl SheetWriter<'_> {
             let gap = self.length_text(*gap);
             self.write_key("gap", &gap, "at the design position; default: the distance of its points");
         }
-        self.write_line("# A stop also has the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
+        self.write_line("# A stop may have the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
         self.write_line("# Any other contact: [contact.NAME] with point and direction, [x, y, z], on (a link); optional: against, gap.");
         self.write_line("# A stop on the rod of the damper has on = \"damper\", a gap (a change of the damper's length) and no points.");
         if template.has_rack() {
@@ -215,7 +215,7 @@ impl SheetWriter<'_> {
             self.write_line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
             self.write_line("[rack]");
             self.write_key("slides", "false", "");
-            self.write_key("mass", "2.5", "counts where it slides");
+            self.write_key("mass", "2.5", "has an influence if the rack slides");
         }
     }
 }
@@ -227,7 +227,7 @@ fn number(x: f64) -> String {
 
 /// Markdown table of all keys of all templates, for the documentation.
 pub fn template_keys() -> String {
-    let mut out = String::from("| key | what | in |\n|---|---|---|\n");
+    let mut out = String::from("| key | meaning | templates |\n|---|---|---|\n");
     let mut row = |key: &str, meaning: &str, within: &str| {
         let _ = writeln!(out, "| `{key}` | {meaning} | {within} |");
     };
@@ -236,15 +236,15 @@ pub fn template_keys() -> String {
         if names.len() == templates().count() { "all".to_owned() } else { names.join(", ") }
     };
     let head = [
-        "the template's name",
-        "the suspension's name; the template's where it is missing",
-        "of every length without its own: m, cm, mm, in; required",
-        "of every inertia without its own: kg m2 where it is missing, or kg cm2, kg mm2, g mm2, t mm2, lb in2",
+        "name of the template",
+        "name of the suspension; default: the name of the template",
+        "unit of all lengths that have no unit of their own: m, cm, mm, in; required",
+        "unit of all inertias that have no unit of their own: kg m2 (default), kg cm2, kg mm2, g mm2, t mm2, lb in2",
         "`iso` (x forward, y left, z up) or `adams` (x backward, y right, z up); required",
-        "the side that the points describe: left where it is missing, or right",
-        "what is built: left, right or both; the side of the points where it is missing",
-        "in the place of the section `[points]`: a table's name, from the sheet's folder",
-        "of the table of points if it is a workbook: the worksheet's name; the first one where it is missing",
+        "side of the points: left (default) or right",
+        "side to build: left, right or both; default: the side of the points",
+        "file of a table in place of the section `[points]`, relative to the folder of the sheet",
+        "name of the worksheet if the table of points is a workbook; default: the first one",
     ];
     for (key, meaning) in HEAD.iter().zip(head) {
         row(key, meaning, "all");
@@ -256,11 +256,9 @@ pub fn template_keys() -> String {
         let body = templates().flat_map(|t| &t.bodies).find(|(known, _)| known == key);
         let shape = body.map(|(_, body)| body.shape);
         let remark = match shape {
-            Some(Shape::Rod) => "; massless without, a slender rod with only `mass`",
+            Some(Shape::Rod) => "; with only `mass` a slender rod, without this section massless",
             Some(Shape::Optional) => "; may be left out",
-            Some(Shape::Spindle) => {
-                "; `com` the wheel's centre where it is missing, `inertia` along the wheel's axes"
-            }
+            Some(Shape::Spindle) => "; default of `com`: the wheel centre; `inertia` along the wheel's axes",
             Some(Shape::Any) | None => "",
         };
         let of_body = format!("{key}.mass`, `.com`, `.inertia");
@@ -274,25 +272,29 @@ pub fn template_keys() -> String {
     let pins: Vec<String> = on_pins.into_iter().map(|link| format!("{link}.pin")).collect();
     row(
         &pins.join("`, `"),
-        "the direction of the pin of its universal joint that stays with the body at its first end (chassis, rack or bar), \
-         `[x, y, z]`; the other pin is normal to this pin and to the link. Without it, the pin is normal to the link and to the x \
-         axis. It counts for a link with a moment of inertia about its line",
-        "those with this link",
+        "direction of the first pin of its universal joint, `[x, y, z]`: the pin is fixed to the body at the first end (chassis, rack \
+         or bar); the second pin is normal to this pin and to the link. Default: normal to the link and to the x axis. The pins have \
+         an influence if the link has a moment of inertia about its line",
+        "templates with this link",
     );
-    row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
     row(
-        "wheel.mass`, `.inertia",
-        "the wheel with its tyre: about its centre, y along the axis of spin",
+        "spindle.axle_inertia",
+        "inertia of the drive shaft about the spin axis, added to that of the spindle",
         "all",
     );
-    row("wheel.radius", "names the wheel's lowest point `contact_patch`", "all");
+    row(
+        "wheel.mass`, `.inertia",
+        "the wheel with its tyre: inertia about its centre, y along the spin axis",
+        "all",
+    );
+    row("wheel.radius", "with a radius, the lowest point of the wheel is named `contact_patch`", "all");
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
     for section in ["spring", "third_spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
         let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
         let meaning = if STOPS.contains(&section) {
             "the link that its pad is on, or `\"damper\"` for a stop on the rod of the damper"
         } else {
-            "the link that it is on: a link of one side, for a pushrod no rod"
+            "the link of its attachment: a link of one side; for a pushrod no rod"
         };
         row(&format!("{section}.on"), meaning, &with);
     }
@@ -310,7 +312,7 @@ pub fn template_keys() -> String {
     row("spring.rate", "with a unit: `\"28 N/mm\"`; for `percuss kinematics`", "all");
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");
     let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
-    row("third_spring.rate`, `.preload", "of the spring between both sides", &third);
+    row("third_spring.rate`, `.preload", "rate and preload of the spring between both sides", &third);
     row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
         "the stop's force over its compression: two lists of the same length, the compressions from 0",
@@ -318,14 +320,14 @@ pub fn template_keys() -> String {
     );
     row(
         "contact.NAME.point`, `.on`, `.direction`, `.against`, `.gap",
-        "a contact with a name of your own, for `--at NAME`: a point, the link that it is on, and the direction to the obstacle; the \
-         other link, without it the ground; the gap at the design position, which makes it a stop",
+        "a contact that the sheet names itself, for `--at NAME`: its point, the link of the point, the direction to the obstacle; \
+         optional: the other link (default: the ground), and the gap at the design position. A contact with a gap is a stop",
         "all",
     );
     let steered = of(&|t| t.has_rack());
     row(
         "rack.slides`, `rack.mass",
-        "whether the tie rods' inner ends slide along y, and their mass",
+        "true if the inner ends of the tie rods slide along y; mass of the rack",
         &steered,
     );
     out

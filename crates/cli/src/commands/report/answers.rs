@@ -91,7 +91,8 @@ fn has_same_curves(one: &Figure, other: &Figure) -> bool {
         })
 }
 
-/// Adds a figure whose outliers are clipped, with the band of tolerances; constants are stated in the caption, without a picture if nothing else remains.
+/// Adds a figure with clipped outliers and the band of tolerances. The caption states constants; without other curves, there is no
+/// picture.
 fn add_figure(mut figure: Figure, content: &str, tolerances: &[(f64, f64)], page: &mut Page) {
     let clipped = clip_outliers(&mut figure);
     let band = add_band(&mut figure, tolerances);

@@ -29,7 +29,7 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     let Some(sheet) = template_sheet(name, &options) else {
         let names = template_names();
         let near = near_names(name, names.iter().map(|(name, _)| *name));
-        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+        let near = near.first().map_or_else(|| ".".to_owned(), |n| format!("; did you mean {n}?"));
         let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
         return Err(Failure::bad_input(format!(
             "no template is named \"{}\"{near} There are: {}",

@@ -43,10 +43,10 @@ class NamedContactRecord(Record):
     brought_to_touch: bool
     """True if the mechanism was moved until the stop touches."""
     touching: list[str]
-    """Stops that touch with it: those of the other side of the vehicle."""
+    """Other stops that touch at this pose: the same stop of the other side of the vehicle."""
     effective_mass_together: float | None
-    """Effective mass of this stop, kg, in the motion in which all touching stops close at the same speed; None if it touches
-    alone, or if no impulses cause this motion."""
+    """Effective mass of this stop, kg, in the motion in which all touching stops close at the same speed; None if no other stop
+    touches, or if no impulses cause this motion."""
     wheel_travel: list[WheelTravelRecord]
     """Upward travel of each wheel centre from the pose as drawn to the pose of the result."""
 

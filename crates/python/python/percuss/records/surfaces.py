@@ -161,8 +161,8 @@ class SpeedRecord(Record):
     """Speed for one mass of the robot."""
 
     robot_mass: float | None
-    """Robot mass m_R, kg: the effective mass plus its error bound, or the largest limit along the branches at a singular pose.
-    None if the robot is immovable."""
+    """Robot mass m_R, kg: the mass of the standard, or the effective mass plus its error bound (at a singular pose the largest
+    limit along the branches). None if the robot is immovable."""
     reduced_mass: float | None
     """μ = 1/(1/m_H + 1/m_R), kg; None if neither side can move."""
     speed: float

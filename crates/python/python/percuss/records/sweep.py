@@ -75,9 +75,9 @@ class SweepReport(Record):
     link: str
     """Contact link."""
     motion_ratio_of: str | None
-    """Motion of the motion ratio: the name of the travel, or, without a travel, "estimate" for the point of the estimate. The
-    ratio of one point holds for the motion of the impact (with a sliding rack held); the ratio of "heave" or "roll", for
-    this motion of the wheels. The key is absent without a motion ratio."""
+    """Travel of the motion ratio: the name of the varied travel, or "estimate" for the point of the estimate. The ratio of one
+    point holds for the motion of the impact (with a sliding rack held). The ratio of "heave" or "roll" holds for this motion
+    of the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio."""
     rows: list[SweepRow]
     """All rows."""
     diagnostics: list[DiagnosticRecord]
@@ -119,7 +119,7 @@ class DesignRecord(Record):
     effective_mass_error: float | None
     """Error bound of m̄, kg."""
     motion_ratio: float | None
-    """Motion ratio: closing of the contact per upward travel of the wheel; None if the motions of the mechanism differ in it."""
+    """Motion ratio: closing of the contact per upward travel of the wheel; None if it differs between motions of the mechanism."""
     travel_at_touch: float | None
     """Upward travel of the wheel at the touch, m; None unless the contact is a stop that was brought to the touch."""
     difference_percent: float | None

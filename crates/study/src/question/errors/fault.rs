@@ -245,7 +245,7 @@ pub enum Fault {
         parent_joint: Option<String>,
     },
     /// Varied joint that mimics another joint.
-    #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
+    #[error("\"{joint}\": it mimics \"{master}\"; vary that joint")]
     VariedMimic {
         /// Joint.
         joint: String,
@@ -430,7 +430,7 @@ pub enum Fault {
     /// Unit of rotation for a translation, or the reverse.
     #[error(
         "its unit is not that of {}; expected {expected}",
-        if *turns { "a joint that turns" } else { "what does not turn" }
+        if *turns { "a rotation" } else { "a translation" }
     )]
     UnitOfMotion {
         /// True for a rotation.

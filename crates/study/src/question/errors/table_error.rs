@@ -40,7 +40,7 @@ pub enum TableFault {
     #[error("it is empty; expected a header with the names of joints, then a row for each configuration")]
     NoHeader,
     /// All columns are ignored.
-    #[error("no column is a joint's; expected one at least")]
+    #[error("no column has the name of a joint; expected at least one")]
     NoColumns,
     /// File without rows.
     #[error("it has a header and no rows; expected a row for each configuration")]
@@ -65,7 +65,7 @@ pub enum TableFault {
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
     /// A column without a name.
-    #[error("it has no name; expected that of a joint")]
+    #[error("it has no name; expected the name of a joint")]
     NoName,
     /// Wrong column names for a joint with several numbers.
     #[error("joint \"{joint}\" has {numbers} numbers; expected columns \"{joint}[0]\" to \"{joint}[{}]\"", numbers - 1)]
@@ -82,7 +82,7 @@ pub enum TableFault {
         joint: String,
     },
     /// Joint that mimics another joint.
-    #[error("joint \"{joint}\" mimics \"{master}\", and its position follows from that")]
+    #[error("joint \"{joint}\" mimics \"{master}\", and its position follows from that joint")]
     Mimic {
         /// Joint.
         joint: String,
@@ -96,7 +96,7 @@ pub enum TableFault {
         joint: String,
     },
     /// Two columns for the same number.
-    #[error("column {first} is of the same number")]
+    #[error("column {first} gives the same position")]
     Twice {
         /// First of the two columns, from 1.
         first: usize,

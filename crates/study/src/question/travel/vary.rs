@@ -33,7 +33,7 @@ pub struct Vary {
 pub enum VaryError {
     /// Missing parts.
     #[error(
-        "wanted JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, or \
+        "expected JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, or \
          wheel-travel, heave or roll=FROM:TO:COUNT"
     )]
     Form,

@@ -13,7 +13,8 @@ pub struct DesignChange {
     pub kind: ChangeKind,
     /// Name of the link, the hardpoint, or the contact of a gap; empty for the contact, the pose and the conditions of the question.
     pub name: String,
-    /// Value of the reference, kg, kg·m² or m (hardpoints in the axes of the sheet, centres of mass in the link frame); null without a value.
+    /// Value of the reference, kg, kg·m² or m (hardpoints in the axes of the sheet, centres of mass in the link frame); null without a
+    /// value.
     pub reference: Option<Vec<f64>>,
     /// Value of the design, in the same unit.
     pub value: Option<Vec<f64>>,

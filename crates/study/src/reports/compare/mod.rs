@@ -28,8 +28,8 @@ pub struct Design {
     pub model: Model,
     /// Question; equal for all designs except for the changes of the design.
     pub question: MassQuestion,
-    /// Text of a contact in place of that of the first design; only designs with equal texts are compared. `None`: the same contact,
-    /// even if its link has another name in another model.
+    /// Text that identifies the contact of the design; a design is compared with the first design of equal text. `None`: the contact of
+    /// the first design, even if its link has another name in this model.
     pub contact: Option<String>,
     /// Rows of positions, if any.
     pub rows: Option<RowSource>,
@@ -69,7 +69,7 @@ pub struct DesignRecord {
     pub effective_mass: Option<f64>,
     /// Error bound of m̄, kg.
     pub effective_mass_error: Option<f64>,
-    /// Motion ratio: closing of the contact per upward travel of the wheel; null if the motions of the mechanism differ in it.
+    /// Motion ratio: closing of the contact per upward travel of the wheel; null if it differs between motions of the mechanism.
     pub motion_ratio: Option<f64>,
     /// Upward travel of the wheel at the touch, m; null unless the contact is a stop that was brought to the touch.
     pub travel_at_touch: Option<f64>,

@@ -13,7 +13,7 @@ use std::path::Path;
 /// taken for the surroundings (a floor, a hall) and is not drawn.
 const FAR_SHAPE: f64 = 5.0;
 
-/// Reader of the shapes of links, with the number of triangles left .
+/// Reader of the shapes of links, with the number of triangles that may still be read.
 pub(super) struct ShapeReader<'a> {
     model: &'a Model,
     folders: MeshFolders,

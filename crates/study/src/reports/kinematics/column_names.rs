@@ -14,7 +14,7 @@ pub fn column_name(text: &str) -> String {
     }
 }
 
-/// True for the name of a quantity that springs, dampers and stops have, without the name of one of them, and a column of the quantity.
+/// True if `name` is a quantity of springs, dampers and stops without the name of a contact, and `column` is a column of this quantity.
 pub(crate) fn is_of_every_contact(name: &str, column: &str) -> bool {
     CONTACT_QUANTITIES.contains(&name)
         && column.strip_prefix(name).is_some_and(|contact| contact.starts_with('_'))
@@ -36,7 +36,7 @@ pub(crate) fn unknown_column(name: &str, names: &[String]) -> String {
         .collect();
     if !of_contacts.is_empty() && CONTACT_QUANTITIES.contains(&name) {
         return format!(
-            "\"{name}\" is that of a spring, damper or stop; name it: {}",
+            "\"{name}\" is a quantity of a spring, damper or stop; expected one of: {}",
             of_contacts.join(", ")
         );
     }

@@ -236,12 +236,12 @@ fn beyond_data(
         let message = match end {
             Some((deflection, last_force)) => format!(
                 "{name}: the force {force:.0} N{at} is beyond the end of the curve of the sheet ({last_force:.0} N at {}){rows}; \
-                 the last slope is continued, and stops become stiffer",
+                 the last slope is extrapolated, but a real stop becomes stiffer",
                 unit.text(deflection)
             ),
             None => format!(
-                "{name}: the force is {force:.0} N{at}{rows}: the spring is longer than its free length and would pull. A coil spring comes \
-                 off its seat there, and the wheel rate is then smaller"
+                "{name}: the force is {force:.0} N{at}{rows}: the spring is longer than its free length and would pull. A coil spring \
+                 leaves its seat instead, and the wheel rate is then smaller"
             ),
         };
         findings.push(Finding::about_result(FindingKind::ForceBeyondData, message));

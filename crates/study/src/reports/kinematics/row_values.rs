@@ -270,7 +270,7 @@ impl<'k> RowEvaluation<'k> {
         let tyre = tyre_rate.ok_or_else(|| "missing: --tyre-rate".to_owned());
         let body = match (&tyre, &sprung) {
             (Ok(tyre), Ok(sprung)) => frequencies(&rate, &mass, *sprung, *tyre).map(|both| both[0]),
-            // A rigid tyre.
+            // Without its rate, the tyre is rigid.
             (Err(_), Ok(sprung)) => rate.clone().and_then(|rate| root(rate / sprung)),
             (_, Err(why)) => Err(why.clone()),
         };
@@ -362,7 +362,8 @@ fn root(x: f64) -> Result<f64, String> {
 }
 
 /// Undamped natural frequencies of the body and of the wheel, Hz, from the wheel rate k (`rate`, N/m), the unsprung mass m_u
-/// (`mass`, kg), the sprung mass m_s (kg) and the stiffness k_t of the tyre (N/m). Roots of m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
+/// (`mass`, kg), the sprung mass m_s (kg) and the stiffness k_t of the tyre (N/m). Roots of
+/// m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
 fn frequencies(
     rate: &Result<f64, String>,
     mass: &Result<f64, String>,

@@ -88,8 +88,8 @@ impl SuspensionKinematics {
 
     /// Finding about a rack that the sheet fixes and that steers in this evaluation.
     pub fn rack_finding(&self, steers: bool) -> Option<Finding> {
-        let message = "the sheet fixes the rack (rack.slides = false), and it moves for these rows only: in all other commands it is held; \
-                       write slides = true in [rack] if it moves in an impact";
+        let message = "the sheet fixes the rack (rack.slides = false); it moves for these rows only, and all other commands hold it; \
+                       write slides = true in [rack] if the rack can move in an impact";
         let is_moved = steers && self.rack.is_some() && !self.rack_slides;
         is_moved.then(|| Finding::about_result(FindingKind::RackMoved, message))
     }

@@ -441,7 +441,7 @@ pub fn search_targets(
     }
     if search.within > FARTHEST_COORDINATE {
         return Err(refuse(format!(
-            "--within {0} is {0} m, more than a suspension; write the unit, such as {0}mm",
+            "--within {0} is {0} m, larger than a suspension; write the unit, such as {0}mm",
             search.within
         )));
     }

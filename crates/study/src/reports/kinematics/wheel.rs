@@ -28,7 +28,7 @@ pub(crate) struct WheelParts {
 pub(crate) struct WheelState {
     /// Wheel centre, m.
     pub centre: Vector3<f64>,
-    /// Axis of spin, a unit vector that points out of the vehicle.
+    /// Spin axis, a unit vector that points out of the vehicle.
     pub outward: Vector3<f64>,
     /// Lowest point of the wheel, m.
     pub contact: Option<Vector3<f64>>,

@@ -97,7 +97,7 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
     }
     if let (Some((comma, spot)), Some(point)) = (commas, points) {
         let message = format!(
-            "{} has a decimal comma and {} a decimal point; one table has one of them (no separators of thousands)",
+            "{} has a decimal comma and {} a decimal point; use one of them in the whole table, without separators of thousands",
             quoted(&comma),
             quoted(&point)
         );
@@ -107,7 +107,7 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
     add_rows(rows, entries, findings);
 }
 
-/// Reads a worksheet of a workbook, the first one without a name; `file`: index of the file among the files of the import.
+/// Reads a worksheet of a workbook, the first one if no name is given; `file`: index of the file among the files of the import.
 pub(super) fn read_workbook(
     bytes: &[u8],
     file: usize,
@@ -188,7 +188,8 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
             Some(Cell::Text(text)) if !text.trim().is_empty() => text.trim().to_owned(),
             first => {
                 let found = first.map_or_else(|| "nothing".to_owned(), Cell::to_text);
-                let message = format!("the row begins with {found}, no name; name, x, y, z are expected");
+                let message =
+                    format!("the row begins with {found}, which is no name; name, x, y, z are expected");
                 findings.error("wrong-type", &row.spot, message);
                 continue;
             }
