@@ -224,6 +224,9 @@ def main():
     # Each example has two stops; most random cars have two, but few of those of a single template may reach them.
     touched, least = checker.stops.touched(), 2 if args.template else templates * (2 + args.count)
     checker.verdict(touched >= least, f"{touched} stops at the touch, at least {least} are expected")
+    # Far from the drawing, where parts turn over.
+    most = 1 + touched // 200
+    checker.verdict(checker.stops.ended <= most, f"{checker.stops.ended} searches ended before the touch, at most {most} are expected")
     if args.count >= 4 and not args.template:
         every = [*checker.stops.kinds.values(), checker.stops.not_reached, checker.stops.remaining]
         checker.verdict(min(every) > 0, "every kind of stop, and stops that cannot be reached, must be compared")

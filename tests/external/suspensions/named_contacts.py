@@ -33,6 +33,8 @@ class Tally:
         # At the touch, by kind; not reached by both programs; of these, with a remaining gap.
         self.kinds = dict.fromkeys(("line of the points", "direction", "damper, bump", "damper, rebound"), 0)
         self.not_reached, self.remaining = 0, 0
+        # The search of percuss ended before the touch, and says so.
+        self.ended = 0
         # Motion ratios of the wheel at the touch; of these, with the rack held.
         self.ratios, self.held, self.worst_ratio = 0, 0, 0.0
         self.worst_mass, self.worst_place, self.worst_remaining = 0.0, 0.0, 0.0
@@ -44,7 +46,7 @@ class Tally:
         kinds = ", ".join(f"{kind}: {count}" for kind, count in self.kinds.items())
         return (
             f"{self.touched()} stops at the touch ({kinds}), mass off by at most {self.worst_mass:.1e}, positions by "
-            f"{self.worst_place:.1e} m; {self.not_reached} not reached, {self.remaining} remaining gaps, off by at most "
+            f"{self.worst_place:.1e} m; {self.not_reached} not reached, {self.ended} searches ended before, {self.remaining} remaining gaps, off by at most "
             f"{self.worst_remaining:.1e} m; {self.ratios} motion ratios of the wheel, {self.held} with the rack held, off by at most "
             f"{self.worst_ratio:.1e}"
         )
@@ -111,6 +113,9 @@ def compare_stop(checker, path, pose, remaining, name, entry, where):
     compared at the touch."""
     report, stop, tally = entry["report"], path.linkage.built.stops[name], checker.stops
     if pose is None or report is None:
+        if report is None and pose is not None and "was not reached: the search ends" in entry["problem"]:
+            tally.ended += 1
+            return False
         alike = pose is None and report is None
         tally.not_reached += alike
         own = "touches" if remaining is None else f"{1e3 * remaining:.3f} mm remain"
@@ -201,7 +206,8 @@ def compare_alone(checker, file, name, entry, remaining, where):
         expected = entry["report"]["effective_mass"]
         checker.verdict(abs(mass / expected - 1) <= AT_TOUCH, f"{where}: {mass}, {expected} in the list: {message}")
         return
-    checker.verdict(code == 1 and "cannot be reached" in message, f"{where}: exit code {code}: {message}")
+    is_refused = "cannot be reached" in message or "was not reached" in message
+    checker.verdict(code == 1 and is_refused, f"{where}: exit code {code}: {message}")
     stated = re.search(r"and ([0-9.]+) (mm|in) remain", message)
     if stated and remaining is not None:
         off = abs({"mm": 1e-3, "in": 0.0254}[stated[2]] * float(stated[1]) - remaining)

@@ -115,10 +115,11 @@ fn touch_pose(
     start: Pose,
 ) -> Result<Pose, StudyError> {
     let gap = stops[0].1.at(&start);
-    let not_reached = |nearest, why| StudyError::StopNotReached {
+    let not_reached = |nearest, is_smallest, why| StudyError::StopNotReached {
         name: name.to_owned(),
         gap,
         nearest,
+        is_smallest,
         unit: LengthUnit::Millimetre,
         why,
     };
@@ -142,7 +143,7 @@ fn touch_pose(
             None if toward(gap, &[])?.is_some() => return Ok(start),
             None => {
                 let why = "no joint with a single position moves it (in a suspension, give one of the massless rods a mass)";
-                return Err(not_reached(None, why.to_owned()));
+                return Err(not_reached(None, true, why.to_owned()));
             }
         }
     }
@@ -166,7 +167,7 @@ fn touch_pose(
     };
     // The path from the start usually ends at the smallest gap; the full search and the halvings take a hundred times as long.
     if let Some(end) = closing_path_end(&travels, &start).filter(|end| end.is_minimum) {
-        return Err(not_reached(Some(end.closed * gap), why));
+        return Err(not_reached(Some(end.closed * gap), true, why));
     }
     let why = match with_part(1.0, &start, full) {
         Err(StudyError::TravelNotReached { why, .. }) => why,
@@ -191,11 +192,11 @@ fn touch_pose(
     // length.
     match closing_path_end(&travels, &from) {
         Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, full) {
-            Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
+            Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), false, why)),
             reached => reached,
         },
-        Some(end) => Err(not_reached(Some(low.max(end.closed) * gap), why)),
-        None => Err(not_reached(Some(low * gap), why)),
+        Some(end) => Err(not_reached(Some(low.max(end.closed) * gap), end.is_minimum, why)),
+        None => Err(not_reached(Some(low * gap), false, why)),
     }
 }
 

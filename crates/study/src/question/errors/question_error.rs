@@ -35,7 +35,7 @@ pub enum StudyError {
         motion: Option<&'static str>,
     },
     /// Stop that the mechanism cannot reach.
-    #[error("{}", stop_not_reached(name, (*gap, *nearest), *unit, why, Names::Fields))]
+    #[error("{}", stop_not_reached(name, (*gap, *nearest, *is_smallest), *unit, why, Names::Fields))]
     StopNotReached {
         /// Name of the stop.
         name: String,
@@ -43,6 +43,8 @@ pub enum StudyError {
         gap: f64,
         /// Largest closing of the gap, m, if known.
         nearest: Option<f64>,
+        /// True if the gap increases again behind this pose; false if the search ended there.
+        is_smallest: bool,
         /// Unit of lengths in the message.
         unit: LengthUnit,
         /// Reason.
@@ -146,8 +148,8 @@ impl StudyError {
     /// Same error with lengths in this unit, for errors that have one.
     pub(crate) fn in_unit(self, unit: LengthUnit) -> Self {
         match self {
-            StudyError::StopNotReached { name, gap, nearest, why, .. } => {
-                StudyError::StopNotReached { name, gap, nearest, unit, why }
+            StudyError::StopNotReached { name, gap, nearest, is_smallest, why, .. } => {
+                StudyError::StopNotReached { name, gap, nearest, is_smallest, unit, why }
             }
             other => other,
         }
@@ -185,8 +187,8 @@ impl StudyError {
                 format!("--{motion}: {why}")
             }
             StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
-            StudyError::StopNotReached { name, gap, nearest, unit, why } => {
-                stop_not_reached(name, (*gap, *nearest), *unit, why, names)
+            StudyError::StopNotReached { name, gap, nearest, is_smallest, unit, why } => {
+                stop_not_reached(name, (*gap, *nearest, *is_smallest), *unit, why, names)
             }
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
@@ -199,7 +201,7 @@ impl StudyError {
 /// Message: the mechanism cannot reach a stop.
 fn stop_not_reached(
     name: &str,
-    (gap, nearest): (f64, Option<f64>),
+    (gap, nearest, is_smallest): (f64, Option<f64>, bool),
     unit: LengthUnit,
     why: &str,
     names: Names,
@@ -212,14 +214,17 @@ fn stop_not_reached(
     let why = match nearest {
         Some(nearest) => {
             let [nearest, remaining] = [nearest, gap - nearest].map(|length| unit.text(length));
-            format!(
-                "it closes by {nearest} only, and {remaining} remain; give a travel{travel} for the mass at another \
-                 pose"
-            )
+            let found = if is_smallest {
+                format!("it closes by {nearest} only, and {remaining} remain")
+            } else {
+                format!("the search ends after {nearest}, and {remaining} remain there")
+            };
+            format!("{found}; give a travel{travel} for the mass at another pose")
         }
         None => why.to_owned(),
     };
-    format!("the stop \"{name}\" with a gap of {} cannot be reached: {why}", unit.text(gap))
+    let outcome = if is_smallest { "cannot be" } else { "was not" };
+    format!("the stop \"{name}\" with a gap of {} {outcome} reached: {why}", unit.text(gap))
 }
 
 /// Message: another side is given in a question about a person.
