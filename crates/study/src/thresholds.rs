@@ -19,9 +19,6 @@ pub(crate) const FAR_TOUCH: f64 = 0.2;
 /// Cosine of the angle between the direction of a stop and the motion of its pad (60°), below which a note names the angle: a rocker
 /// may turn so, and so does a pad with a wrong direction.
 pub(crate) const STOP_ALIGNMENT: f64 = 0.5;
-/// Largest length (m) that a search accepts as a required value without a unit: quantities of suspensions are shorter, except
-/// radii, for which a unit can be written.
-pub(crate) const LONGEST_TARGET: f64 = 10.0;
 /// Largest change (m) of a coordinate in a search: the size of a suspension.
 pub(crate) const FARTHEST_COORDINATE: f64 = 2.0;
 /// Length, in any unit, up to which a vector has no direction. A vector typed with a few digits is longer; the difference
@@ -83,6 +80,12 @@ pub(crate) const SCANNED_COORDINATES: usize = 32;
 /// Half of the step of differences by the coordinates of a hardpoint, m: the error of second order is some 1e-12, rounding
 /// 1e-15/1e-6 = 1e-9 of the derivative.
 pub(crate) const DIFFERENCE_OF_POINTS: f64 = 1e-6;
+/// Rounding of a closing speed, relative to the largest rate times the largest entry of the contact row.
+pub(crate) const SPEED_ROUNDING: f64 = 1e-13;
+/// Displacement of a coordinate that shows its influence on the required values, relative to its range.
+pub(crate) const SMALL_PART: f64 = 1e-3;
+/// Least change of a required value by this displacement, in scales of the quantity: rounding is some 1e-10.
+pub(crate) const SMALLEST_INFLUENCE: f64 = 1e-8;
 /// Steps of a search that are shorter (m) do not change the coordinate.
 pub(crate) const SMALLEST_SEARCH_STEP: f64 = 1e-13;
 /// Largest difference from a required value, in scales of the quantity: 1e-11 m, 1e-11 rad, 1e-10 of a ratio.

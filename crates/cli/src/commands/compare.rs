@@ -7,7 +7,7 @@ use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
-use crate::pictures::sweep_figure::motion_ratio_name;
+use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name};
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
@@ -16,9 +16,10 @@ use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
-    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
-    Model, Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, MassQuestion, Model,
+    Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
 };
+use percuss_suspension::LengthUnit;
 use std::fmt::{Display, Write as _};
 use std::path::Path;
 
@@ -411,12 +412,18 @@ fn touches(report: &ComparisonReport, designs: &[usize]) -> Vec<Mark> {
     let travels = designs.iter().filter_map(|i| report.designs[*i].travel_at_touch);
     let mut marks: Vec<Mark> = Vec::new();
     for travel in travels.filter(|_| is_travel) {
-        let x = 1e3 * travel;
-        if !marks.iter().any(|mark| (mark.x - x).abs() <= 1e3 * limits::SAME_TRAVEL) {
+        let x = length_unit(report).of_metres(travel);
+        let same = length_unit(report).of_metres(limits::SAME_TRAVEL);
+        if !marks.iter().any(|mark| (mark.x - x).abs() <= same) {
             marks.push(Mark { x, label: "touch".into() });
         }
     }
     marks
+}
+
+/// Unit of lengths: that of the first design.
+fn length_unit(report: &ComparisonReport) -> LengthUnit {
+    report.designs.first().map_or(LengthUnit::Millimetre, |design| design.unit)
 }
 
 /// Figure of some designs.
@@ -431,8 +438,7 @@ fn figure_of(
              that ends in .csv, .xlsx or .json",
         ));
     };
-    let dimension = if varied.unit == "m" { Dimension::Length } else { Dimension::Angle };
-    let (scale, unit) = dimension.display_unit().map_or((1.0, varied.unit), |unit| (unit.per_si, unit.name));
+    let (scale, unit) = axis_unit(varied, length_unit(report));
     let series = |i: usize, values: &dyn Fn(usize) -> Option<f64>| Series {
         name: report.designs[i].name.clone(),
         style: if report.designs[i].reference.is_none() { Style::Line } else { Style::Dashed },

@@ -172,7 +172,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         format!("error {:+.4}: this law is an approximation", achieved - e)
     };
     let weight = if report.exports.values().any(|export| export.weight_prevents_rebound) {
-        "; without gravity: the weight along the normal leaves almost no rebound. Use a faster impact or a stiffer contact"
+        "; without gravity: a weight that no spring carries leaves almost no rebound. Use a faster impact or a stiffer contact"
     } else {
         ""
     };

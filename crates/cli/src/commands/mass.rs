@@ -30,6 +30,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
         return show_all_contacts(args, &model, damping.as_ref());
     }
+    refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "this command")?;
     show(
         &model,
         &args.contact.question()?,
@@ -41,7 +42,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
 }
 
 /// Value of --at for all named contacts of a model.
-pub const ALL_CONTACTS: &str = "all";
+const ALL_CONTACTS: &str = "all";
 
 /// Writes the list of all named contacts; refuses requests about a single one.
 fn show_all_contacts(
@@ -58,6 +59,17 @@ fn show_all_contacts(
         return Err(Failure::bad_input(format!("{flag}: it is about one contact; give its name by --at")));
     }
     contact_list::show(model, &args.contact.question()?, damping, args.format, args.model.reading.strict)
+}
+
+/// Refuses several contacts, which `percuss compare` evaluates.
+pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -> Result<(), Failure> {
+    let several = at.filter(|names| *names == ALL_CONTACTS || names.contains(','));
+    match several.filter(|names| model.mechanism.find_contact(names).is_err()) {
+        Some(names) => Err(Failure::bad_input(format!(
+            "--at {names}: {command} has one contact; percuss compare MODEL --at {names} has all of them"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Additional requests of a mass question: expected value, sensitivities, tolerances.

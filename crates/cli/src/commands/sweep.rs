@@ -1,7 +1,7 @@
 //! Command `percuss sweep`, and the output of all sweeps.
 
 use crate::args::SweepArgs;
-use crate::commands::mass::ALL_CONTACTS;
+use crate::commands::mass::refuse_several_contacts;
 use crate::files::output::{Output, check_writable, record_input, write_file};
 use crate::files::parquet_rows;
 use crate::files::sweep_rows;
@@ -23,13 +23,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
-    let at = args.contact.contact.at.as_deref();
-    let several = at.filter(|names| *names == ALL_CONTACTS || names.contains(','));
-    if let Some(names) = several.filter(|names| model.mechanism.find_contact(names).is_err()) {
-        return Err(Failure::bad_input(format!(
-            "--at {names}: a sweep has one contact; percuss compare MODEL --at {names} with the same range has a column for each"
-        )));
-    }
+    refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "a sweep")?;
     warn_plain_angles(args, &model);
     run_sweep(
         &model,

@@ -7,6 +7,7 @@ use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
     AxisLimits, Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn,
 };
+use percuss_suspension::LengthUnit;
 use std::ops::ControlFlow;
 
 /// Points of a curve: the varied number in the unit of the axis, and the value if any.
@@ -18,14 +19,13 @@ const MAX_MARKS: usize = 10_000;
 /// Largest number of curves in one picture; more cannot be distinguished.
 pub const MAX_CURVES: usize = 7;
 
-/// Scale factor from SI, and unit of the axis for a varied number.
-pub fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
-    let unit = match column.unit {
-        "m" => Dimension::Length.display_unit(),
-        "rad" => Dimension::Angle.display_unit(),
-        _ => None,
-    };
-    unit.map_or((1.0, ""), |unit| (unit.per_si, unit.name))
+/// Scale factor from SI, and unit of the axis for a varied number; `length`: unit of lengths.
+pub fn axis_unit(column: &VariedColumn, length: LengthUnit) -> (f64, &'static str) {
+    match column.unit {
+        "m" => (length.of_metres(1.0), length.name()),
+        "rad" => Dimension::Angle.display_unit().map_or((1.0, "rad"), |unit| (unit.per_si, unit.name)),
+        _ => (1.0, ""),
+    }
 }
 
 /// Legend of the estimate.
@@ -67,7 +67,7 @@ pub fn sweep_figure(
             ));
         }
     };
-    let (scale, unit) = axis_unit(varied);
+    let (scale, unit) = axis_unit(varied, heading.length_unit);
     let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
     // One curve per value of the outer range.
     let mut masses: Vec<(f64, Curve)> = Vec::new();
@@ -119,7 +119,7 @@ pub fn sweep_figure(
         .map(|(value, curve)| match outer {
             None => series("effective mass", Style::Line, curve),
             Some(outer) => {
-                let (scale, unit) = axis_unit(outer);
+                let (scale, unit) = axis_unit(outer, heading.length_unit);
                 let name = format!("{} = {} {unit}", outer.name, short_number(scale * value));
                 series(name.trim_end(), Style::Line, curve)
             }

@@ -60,5 +60,7 @@ pub const FLAT_CURVE: f64 = 1e-4;
 pub const SAME_CURVE: f64 = 1e-6;
 /// Rows of a sweep with the effect of the tolerances in a report; each takes about twelve evaluations per hardpoint.
 pub const TOLERANCE_ROWS: usize = 9;
-/// The same for each of several contacts.
-pub const TOLERANCE_ROWS_OF_SEVERAL: usize = 5;
+/// The same for several contacts together: with more than a third as many contacts, figures have no tolerances.
+pub const TOLERANCE_ROWS_OF_ALL: usize = 20;
+/// Least number of rows with tolerances in a figure.
+pub const LEAST_TOLERANCE_ROWS: usize = 3;

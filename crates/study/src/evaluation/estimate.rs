@@ -1,6 +1,7 @@
 //! Classical estimate m_K / l̄² for comparison with the exact value.
 
 use crate::model::wheel_points::wheel_centres;
+use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{EstimateQuestion, UPWARDS};
@@ -79,7 +80,9 @@ impl PreparedEstimate {
 
     /// Estimate for a contact response of the mechanism alone, without a free body on the other side.
     pub fn evaluate(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
-        let velocity = self.links.first().and_then(|l| pose.point_velocity(response, *l, &self.point));
+        let reference = reference_link(pose, response);
+        let velocity = |link: &LinkId| pose.point_velocity_against(response, *link, &self.point, reference);
+        let velocity = self.links.first().and_then(velocity);
         let speed = match velocity {
             Some(PointVelocity::Known(v)) => Some(match &self.direction {
                 // The velocity is in the axes of the root link, the direction in world axes.

@@ -1,6 +1,7 @@
 //! Closing speed of a contact in a motion of given points, such as wheel travel, heave or roll of a suspension.
 
 use crate::pose::determined_system::DeterminedSystem;
+use crate::thresholds::SPEED_ROUNDING;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Contact, Pose, Travel};
 use percuss_mechanism::{JointId, LinkId};
@@ -43,7 +44,11 @@ pub(crate) fn closing_speed(
     let matrix = DMatrix::from_fn(height, columns.len(), value);
     rates.resize(height, 0.0);
     let motion = DeterminedSystem::new(matrix)?.solve(&DVector::from_vec(rates))?;
-    Some(columns.iter().zip(motion.iter()).map(|(column, rate)| closing[*column] * rate).sum())
+    let speed: f64 = columns.iter().zip(motion.iter()).map(|(column, rate)| closing[*column] * rate).sum();
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |most, x| most.max(x.abs()));
+    let scale = largest(&mut closing.iter().copied()) * largest(&mut motion.iter().copied());
+    // A contact that the motion does not move has rounding errors only.
+    Some(if speed.abs() > SPEED_ROUNDING * scale { speed } else { 0.0 })
 }
 
 /// Rows of the velocity of a point of a link (m, link's frame) relative to another link.

@@ -15,7 +15,7 @@ use crate::thresholds::{
 use percuss_dynamics::{
     Configuration, Contact, ContactResponse, Gap, PointVelocity, Pose, System, TravelError,
 };
-use percuss_mechanism::{JointId, JointKind};
+use percuss_mechanism::{JointId, JointKind, LinkId};
 
 /// Travel of a point from its starting pose.
 #[derive(Clone, Debug)]
@@ -334,7 +334,8 @@ impl PointTravel {
         if sliding_rack(pose.mechanism()).is_some_and(|rack| self.set.contains(&rack)) {
             return closing_speed(pose, &[(&self.travel, 1.0)], &self.set, contact);
         }
-        match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
+        let reference = reference_link(pose, response);
+        match pose.point_velocity_against(response, self.travel.link(), self.travel.point(), reference)? {
             PointVelocity::Known(v) => {
                 let speed = pose.base().vector(&v).dot(self.travel.direction()?);
                 (speed != 0.0).then(|| speed.recip())
@@ -342,4 +343,10 @@ impl PointTravel {
             PointVelocity::Undetermined => None,
         }
     }
+}
+
+/// Link relative to which a point of the mechanism moves: the root link, such as the chassis, for a contact against a link; the ground
+/// (`None`) for a contact against the ground.
+pub(crate) fn reference_link(pose: &Pose, response: &ContactResponse) -> Option<LinkId> {
+    response.contact.against.map(|_| pose.mechanism().root())
 }

@@ -9,6 +9,7 @@ use crate::pose::unreachable_range::UnreachedRow;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::moved::{Moved, MovedPoint};
 use crate::thresholds::{
     HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, LEAST_PART_OF_LONG_HALVING, LONG_HALVING, LONG_TRAVEL,
@@ -232,6 +233,16 @@ fn is_immobile(fault: &Fault) -> bool {
 
 /// Points of the travels of a question. A wheel that heaves and rolls moves by the sum.
 fn moved_points(mechanism: &Mechanism, question: &MassQuestion) -> Result<Vec<MovedPoint>, StudyError> {
+    for (i, one) in question.travel.iter().enumerate() {
+        let is_wheel = |travel: &&GivenTravel| matches!(travel.moved, Moved::Wheels(_));
+        let others = question.travel[..i].iter().filter(is_wheel);
+        if let Some(other) =
+            Some(one).filter(is_wheel).and(others.clone().find(|other| !other.moved.is_beside(&one.moved)))
+        {
+            let [first, second] = [other.moved.name(), one.moved.name()];
+            return Err(StudyError::input(Field::Travel, Fault::SameTravel { first, second }));
+        }
+    }
     let mut all: Vec<(bool, MovedPoint)> = Vec::new();
     for given in &question.travel {
         let is_wheel = matches!(given.moved, Moved::Wheels(_));

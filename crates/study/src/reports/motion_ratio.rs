@@ -2,13 +2,15 @@
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::model::wheel_points::{sliding_rack, wheel_points};
+use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose,
+    Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, LocatedContact, PointVelocity,
+    Pose,
 };
 use percuss_mechanism::LinkId;
 use serde::Serialize;
@@ -100,14 +102,15 @@ fn ratio(
     let speed_of_point = speed(pose, response, link, &point, &direction)?;
     let own = Contact {
         link,
-        against: response.contact.against,
+        against: reference_link(pose, response),
         point,
         normal: Direction::Along(direction, Frame::World),
     };
     let own_ratio = pose.respond(&own).ok().filter(|own| !own.singular_pose).and_then(|own| {
         let EffectiveMass::Finite(_) = own.effective_mass else { return None };
-        let contact = &response.contact;
-        speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
+        let LocatedContact { link, against, point_link, normal_world, .. } = &response.contact;
+        let velocity = pose.point_velocity_against(&own, *link, point_link, *against)?;
+        along(pose, velocity, normal_world)
     });
     let one_travel =
         own_ratio.is_some_and(|own| (speed_of_point * own - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
@@ -121,7 +124,7 @@ fn ratio(
     })
 }
 
-/// Speed of a point along a world direction in a response, relative to the other side of the contact.
+/// Speed of a point along a world direction in a response, relative to [`reference_link`].
 fn speed(
     pose: &Pose,
     response: &ContactResponse,
@@ -129,7 +132,16 @@ fn speed(
     point: &Vector3<f64>,
     direction: &Vector3<f64>,
 ) -> Option<f64> {
-    match pose.point_velocity(response, link, point)? {
+    along(
+        pose,
+        pose.point_velocity_against(response, link, point, reference_link(pose, response))?,
+        direction,
+    )
+}
+
+/// Component of a velocity along a world direction; `None` if undetermined.
+fn along(pose: &Pose, velocity: PointVelocity, direction: &Vector3<f64>) -> Option<f64> {
+    match velocity {
         PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(direction)),
         PointVelocity::Undetermined => None,
     }

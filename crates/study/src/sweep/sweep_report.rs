@@ -5,6 +5,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::travel::varied_values::{VariedColumn, VariedValues};
 use crate::sweep::row_gradient::{GradientLayout, RowGradient};
+use percuss_units::LengthUnit;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -52,6 +53,9 @@ pub struct SweepHeading {
     /// True if the contact is a named contact with a gap; the rows then contain it.
     #[serde(skip)]
     pub has_gap: bool,
+    /// Unit of lengths in figures.
+    #[serde(skip)]
+    pub length_unit: LengthUnit,
     /// Joints of the gradient of each row; `None` without gradients.
     #[serde(skip)]
     pub gradient: Option<Arc<GradientLayout>>,

@@ -158,6 +158,7 @@ impl<'a> Sweep<'a> {
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),
+            length_unit: model.length_unit(),
             gradient: None,
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));

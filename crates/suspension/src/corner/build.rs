@@ -84,9 +84,14 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     }
     add_damper_stops(design, &mut left, findings);
     add_own_contacts(design, &mut left, findings);
-    left.drawing.set_hardpoints(
-        design.points.iter().map(|(name, (at, spot))| (*name, *at, spot, !is_central(design.axle, name))),
-    );
+    let hardpoints =
+        design.points.iter().map(|(name, (at, spot))| (*name, *at, spot, !is_central(design.axle, name)));
+    let own = design.contacts.iter().map(|contact| {
+        let has_side = !left.is_shared(&contact.link.0);
+        (contact.name.as_str(), contact.at, &contact.spot, has_side)
+    });
+    let points: Vec<_> = hardpoints.chain(own).collect();
+    left.drawing.set_hardpoints(points.into_iter());
     let ends = ["watt_left_chassis", "watt_right_chassis"].map(|end| Some((end, design.point(end)?)));
     if let [Some((name, one)), Some((_, other))] = ends
         && one.y * other.y > 0.0
@@ -167,6 +172,10 @@ fn add_own_contacts(design: &Design, corner: &mut Corner, findings: &mut Finding
         }
         let normal = frames::unit(contact.direction / contact.direction.amax());
         let normal = findings.unwrap_geometry(normal, &contact.spot, "the direction is zero");
+        if let Some(gap) = contact.gap {
+            let stop = Stop { gap: Some(gap), direction: None, spot: contact.spot.clone() };
+            check_gap(&format!("contact.{}", contact.name), &stop, gap, None, design.unit, findings);
+        }
         let against = contact.against.as_ref().map_or(GROUND, |(link, _)| link);
         let kind = if contact.gap.is_some() { ContactKind::Stop } else { ContactKind::Other };
         let of = [contact.link.0.as_str(), against];

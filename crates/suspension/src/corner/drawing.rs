@@ -11,6 +11,9 @@ use percuss_spatial::Vector3;
 /// Hardpoint of the centre of the wheel.
 const WHEEL_CENTRE: &str = "wheel_centre";
 
+/// Hinges between an outer and an inner point.
+const HINGES: [&str; 2] = ["anti_roll_bar", "arm"];
+
 /// Length of a link: from the hinge axis to the outer point for a hinged arm, from end to end for a rod.
 #[derive(Clone, Debug)]
 pub(crate) struct ArmLength {
@@ -140,6 +143,7 @@ impl Drawing {
         }
         has_warned |= self.check_heights(wheel, findings, places);
         has_warned |= self.check_exchanged_arms(findings, places);
+        has_warned |= self.check_exchanged_ends(findings, places);
         let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
@@ -217,6 +221,32 @@ impl Drawing {
         );
         findings.warning("exchanged-arms", &upper.spot, message);
         true
+    }
+
+    /// Warns about lateral rods whose outer end is nearer to the vehicle's middle plane than their inner end. Returns true after a
+    /// warning.
+    fn check_exchanged_ends(&self, findings: &mut Findings, places: FilePlaces) -> bool {
+        let of = |name: String| self.points.iter().find(|point| point.name == name);
+        let mut has_warned = false;
+        for outer in &self.points {
+            // The two points of a hinge give a line, in either order.
+            let rod = outer.name.strip_suffix("_outer").filter(|rod| !HINGES.contains(rod));
+            let inner =
+                rod.and_then(|rod| of(format!("{rod}_inner")).or_else(|| of(format!("{rod}_chassis"))));
+            let Some(inner) = inner else { continue };
+            let inward = inner.at.y.abs() - outer.at.y.abs();
+            if inward > 0.5 * (inner.at - outer.at).norm() {
+                let message = format!(
+                    "{} is {} nearer to the middle of the vehicle than {}: exchange the two points, or correct their y",
+                    outer.name,
+                    places.length(inward),
+                    inner.name
+                );
+                findings.warning("exchanged-ends", &outer.spot, message);
+                has_warned = true;
+            }
+        }
+        has_warned
     }
 
     /// Hardpoint at a position (m) and its place in the file.

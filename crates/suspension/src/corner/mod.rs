@@ -94,7 +94,7 @@ impl Corner {
     }
 
     /// True for a link common to both sides.
-    fn is_shared(&self, link: &str) -> bool {
+    pub fn is_shared(&self, link: &str) -> bool {
         self.shared.contains(&link)
     }
 

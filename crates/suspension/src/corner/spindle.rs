@@ -8,6 +8,7 @@ use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_WHEEL_MASS, MOMENT_TOLERANCE, WHEEL_RADII};
 use percuss_mechanism::{ContactKind, ContactNormal, JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
+use percuss_units::LengthUnit;
 
 /// Spindle, including the axle's inertia, and wheel.
 pub(crate) struct Spindle {
@@ -88,8 +89,9 @@ impl Spindle {
         let Some(radius) = wheel.radius else { return };
         if !WHEEL_RADII.contains(&radius) {
             let message = format!(
-                "the wheel's radius is {:.1} mm; no vehicle has such a wheel: check its unit",
-                1e3 * radius
+                "the wheel's radius is {:.1} mm ({:.2} in); no vehicle has such a wheel: check its unit",
+                1e3 * radius,
+                LengthUnit::Inch.of_metres(radius)
             );
             findings.warning("implausible-wheel", spot, message);
         }

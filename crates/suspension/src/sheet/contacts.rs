@@ -5,9 +5,12 @@ use crate::corner::design::OwnContact;
 use crate::findings::{Findings, Spot};
 use crate::options::Side;
 use crate::units::Frame;
+use percuss_formats::reading::quoted;
 
 /// First part of the name of a section.
 pub(super) const CONTACT: &str = "contact";
+/// Name of all contacts in a question.
+const ALL: &str = "all";
 /// Keys of a section.
 const KEYS: [&str; 5] = ["point", "on", "direction", "against", "gap"];
 
@@ -26,6 +29,11 @@ pub(super) fn read_contacts(
 ) -> Vec<OwnContact> {
     let mut contacts = Vec::new();
     for (name, spot) in entries.sections_of(CONTACT) {
+        if name == ALL || name.contains(',') {
+            let message =
+                format!("{} names several contacts in a question: choose another name", quoted(&name));
+            findings.error("reserved-name", &spot, message);
+        }
         let [point_key, on_key, direction_key, against_key, gap_key] =
             KEYS.map(|key| format!("{CONTACT}.{name}.{key}"));
         let point = entries.point(findings, &point_key, frame);

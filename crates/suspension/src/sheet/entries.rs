@@ -414,6 +414,18 @@ impl Entries {
                 findings.warning("implausible-curve", force_spot, message);
             }
         }
+        if let Some((forces, spot)) = &forces {
+            if forces.iter().any(|force| *force < 0.0) {
+                let message = "the forces of a stop are compressions: numbers of 0 or more are expected";
+                findings.error("bad-curve", spot, message.to_owned());
+            } else if let Some(pair) = forces.windows(2).find(|pair| pair[1] < pair[0]) {
+                let [high, low] = [pair[0], pair[1]].map(short);
+                let message = format!(
+                    "the force decreases from {high} N to {low} N while the stop is compressed: check the values"
+                );
+                findings.warning("implausible-curve", spot, message);
+            }
+        }
         let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| StopForce::new(x, f));
         if let (None, true, Some(spot)) = (&curve, is_given, spot) {
             let message = format!(

@@ -32,8 +32,11 @@ pub(super) fn tolerances_over(
     let ([range], Some(last)) = (&ranges[..], values.len().checked_sub(1)) else { return Ok(Vec::new()) };
     let rows = match study.contacts.len() {
         0 | 1 => limits::TOLERANCE_ROWS,
-        _ => limits::TOLERANCE_ROWS_OF_SEVERAL,
+        contacts => limits::TOLERANCE_ROWS_OF_ALL / contacts,
     };
+    if rows < limits::LEAST_TOLERANCE_ROWS {
+        return Ok(Vec::new());
+    }
     let steps = last.min(rows - 1);
     let at_row = |i: usize| {
         let value = values[i * last / steps.max(1)];
@@ -59,7 +62,7 @@ pub(super) fn tolerances_of_contacts(
 ) -> Result<Vec<Tolerances>, Failure> {
     let (Some(sweep), [varied]) = (&study.sweep, &compared.varied[..]) else { return Ok(Vec::new()) };
     let values: Vec<f64> = compared.rows.iter().filter_map(|row| row.varied.first().copied()).collect();
-    let scale = axis_unit(varied).0;
+    let scale = axis_unit(varied, study.model.length_unit()).0;
     let of_contact =
         |contact: &StudyContact| tolerances_over(study, &contact.question, &sweep.rows, &values, scale);
     study.contacts.par_iter().map(of_contact).collect()

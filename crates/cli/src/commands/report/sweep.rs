@@ -41,7 +41,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
     let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));
     let inputs = sweep.heading().inputs.clone();
     let varied = match &sweep.heading().varied[..] {
-        [varied] => Some((varied.name.clone(), axis_unit(varied))),
+        [varied] => Some((varied.name.clone(), axis_unit(varied, sweep.heading().length_unit))),
         _ => None,
     };
     let mut csv = table.header().to_owned();

@@ -28,7 +28,7 @@ impl Pose {
         link: LinkId,
         point: &Vector3<f64>,
     ) -> Option<PointVelocity> {
-        self.velocity_against(response, link, point, response.contact.against)
+        self.point_velocity_against(response, link, point, response.contact.against)
     }
 
     /// Like [`point_velocity`](Self::point_velocity), relative to the ground.
@@ -38,11 +38,11 @@ impl Pose {
         link: LinkId,
         point: &Vector3<f64>,
     ) -> Option<PointVelocity> {
-        self.velocity_against(response, link, point, None)
+        self.point_velocity_against(response, link, point, None)
     }
 
-    /// Velocity of a point in the response, relative to a link or to the ground.
-    fn velocity_against(
+    /// Like [`point_velocity`](Self::point_velocity), relative to the link `against`, or to the ground if `None`.
+    pub fn point_velocity_against(
         &self,
         response: &ContactResponse,
         link: LinkId,

@@ -410,6 +410,14 @@ pub enum Fault {
         /// Given number of samples.
         count: usize,
     },
+    /// Two motions of the wheels that are not heave and roll.
+    #[error("{first} and {second} both move the wheel; give one of them, or heave and roll of an axle")]
+    SameTravel {
+        /// Name of the motion.
+        first: String,
+        /// Name of the other motion.
+        second: String,
+    },
     /// Travel of the pose together with rows that exclude a travel: a varied travel, a file, random positions
     /// or a second travel.
     #[error(

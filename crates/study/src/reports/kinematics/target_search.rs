@@ -12,8 +12,8 @@ use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::thresholds::{
-    DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, LONGEST_TARGET, MOST_EVALUATIONS, SCANNED_COORDINATES,
-    SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
+    DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALL_PART,
+    SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::near_names;
@@ -64,6 +64,8 @@ impl FromStr for KinematicTarget {
     fn from_str(text: &str) -> Result<Self, String> {
         let (quantity, value) =
             text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
+        // The unit of gradients has no dimension of its own.
+        let value = value.trim().strip_suffix("deg/m").unwrap_or(value);
         let parse = |dimension: Dimension| dimension.parse(value);
         // Per cent and units of stiffness have no dimension in a plain number.
         let value = Quantity::parse(value).or_else(|error| {
@@ -452,6 +454,15 @@ pub fn search_targets(
     let evaluations = first.evaluations;
     let names: Vec<String> = values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
     search.targets.iter_mut().for_each(|target| target.quantity = target_column(&target.quantity, &names));
+    let names = search.targets.iter().map(|target| &target.quantity);
+    if let Some(twice) =
+        names.clone().enumerate().find(|(i, name)| names.clone().take(*i).any(|other| other == *name))
+    {
+        return Err(refuse(format!(
+            "--for {} is given twice; each value needs a quantity of its own",
+            twice.1
+        )));
+    }
     let search = &search;
     let mut designs = Designs { model, question, search, required: Vec::new(), evaluations };
     for target in &search.targets {
@@ -459,18 +470,27 @@ pub fn search_targets(
             .map_err(|why| KinematicsError::Search { why: format!("--for: {why}") })?;
         let unit = unit_of(&values, &target.quantity);
         let text = target.value.to_string();
-        if unit == KinematicUnit::Length
-            && target.value.dimension.is_none()
-            && target.value.value.abs() > LONGEST_TARGET
-        {
+        // A number without a unit is in SI units, which few users mean.
+        let needs_unit =
+            matches!(unit, KinematicUnit::Length | KinematicUnit::Angle | KinematicUnit::Stiffness);
+        if needs_unit && target.value.dimension.is_none() && target.value.value != 0.0 {
+            let (shown, ..) = unit.of_table(model.length_unit());
             return Err(refuse(format!(
-                "--for {}={text}: without a unit this is {text} m; write {text}mm",
+                "--for {}={text}: the number has no unit; write {text}{shown}",
                 target.quantity
             )));
         }
         let goal = target.value.in_dimension(dimension(unit), &text);
         let goal = goal.map_err(|error| KinematicsError::Search {
-            why: format!("--for {}: {error}", target.quantity),
+            why: match unit {
+                KinematicUnit::AnglePerLength => {
+                    format!(
+                        "--for {}={text}: a number in deg/m is expected, such as -3deg/m",
+                        target.quantity
+                    )
+                }
+                _ => format!("--for {}: {error}", target.quantity),
+            },
         })?;
         // Gradients are given in the unit of the tables.
         let goal = if unit == KinematicUnit::AnglePerLength { goal.to_radians() } else { goal };
@@ -496,6 +516,19 @@ pub fn search_targets(
     let first = designs.trial(&start).ok_or_else(|| KinematicsError::Search {
         why: "a required quantity has no value at the pose".to_owned(),
     })?;
+    for (k, unknown) in search.unknowns.iter().enumerate() {
+        let mut x = start.clone();
+        x[k] = SMALL_PART * search.within;
+        let moved = designs.trial(&x);
+        let is_idle =
+            moved.is_some_and(|moved| (moved.differences - &first.differences).amax() < SMALLEST_INFLUENCE);
+        if is_idle {
+            return Err(refuse(format!(
+                "{} has no influence on the required values (--solve)",
+                unknown.name()
+            )));
+        }
+    }
     let found =
         if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
     let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.unit);
