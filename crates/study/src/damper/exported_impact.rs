@@ -1,16 +1,23 @@
 //! Impact at a contact of a model as an MJCF file: the mechanism, the contact with its parameters, and the state at the touch.
 
+use crate::damper::curvature::gap_acceleration;
 use crate::damper::damped_contact::damping_report;
-use crate::damper::damping::DampingReport;
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::damper::damping::{self, DampingReport};
+use crate::damper::penetration::{PathPoint, PenetrationPath};
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{IMPACT_RADIUS, LEAST_RADIUS_OVER_PENETRATION, SLOW_IMPACT};
-use percuss_contact::exports::{Tool, Value};
-use percuss_dynamics::{Base, PointVelocity};
+use crate::thresholds::{
+    BEFORE_END, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SLOW_IMPACT, STROKES,
+};
+use percuss_contact::exports::{MassDrift, Tool, Value};
+use percuss_contact::restitution_with_prescribed_acceleration;
+use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Twist, Vector3};
@@ -59,7 +66,10 @@ pub struct ExportedImpact {
     pub speed: f64,
     /// Time step, s.
     pub time_step: f64,
-    /// Error bound of the restitution at this time step; `None` if unknown.
+    /// Restitution with the mass as it changes over the penetration, for an infinitely short time step; `None` if the mechanism cannot
+    /// follow the impact.
+    pub predicted: Option<f64>,
+    /// Bound of the difference from the required restitution at this time step; `None` if unknown.
     pub error_bound: Option<f64>,
 }
 
@@ -76,12 +86,26 @@ pub fn export_impact(
 ) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed.unwrap_or(SLOW_IMPACT);
-    let damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    let mut damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    // MuJoCo prescribes accelerations: the bound for laws that prescribe forces does not hold.
+    damping.options.drift = Some(MassDrift { relative: 0.0, penetration: 1.0 });
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let report = damping_report(&evaluated, &damping)?;
+    let mut report = damping_report(&evaluated, &damping)?;
+    let accuracy = damping.options.accuracy;
+    let predicted = predicted_restitution(&evaluated, &damping, report.effective_mass);
+    let shift = predicted.map_or(0.0, |predicted| (predicted - damping.restitution).abs());
+    if shift > NEGLIGIBLE_SHIFT * accuracy && damping.options.time_step.is_none() {
+        // The shift and the error of the time step together are within the accuracy, if possible.
+        damping.options.accuracy = (accuracy - shift).max(LEAST_ACCURACY * accuracy);
+        report = damping_report(&evaluated, &damping)?;
+    }
     let record = &report.exports[Tool::MUJOCO.name()];
     let time_step = record.time_step.ok_or(ImpactExportError::Parameter { name: "timestep" })?;
-    let error_bound = record.error_bound;
+    let error_bound = record.error_bound.filter(|_| predicted.is_some()).map(|bound| bound + shift);
+    if let Some(finding) = unreached_finding(damping.restitution, predicted, error_bound, accuracy) {
+        report.diagnostics.push(finding.into());
+    }
+    let record = &report.exports[Tool::MUJOCO.name()];
     let contact = &evaluated.result.response.contact;
     let size = model.mechanism.characteristic_length();
     let penetration = report.damper.max_penetration.unwrap_or_default();
@@ -104,7 +128,71 @@ pub fn export_impact(
         restitution: damping.restitution,
     };
     let model = write_mjcf_impact(&model.mechanism, &impact, heading)?;
-    Ok(ExportedImpact { model, speed, time_step, error_bound, damping: report })
+    Ok(ExportedImpact { model, speed, time_step, predicted, error_bound, damping: report })
+}
+
+/// Restitution of MuJoCo's contact with m̄ as it changes over the penetration. The normal moves with the other side, as the face in
+/// the file does. `None` if the mechanism cannot follow the impact to its end. `mass`: m̄ at the touch, kg.
+fn predicted_restitution(
+    evaluated: &EvaluatedQuestion<'_>,
+    damping: &DampingQuestion,
+    mass: f64,
+) -> Option<f64> {
+    let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
+    if result.response.singular_pose {
+        return None;
+    }
+    if !result.response.mechanism_moves() {
+        return Some(damping.restitution);
+    }
+    let normal = match contact.against {
+        Some(other) => pose.link(other).inverse_vector(&result.response.contact.normal_world),
+        None => result.response.contact.normal_world,
+    };
+    let contact = Contact { normal: Direction::Along(normal, Frame::Against), ..*contact };
+    let path = PenetrationPath { prepared, contact: &contact };
+    let law = damping::contact(damping, mass).ok()?;
+    let speed = damping.speed?;
+    let depth = speed * (law.mass() / law.stiffness()).sqrt();
+    STROKES.into_iter().find_map(|factor| {
+        let mut stroke = factor * depth;
+        let value = |at: &PathPoint| (at.mass, gap_acceleration(&at.pose, &at.response, &contact));
+        let values = path.values_to(pose, stroke, value).or_else(|end| {
+            stroke = BEFORE_END * end.depth;
+            path.values_to(pose, stroke, value)
+        });
+        let values = values.ok()?;
+        let masses: Vec<(f64, f64)> = values.iter().map(|(depth, (mass, _))| (*depth, *mass)).collect();
+        let accelerations: Option<Vec<(f64, f64)>> =
+            values.iter().map(|(depth, (_, acceleration))| Some((*depth, (*acceleration)?))).collect();
+        let required = damping.restitution;
+        let (restitution, deepest) =
+            restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed).ok()??;
+        (deepest <= stroke).then_some(restitution)
+    })
+}
+
+/// Warning about a restitution that constant parameters do not reach. `accuracy`: permitted difference.
+fn unreached_finding(
+    required: f64,
+    predicted: Option<f64>,
+    error_bound: Option<f64>,
+    accuracy: f64,
+) -> Option<Finding> {
+    let Some((predicted, bound)) = predicted.zip(error_bound) else {
+        let message = "the restitution of the exported impact is not known: the mechanism does not follow the impact to its end; use a slower \
+                       impact or a stiffer contact";
+        return Some(Finding::about_result(FindingKind::RestitutionNotReached, message));
+    };
+    // Rounding of the accuracy less the shift.
+    (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
+        let message = format!(
+            "the exported impact reaches the restitution {predicted:.4} instead of {required}, within {:.1e}, because the effective mass changes \
+             over the penetration; a slower impact or a stiffer contact reduces the difference",
+            bound - (predicted - required).abs()
+        );
+        Finding::about_result(FindingKind::RestitutionNotReached, message)
+    })
 }
 
 /// Refuses conditions that hold for an answer and are no part of the model.
