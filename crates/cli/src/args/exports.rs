@@ -1,6 +1,6 @@
 //! Flags of the commands that write models, code and pages: `convert`, `export`, `generate`, `explore`.
 
-use super::{ContactArgs, ModelArgs, WritingArgs};
+use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::DampingTable;
@@ -117,6 +117,17 @@ pub enum ModelFormat {
     Sdf,
 }
 
+impl ModelFormat {
+    /// Name in flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mjcf => "mjcf",
+            Self::Urdf => "urdf",
+            Self::Sdf => "sdf",
+        }
+    }
+}
+
 /// Flags of `percuss convert`.
 #[derive(Debug, Args)]
 pub struct ConvertArgs {
@@ -128,13 +139,16 @@ pub struct ConvertArgs {
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf.
     #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
     pub to: Option<ModelFormat>,
+    /// Format of the report about everything changed or lost.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
     #[command(flatten)]
     pub writing: WritingArgs,
 }
 
 impl ConvertArgs {
     /// Format of the flag, else of the file name.
-    pub fn format(&self) -> Result<ModelFormat, Failure> {
+    pub fn model_format(&self) -> Result<ModelFormat, Failure> {
         let ending = self.output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
         match (self.to, ending.as_str()) {
             (Some(format), _) => Ok(format),
@@ -171,6 +185,9 @@ pub struct ExportArgs {
     /// Format.
     #[arg(long, value_enum, value_name = "FORMAT", default_value_t = ImpactFormat::Mjcf, help_heading = OUTPUT)]
     pub to: ImpactFormat,
+    /// Format of the report: the impact, and everything changed or lost.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
     #[command(flatten)]
     pub writing: WritingArgs,
 }

@@ -42,6 +42,7 @@ pub(crate) fn load_text(
     if !files.reports.iter().any(Report::has_errors) {
         let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
         let mut findings = Findings::new(&files.tree, files.reports);
+        findings.lists_unread = options.list_unread;
         roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {

@@ -27,6 +27,7 @@ pub(crate) fn load_text(
     let Files { tree, reports } = read_files(file, text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
+    findings.lists_unread = options.list_unread;
     // After an error of a file the tree may be empty.
     let model = if failed { None } else { read_model(&tree, wanted, options, &mut findings) };
     let failed = findings.has_errors();

@@ -25,7 +25,12 @@ pub struct LoadOptions {
     /// Pairs of links that mark a loop of an unknown kind (`closing_NAME_1`, `closing_NAME_2` in a URDF) are a warning instead of an
     /// error: the caller closes the loops.
     pub open_pairs: bool,
+    /// Parts of the file without an effect on the mechanism (`Silent` in the table of the dialect) give notes with the code
+    /// [`NOT_READ`](crate::NOT_READ), one for each kind of element or attribute: a conversion loses them.
+    pub list_unread: bool,
 }
+
+
 
 /// Mechanism with the findings in its file.
 #[derive(Debug)]
@@ -54,6 +59,7 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     mut report: Report,
 ) -> Result<Loaded, LoadError> {
+    report.list_unread(options.list_unread);
     let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(name, text);

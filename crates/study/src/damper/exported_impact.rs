@@ -93,7 +93,7 @@ pub fn export_impact(
     let mut report = damping_report(&evaluated, &damping)?;
     let accuracy = damping.options.accuracy;
     let predicted = predicted_restitution(&evaluated, &damping, report.effective_mass);
-    let shift = predicted.map_or(0.0, |predicted| (predicted - damping.restitution).abs());
+    let shift = predicted.map_or(0.0, |predicted| predicted.shift(damping.restitution));
     if shift > NEGLIGIBLE_SHIFT * accuracy && damping.options.time_step.is_none() {
         // The shift and the error of the time step together are within the accuracy, if possible.
         damping.options.accuracy = (accuracy - shift).max(LEAST_ACCURACY * accuracy);
@@ -106,6 +106,7 @@ pub fn export_impact(
         report.diagnostics.push(finding.into());
     }
     let record = &report.exports[Tool::MUJOCO.name()];
+    let predicted = predicted.map(|predicted| predicted.restitution);
     let contact = &evaluated.result.response.contact;
     let size = model.mechanism.characteristic_length();
     let penetration = report.damper.max_penetration.unwrap_or_default();
@@ -131,19 +132,34 @@ pub fn export_impact(
     Ok(ExportedImpact { model, speed, time_step, predicted, error_bound, damping: report })
 }
 
+/// Restitution of an impact with the mass as it changes over the penetration.
+#[derive(Clone, Copy, Debug)]
+struct Prediction {
+    restitution: f64,
+    /// Bound of the error of `restitution` by motions across the path of v*.
+    uncertainty: f64,
+}
+
+impl Prediction {
+    /// Bound of the difference from a required restitution.
+    fn shift(self, required: f64) -> f64 {
+        (self.restitution - required).abs() + self.uncertainty
+    }
+}
+
 /// Restitution of MuJoCo's contact with m̄ as it changes over the penetration. The normal moves with the other side, as the face in
 /// the file does. `None` if the mechanism cannot follow the impact to its end. `mass`: m̄ at the touch, kg.
 fn predicted_restitution(
     evaluated: &EvaluatedQuestion<'_>,
     damping: &DampingQuestion,
     mass: f64,
-) -> Option<f64> {
+) -> Option<Prediction> {
     let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
     if result.response.singular_pose {
         return None;
     }
     if !result.response.mechanism_moves() {
-        return Some(damping.restitution);
+        return Some(Prediction { restitution: damping.restitution, uncertainty: 0.0 });
     }
     let normal = match contact.against {
         Some(other) => pose.link(other).inverse_vector(&result.response.contact.normal_world),
@@ -168,14 +184,18 @@ fn predicted_restitution(
         let required = damping.restitution;
         let (restitution, deepest) =
             restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed).ok()??;
-        (deepest <= stroke).then_some(restitution)
+        let change = |mass: &f64| (mass / law.mass() - 1.0).abs();
+        let largest = masses.iter().map(|(_, mass)| change(mass)).fold(0.0, f64::max);
+        // The path of v* is the only one of a mechanism with one degree of freedom. Others leave it by the square of the change.
+        let uncertainty = if pose.degrees_of_freedom() > 1 { largest * largest } else { 0.0 };
+        (deepest <= stroke).then_some(Prediction { restitution, uncertainty })
     })
 }
 
 /// Warning about a restitution that constant parameters do not reach. `accuracy`: permitted difference.
 fn unreached_finding(
     required: f64,
-    predicted: Option<f64>,
+    predicted: Option<Prediction>,
     error_bound: Option<f64>,
     accuracy: f64,
 ) -> Option<Finding> {
@@ -187,9 +207,10 @@ fn unreached_finding(
     // Rounding of the accuracy less the shift.
     (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
         let message = format!(
-            "the exported impact reaches the restitution {predicted:.4} instead of {required}, within {:.1e}, because the effective mass changes \
+            "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the effective mass changes \
              over the penetration; a slower impact or a stiffer contact reduces the difference",
-            bound - (predicted - required).abs()
+            predicted.restitution,
+            bound - (predicted.restitution - required).abs()
         );
         Finding::about_result(FindingKind::RestitutionNotReached, message)
     })

@@ -1,15 +1,15 @@
 //! Command `percuss export`.
 
-use super::convert::note;
-use crate::args::{ExportArgs, ImpactFormat};
+use super::convert::{change_lines, refuse_warnings};
+use crate::args::{CheckFormat, ExportArgs, ImpactFormat};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, shell_quoted};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{DiagnosticRecord, ExportedImpact, ImpactExportError, export_impact};
+use percuss_study::{ExportReport, ImpactExportError, export_impact};
 use std::path::Path;
 
 /// Script that runs an exported impact. It finds the model by its own name.
@@ -34,19 +34,22 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     for path in [&args.output, &script] {
         check_writable(path)?;
     }
-    let model = args.model.load()?;
+    let model = args.model.load_for_conversion()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
+    refuse_warnings(&model, args.model.reading.strict)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);
     let exported = match args.to {
         ImpactFormat::Mjcf => export_impact(&model, &contact, &damping, &heading)?,
     };
-    write_diagnostics(&exported.damping.diagnostics, args.model.reading.strict)?;
-    let notes: Vec<DiagnosticRecord> = exported.model.notes.iter().cloned().map(note).collect();
-    write_diagnostics(&notes, false)?;
-    write_file(&args.output, append_hash(exported.model.text.clone()).as_bytes())?;
+    let report = ExportReport::new(&model, &exported, "mjcf", [&args.output, &script]);
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    write_file(&args.output, append_hash(exported.model.text).as_bytes())?;
     write_file(&script, SCRIPT.as_bytes())?;
-    write_out(&summary(args, &script, &exported))
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&summary(args, &report)),
+    }
 }
 
 /// Name of the script of a model file.
@@ -61,14 +64,15 @@ fn script_path(output: &str) -> Result<String, Failure> {
 }
 
 /// Files, the impact, and the command that runs it.
-fn summary(args: &ExportArgs, script: &str, exported: &ExportedImpact) -> String {
-    let bound = exported.error_bound.map_or_else(String::new, |bound| format!(" ± {}", number(bound)));
-    let mut out = fact_line("written", &line(&format!("{}, {script}", args.output)));
-    out += &fact_line("effective mass", &format!("{} kg", number(exported.damping.effective_mass)));
-    out += &fact_line("approach speed", &format!("{} m/s", number(exported.speed)));
-    out += &fact_line("restitution", &format!("{}{bound}", number(exported.damping.damper.restitution)));
-    out += &fact_line("time step", &format!("{} s", number(exported.time_step)));
-    out += &fact_line("run", &line(&format!("python {}", shell_quoted(script))));
+fn summary(args: &ExportArgs, report: &ExportReport) -> String {
+    let bound = report.error_bound.map_or_else(String::new, |bound| format!(" ± {bound:.1e}"));
+    let mut out = fact_line("written", &line(&format!("{}, {}", args.output, report.script)));
+    out += &fact_line("effective mass", &format!("{} kg", number(report.effective_mass)));
+    out += &fact_line("approach speed", &format!("{} m/s", number(report.approach_speed)));
+    out += &fact_line("restitution", &format!("{}{bound}", number(report.restitution)));
+    out += &fact_line("time step", &format!("{} s", number(report.time_step)));
+    out += &fact_line("run", &line(&format!("python {}", shell_quoted(&report.script))));
+    out += &change_lines(&report.changes);
     out
 }
 

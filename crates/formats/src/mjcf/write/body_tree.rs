@@ -2,10 +2,11 @@
 
 use super::error::MjcfError;
 use super::rotors::{Rotor, rotor_inertial};
+use crate::changes::Change;
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 
 /// Largest depth of nested bodies: readers bound the nesting of elements.
@@ -38,7 +39,7 @@ pub(super) struct BodyTree {
     pub world_contents: String,
     /// Form of each link that is a rotor.
     pub rotors: Vec<Option<Rotor>>,
-    pub notes: Vec<String>,
+    pub changes: Vec<Change>,
     /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
     halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
@@ -106,10 +107,11 @@ impl BodyTree {
             contents: vec![String::new(); count],
             world_contents: String::new(),
             rotors,
-            notes: Vec::new(),
+            changes: Vec::new(),
             halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
         };
+        tree.changes = form_changes(mechanism, &tree);
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
@@ -118,9 +120,11 @@ impl BodyTree {
             if let (Some(Rotor::Body), [joint]) = (tree.rotors[link.index()], &chain[..]) {
                 tree.inertials[link.index()] = Some(rotor_inertial(mechanism.joint(*joint)));
                 let name = mechanism.link(link).name();
-                tree.notes.push(format!(
-                    "link \"{name}\": the armature of its joint is written as the mass of a body, since MuJoCo leaves the armature of a \
-                     tendon over several branches out of the mass matrix"
+                tree.changes.push(Change::changed(
+                    "link",
+                    name,
+                    "a body whose mass is the armature of its joint",
+                    "MuJoCo leaves the armature of a tendon over several branches out of the mass matrix",
                 ));
                 continue;
             }
@@ -129,8 +133,11 @@ impl BodyTree {
                 && let Some(least) = raise_moments(inertial, mechanism.characteristic_length())
             {
                 let name = mechanism.link(link).name();
-                tree.notes.push(format!(
-                    "link \"{name}\": moments below {least:.1e} kg·m² are raised to this value, since MuJoCo refuses moments of 0"
+                tree.changes.push(Change::changed(
+                    "link",
+                    name,
+                    format!("moments of inertia below {least:.1e} kg·m² are raised to this value"),
+                    "MuJoCo refuses moments of 0",
                 ));
             }
         }
@@ -319,6 +326,60 @@ impl BodyTree {
     }
 }
 
+/// Changes of links and joints by the form of MJCF: bodies in one another, with several joints.
+fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change> {
+    let mut changes = Vec::new();
+    let root = mechanism.link(mechanism.root()).name();
+    if !tree.root_is_world {
+        let what = "a body fixed to the world";
+        changes.push(Change::changed("link", root, what, "the root of MJCF is the world"));
+    }
+    for link in mechanism.link_ids() {
+        let name = mechanism.link(link).name();
+        match (&tree.chains[link.index()], tree.rotors[link.index()]) {
+            (None, Some(Rotor::Tendon(_))) => changes.push(Change::changed(
+                "link",
+                name,
+                "the armature of a tendon, without a body",
+                "the tendon is shorter than a body with a slide and an equality",
+            )),
+            (None, _) => changes.push(Change::changed(
+                "link",
+                name,
+                "no body of its own: its joint belongs to the body of its child",
+                "MuJoCo refuses moving bodies without mass",
+            )),
+            (Some(_), _) => {}
+        }
+    }
+    for joint in mechanism.joints() {
+        let name = joint.name();
+        let is_free = joint.parent() == mechanism.root() && tree.is_free(mechanism, joint.child());
+        let parts = match joint.kind() {
+            JointKind::Fixed => {
+                changes.push(Change::lost("joint", name, "its name", "a body without a joint is fixed in MJCF"));
+                None
+            }
+            JointKind::Planar => Some("two slides and a hinge"),
+            JointKind::Floating if !is_free => Some("three slides and a ball joint"),
+            _ => None,
+        };
+        if let Some(parts) = parts {
+            changes.push(Change::changed("joint", name, parts, "MJCF has no such joint of one body in another"));
+        }
+        if let Some(limits) = joint.limits().filter(|limits| !has_range(limits)) {
+            let what = format!("its limits {} and {}", limits.lower, limits.upper);
+            changes.push(Change::lost("joint", name, what, "MuJoCo refuses a range without an extent"));
+        }
+    }
+    changes
+}
+
+/// True for limits that MuJoCo accepts.
+fn has_range(limits: &Limits) -> bool {
+    limits.lower < limits.upper
+}
+
 /// Per link: true if it has no body of its own, which holds for a massless moving link with one child and no closure.
 fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
     let held = held_links(mechanism);
@@ -476,7 +537,7 @@ fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Res
         false => Ok(String::new()),
     };
     let limits =
-        joint.limits().filter(|limits| limits.lower < limits.upper).map_or(String::new(), |limits| {
+        joint.limits().filter(has_range).map_or(String::new(), |limits| {
             format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
         });
     Ok(match joint.kind() {

@@ -9,6 +9,7 @@ mod keyframe;
 mod relations;
 mod rotors;
 
+use crate::changes::{changed_names, lost_roles};
 use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
@@ -63,7 +64,7 @@ fn write_file(
 ) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
     let closures = closures::write_closures(mechanism, &mut tree)?;
-    let relations = relations::write_relations(mechanism, &tree);
+    let relations = relations::write_relations(mechanism, &mut tree);
     contacts::add_contacts(mechanism, &mut tree);
     impact.map_or(Ok(()), |impact| impact.add_geoms(mechanism, &mut tree))?;
     let mut out = xml_head(heading, mechanism, "MJCF");
@@ -88,6 +89,8 @@ fn write_file(
         out.push_str(&impact.tail(&key));
     }
     out.push_str("</mujoco>\n");
-    let notes = tree.notes;
-    Ok(ModelText { text: out, notes })
+    let mut changes = tree.changes;
+    changes.extend(lost_roles(mechanism, "MJCF"));
+    changes.extend(changed_names(mechanism));
+    Ok(ModelText { text: out, changes })
 }

@@ -44,6 +44,10 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
         let name = escape_attribute(&bodies.joint_name(closure.name()));
         append(&mut out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
         append_ends(bodies, closure, &drawn, &mut out);
+        // Readers that grow a tree cut the loop here, as in the mechanism.
+        out.push_str(
+            "      <physics><simbody><must_be_loop_joint>true</must_be_loop_joint></simbody></physics>\n",
+        );
         out.push_str("    </joint>\n");
     }
     Ok(out)
