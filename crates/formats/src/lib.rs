@@ -52,6 +52,6 @@ pub use reading::xml::root_name;
 #[cfg(feature = "sdf")]
 pub use sdf::write::{SdfError, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
-pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded};
+pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
 pub use xml_text::ModelText;

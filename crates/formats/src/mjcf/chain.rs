@@ -25,6 +25,8 @@ pub(crate) struct Chains {
     pub joint_elements: Vec<ElementId>,
     /// Name of the link of every body.
     pub link_names: Vec<String>,
+    /// Name of every joint of a body.
+    pub joint_names: HashMap<JointKey, String>,
     /// Relations of joint positions, with their elements.
     pub relations: Vec<(ElementId, RelationDescription)>,
 }
@@ -65,6 +67,7 @@ pub(crate) fn build_chains(
         let described = builder.describe_sum(sum);
         builder.chains.relations.push((element, described));
     }
+    builder.chains.joint_names = builder.joints;
     builder.chains
 }
 

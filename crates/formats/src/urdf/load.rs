@@ -39,10 +39,21 @@ pub struct Loaded {
     pub mechanism: Mechanism,
     /// Shapes of every link, in link order.
     pub shapes: Vec<Vec<Shape>>,
+    /// Poses that the file names: keyframes of MJCF.
+    pub poses: Vec<NamedPose>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
     /// Further files that were read: included files and meshes.
     pub files: Vec<PathBuf>,
+}
+
+/// Pose of a mechanism with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedPose {
+    /// Name, unique in the model.
+    pub name: String,
+    /// Position of every joint that moves on its own, by name (layouts of [`JointKind`](percuss_mechanism::JointKind)), rad or m.
+    pub positions: Vec<(String, Vec<f64>)>,
 }
 
 /// Reads the text of a URDF, closed loops and couplings included; `report` contains findings about its bytes.
@@ -65,7 +76,7 @@ pub(crate) fn load_text(
     let diagnostics = report.finish(name, text);
     match mechanism {
         Some((mechanism, shapes)) if !failed => {
-            Ok(Loaded { mechanism, shapes, diagnostics, files: Vec::new() })
+            Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files: Vec::new() })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -128,6 +128,9 @@ pub fn changes(model: &Model, written: Vec<Change>) -> (Vec<ChangeRecord>, Vec<D
         let what = if own.len() == 1 { "1 shape".to_owned() } else { format!("{} shapes", own.len()) };
         lost(format!("link \"{}\"", link.name()), what, "shapes and meshes are not written")
     });
-    let changes = of_reader.chain(forces).chain(shapes).chain(written.into_iter().map(Into::into));
+    let poses = model.poses.iter().map(|pose| {
+        lost(format!("pose \"{}\"", pose.name), "the named pose".to_owned(), "keyframes are not written")
+    });
+    let changes = of_reader.chain(forces).chain(poses).chain(shapes).chain(written.into_iter().map(Into::into));
     (changes.collect(), diagnostics)
 }
