@@ -13,14 +13,19 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{
-    BEFORE_END, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SLOW_IMPACT, STROKES,
+    BEFORE_END, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SHIFT_UNCERTAINTY, SLOW_IMPACT,
+    STROKES,
 };
 use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact};
-use percuss_mechanism::LinkId;
-use percuss_spatial::{Twist, Vector3};
+use nalgebra::{Rotation3, UnitQuaternion};
+use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
+use percuss_spatial::{Transform, Twist, Vector3};
+
+/// Name of the ground of MJCF.
+const WORLD: &str = "world";
 
 /// Error of an exported impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -114,8 +119,16 @@ pub fn export_impact(
         true => Some([numbers(record, "equality_solref")?, numbers(record, "equality_solimp")?]),
         false => None,
     };
+    let mechanism = &model.mechanism;
+    let (state, floating) = match question.base {
+        Base::Fixed => (state(&evaluated, speed)?, None),
+        Base::Floating => {
+            let (mechanism, state) = with_floating_root(mechanism, state(&evaluated, speed)?)?;
+            (state, Some(mechanism))
+        }
+    };
     let impact = MjcfImpact {
-        state: state(&evaluated, speed)?,
+        state,
         link: contact.link,
         against: contact.against,
         point: contact.point_link,
@@ -128,7 +141,7 @@ pub fn export_impact(
         time_step,
         restitution: damping.restitution,
     };
-    let model = write_mjcf_impact(&model.mechanism, &impact, heading)?;
+    let model = write_mjcf_impact(floating.as_ref().unwrap_or(mechanism), &impact, heading)?;
     Ok(ExportedImpact { model, speed, time_step, predicted, error_bound, damping: report })
 }
 
@@ -186,8 +199,9 @@ fn predicted_restitution(
             restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed).ok()??;
         let change = |mass: &f64| (mass / law.mass() - 1.0).abs();
         let largest = masses.iter().map(|(_, mass)| change(mass)).fold(0.0, f64::max);
-        // The path of v* is the only one of a mechanism with one degree of freedom. Others leave it by the square of the change.
-        let uncertainty = if pose.degrees_of_freedom() > 1 { largest * largest } else { 0.0 };
+        // A mechanism with several degrees of freedom leaves the path of v* by the square of the change.
+        let across = if pose.degrees_of_freedom() > 1 { largest * largest } else { 0.0 };
+        let uncertainty = across + SHIFT_UNCERTAINTY * (restitution - required).abs();
         (deepest <= stroke).then_some(Prediction { restitution, uncertainty })
     })
 }
@@ -223,7 +237,6 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
         (!question.lock.is_empty(), "--lock", "replace the joint by a fixed joint in the model file"),
         (!question.hold.is_empty(), "--hold", "add a loop to the model file"),
         (!question.armature.is_empty(), "--armature", in_model),
-        (question.base == Base::Floating, "--base floating", "add a floating joint to the model file"),
         (
             question.against_mass.is_some(),
             "--against-mass",
@@ -235,6 +248,29 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
         Some((_, condition, remedy)) => Err(ImpactExportError::Condition { condition, remedy }),
         None => Ok(()),
     }
+}
+
+/// Mechanism whose root link floats in the world by a joint, and its state. Links and joints keep their numbers.
+fn with_floating_root(
+    mechanism: &Mechanism,
+    mut state: MechanismState,
+) -> Result<(Mechanism, MechanismState), ImpactExportError> {
+    let root = mechanism.root();
+    let name = mechanism.link(root).name();
+    let joint = JointDescription::new(format!("{name}_floating"), JointKind::Floating, WORLD, name);
+    let builder = mechanism.to_builder().link(LinkDescription::massless(WORLD)).joint(joint);
+    let Built { mechanism, .. } = builder.build().map_err(|_| ImpactExportError::Condition {
+        condition: "--base floating",
+        remedy: "add a floating joint to the model file; its root link cannot have the name \"world\", nor a joint the name ROOT_floating",
+    })?;
+    let (pose, twist) = (state.link_poses[root.index()], state.link_twists[root.index()]);
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
+    state.positions.push(pose.translation.iter().copied().chain([q.w, q.i, q.j, q.k]).collect());
+    let (angular, linear) = (pose.inverse_vector(&twist.angular), pose.inverse_vector(&twist.linear));
+    state.velocities.push(angular.iter().chain(linear.iter()).copied().collect());
+    state.link_poses.push(Transform::identity());
+    state.link_twists.push(Twist::zero());
+    Ok((mechanism, state))
 }
 
 /// Numbers of a parameter.

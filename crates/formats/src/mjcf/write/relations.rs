@@ -30,8 +30,12 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
         let own = escape_attribute(coupling.name());
         let constant = coupling.constant();
         let form = match (coupling.terms(), coupling.curve()) {
-            ([_, _], None) => "an equality of two joints",
-            _ => "an equality of fixed tendons",
+            ([(first, _), (second, _)], None) => format!(
+                "an equality of the joints \"{}\" and \"{}\"",
+                mechanism.joint(*first).name(),
+                mechanism.joint(*second).name()
+            ),
+            _ => "an equality of fixed tendons".to_owned(),
         };
         let reason = "MJCF writes all relations of joints as equalities";
         tree.changes.push(Change::changed("coupling", coupling.name(), form, reason));

@@ -2,9 +2,10 @@
 
 use super::bodies::{Bodies, pose_text};
 use super::error::SdfError;
+use crate::changes::Change;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
 use crate::xml_text::{append, escape_attribute, format_vector};
-use percuss_mechanism::{Closure, ClosureKind, LoopFrame, Mechanism};
+use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
 /// Writes all closures. SDFormat places a joint on its child; the side of the parent is as drawn.
@@ -13,6 +14,7 @@ use percuss_spatial::{Transform, Vector3};
 /// [`SdfError`] for kinds without a joint in SDFormat, and for closures that are open as drawn.
 pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<String, SdfError> {
     let mut out = String::new();
+    let floats = mechanism.joints().iter().any(|joint| joint.kind() == JointKind::Floating);
     for closure in mechanism.closures() {
         let refusal = |reason: String| SdfError::new("loop", closure.name(), reason);
         let kind = match closure.kind() {
@@ -43,6 +45,14 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
         }
         let name = escape_attribute(&bodies.joint_name(closure.name()));
         append(&mut out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
+        if floats {
+            bodies.changes.push(Change::changed(
+                "loop",
+                closure.name(),
+                "a joint that closes no loop, if it is the first to a floating link",
+                "SDFormat has no floating joint beside it",
+            ));
+        }
         append_ends(bodies, closure, &drawn, &mut out);
         // Readers that grow a tree cut the loop here, as in the mechanism.
         out.push_str(
