@@ -39,6 +39,14 @@ MODELS = {
     "six_r_arm": "--link tool --point 0.08,0,0 --normal 1,0.1,0.3 --set elbow=70deg",
     "rocker_bogie": "--link left_front --point 0,0,0 --normal 0,0,-1",
 }
+# Stops of joints, and a floating base: contact, stiffness, speed.
+MORE = {
+    "planar_2r": ("--limit elbow --set elbow=40deg", "2000", "0.1"),
+    "four_bar": ("--limit crank_hinge --set crank_hinge=60deg", "20000", "0.1"),
+    "double_wishbone": ("--limit lower_arm_hinge", "50000", "0.01"),
+    "rocker_bogie": ("--limit left_bogie:lower", "3000", "0.1"),
+    "floating_body": ("--base floating --link body --point 0.3,0,0 --normal 0,0,-1", "1e5", "0.1"),
+}
 RESTITUTIONS = [0.1, 0.3, 0.6, 0.9]
 # Random models, and what they give.
 RANDOM = 40
@@ -104,6 +112,10 @@ def keyframe_residual(path):
     held = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
     positions = np.abs(data.efc_pos[held]).max(initial=0)
     speeds = np.abs(rows[held] @ data.qvel).max(initial=0) / np.abs(data.qvel).max()
+    if all(model.geom(number).name != "impact/point" for number in range(model.ngeom)):
+        # The stop is an end of the range of the only joint with a limit.
+        joint = int(np.flatnonzero(model.jnt_limited)[0])
+        return max(positions, speeds, np.abs(data.qpos[model.jnt_qposadr[joint]] - model.jnt_range[joint]).min())
     point, face = model.geom("impact/point").id, model.geom("impact/face").id
     normal = data.geom_xmat[face].reshape(3, 3)[:, 2]
     away = normal @ (data.geom_xpos[point] - data.geom_xpos[face])
@@ -114,6 +126,8 @@ def keyframe_residual(path):
 def cases(percuss, folder):
     for number, (name, contact) in enumerate(MODELS.items()):
         yield Case(name, f"models/{name}.urdf", contact, RESTITUTIONS[number % 4])
+    for number, (name, (contact, stiffness, speed)) in enumerate(MORE.items()):
+        yield Case(f"{name}_more", f"models/{name}.urdf", contact, RESTITUTIONS[number % 4], stiffness, speed)
     listed = run(percuss, "template", "--list").stdout.splitlines()
     for number, name in enumerate(line.split()[0] for line in listed if line[:1].strip()):
         sheet = os.path.join(folder, f"{name}.toml")
@@ -155,7 +169,8 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         models, random = list(cases(options.percuss, folder)), list(random_cases(folder))
-        fast = [case for speed in FAST for case in [*cases(options.percuss, folder), *random_cases(folder)] if case.set_speed(speed)]
+        contacts = [case for case in cases(options.percuss, folder) if not case.name.endswith("_more")]
+        fast = [case.set_speed(speed) for speed in FAST for case in [*contacts, *random_cases(folder)]]
         all_cases = [*models, *random, *fast]
         with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
             outcomes = list(pool.map(lambda case: case.outcome(options.percuss, folder), all_cases))

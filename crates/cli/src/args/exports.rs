@@ -3,9 +3,9 @@
 use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
-use percuss_study::DampingTable;
+use percuss_study::{DampingTable, JointStop};
 use percuss_study::generated::{Additions, Language};
-use percuss_study::headings::OUTPUT;
+use percuss_study::headings::{CONTACT, OUTPUT};
 
 /// Heading of the additional functions.
 const FUNCTIONS: &str = "Additional functions";
@@ -168,6 +168,10 @@ impl ConvertArgs {
 pub enum ImpactFormat {
     /// MuJoCo's format.
     Mjcf,
+    /// Refused: SDFormat has no velocities and no positions of joints.
+    Sdf,
+    /// Refused: URDF has no velocities, no positions of joints and no contact parameters.
+    Urdf,
 }
 
 /// Flags of `percuss export`.
@@ -179,6 +183,16 @@ pub struct ExportArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub damping: DampingTable,
+    /// Stop of a joint instead of a contact: JOINT:lower, JOINT:upper, or JOINT at its position.
+    ///
+    /// Stiffness in N·m/rad and speed in rad/s for a revolute joint.
+    #[arg(
+        long,
+        value_name = "JOINT[:END]",
+        help_heading = CONTACT,
+        conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
+    )]
+    pub limit: Option<JointStop>,
     /// Model file to write; the script has the same name with .py.
     #[arg(long, short, value_name = "FILE.xml", help_heading = OUTPUT)]
     pub output: String,

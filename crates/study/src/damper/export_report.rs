@@ -1,6 +1,7 @@
 //! Report of an exported impact.
 
 use crate::damper::exported_impact::ExportedImpact;
+use crate::damper::joint_stop::StopRecord;
 use crate::model::conversion::{ChangeRecord, changes};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -21,6 +22,8 @@ pub struct ExportReport {
     pub script: String,
     /// Format of the model.
     pub format: &'static str,
+    /// Stop of a joint; its `motion` determines the units. Null for a contact.
+    pub stop: Option<StopRecord>,
     /// m̄ at the touch, kg.
     pub effective_mass: f64,
     /// Closing speed at the touch, m/s.
@@ -53,6 +56,7 @@ impl ExportReport {
             output: files[0].to_owned(),
             script: files[1].to_owned(),
             format,
+            stop: exported.damping.stop.clone(),
             effective_mass: exported.damping.effective_mass,
             approach_speed: exported.speed,
             restitution: exported.damping.damper.restitution,

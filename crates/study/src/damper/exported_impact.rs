@@ -5,21 +5,25 @@ use crate::damper::damped_contact::damping_report;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damping::{self, DampingReport};
+use crate::damper::joint_stop::{JointStop, StopEnd};
 use crate::damper::penetration::{PathPoint, PenetrationPath};
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{
-    BEFORE_END, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SHIFT_UNCERTAINTY, SLOW_IMPACT,
+    BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SHIFT_UNCERTAINTY, SLOW_IMPACT,
     STROKES,
 };
 use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
-use percuss_formats::{MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact};
+use percuss_formats::{
+    ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact,
+};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
@@ -89,6 +93,37 @@ pub fn export_impact(
     damping: &DampingQuestion,
     heading: &str,
 ) -> Result<ExportedImpact, ImpactExportError> {
+    export(model, question, damping, None, heading)
+}
+
+/// Writes the impact of a joint on its stop as MJCF. `conditions` supplies the pose and the held parts; its contact is ignored. Without a
+/// speed in `damping`, the impact has 0.01 rad/s or 10 mm/s.
+///
+/// # Errors
+/// As for [`export_impact`]; a joint without a stop.
+pub fn export_stop(
+    model: &Model,
+    stop: &JointStop,
+    conditions: MassQuestion,
+    damping: &DampingQuestion,
+    heading: &str,
+) -> Result<ExportedImpact, ImpactExportError> {
+    let (question, record) = stop.question(model, conditions)?;
+    let mut damping = damping.clone();
+    damping.options.stop = Some(record.motion);
+    let mut exported = export(model, &question, &damping, Some(stop), heading)?;
+    exported.damping.stop = Some(record);
+    Ok(exported)
+}
+
+/// Writes an impact at a contact, or of a joint on its stop.
+fn export(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+    stop: Option<&JointStop>,
+    heading: &str,
+) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed.unwrap_or(SLOW_IMPACT);
     let mut damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
@@ -129,14 +164,19 @@ pub fn export_impact(
     };
     let impact = MjcfImpact {
         state,
-        link: contact.link,
-        against: contact.against,
-        point: contact.point_link,
-        normal: contact.normal_world,
-        radius: (IMPACT_RADIUS * size).max(LEAST_RADIUS_OVER_PENETRATION * penetration),
-        extent: size,
-        solref: numbers(record, "solref")?,
-        solimp: numbers(record, "solimp")?,
+        contact: match stop {
+            Some(stop) => limit(&evaluated, stop)?,
+            None => ImpactContact::Surfaces(ImpactSurfaces {
+                link: contact.link,
+                against: contact.against,
+                point: contact.point_link,
+                normal: contact.normal_world,
+                radius: (IMPACT_RADIUS * size).max(LEAST_RADIUS_OVER_PENETRATION * penetration),
+                extent: size,
+            }),
+        },
+        solref: numbers(record, if stop.is_some() { "solreflimit" } else { "solref" })?,
+        solimp: numbers(record, if stop.is_some() { "solimplimit" } else { "solimp" })?,
         equality,
         time_step,
         restitution: damping.restitution,
@@ -174,18 +214,26 @@ fn predicted_restitution(
     if !result.response.mechanism_moves() {
         return Some(Prediction { restitution: damping.restitution, uncertainty: 0.0 });
     }
+    // The normal of a stop turns with the joint, and its gap is linear in the position.
+    let is_stop = damping.options.stop.is_some();
     let normal = match contact.against {
         Some(other) => pose.link(other).inverse_vector(&result.response.contact.normal_world),
         None => result.response.contact.normal_world,
     };
-    let contact = Contact { normal: Direction::Along(normal, Frame::Against), ..*contact };
+    let contact = match is_stop {
+        true => *contact,
+        false => Contact { normal: Direction::Along(normal, Frame::Against), ..*contact },
+    };
     let path = PenetrationPath { prepared, contact: &contact };
     let law = damping::contact(damping, mass).ok()?;
     let speed = damping.speed?;
     let depth = speed * (law.mass() / law.stiffness()).sqrt();
     STROKES.into_iter().find_map(|factor| {
         let mut stroke = factor * depth;
-        let value = |at: &PathPoint| (at.mass, gap_acceleration(&at.pose, &at.response, &contact));
+        let value = |at: &PathPoint| match is_stop {
+            true => (at.mass, Some(0.0)),
+            false => (at.mass, gap_acceleration(&at.pose, &at.response, &contact)),
+        };
         let values = path.values_to(pose, stroke, value).or_else(|end| {
             stroke = BEFORE_END * end.depth;
             path.values_to(pose, stroke, value)
@@ -248,6 +296,23 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
         Some((_, condition, remedy)) => Err(ImpactExportError::Condition { condition, remedy }),
         None => Ok(()),
     }
+}
+
+/// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
+fn limit(evaluated: &EvaluatedQuestion<'_>, stop: &JointStop) -> Result<ImpactContact, ImpactExportError> {
+    let mechanism = evaluated.pose.mechanism();
+    let joint =
+        mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+    let at = evaluated.pose.joint(joint)[0];
+    let limits = mechanism.joint(joint).limits();
+    let far = |limit: Option<f64>, toward: f64| {
+        limit.filter(|limit| (limit - at) * toward > 0.0).unwrap_or(at + toward * FAR_LIMIT)
+    };
+    let range = match stop.end {
+        Some(StopEnd::Lower) => [at, far(limits.map(|limits| limits.upper), 1.0)],
+        Some(StopEnd::Upper) | None => [far(limits.map(|limits| limits.lower), -1.0), at],
+    };
+    Ok(ImpactContact::Limit { joint, range })
 }
 
 /// Mechanism whose root link floats in the world by a joint, and its state. Links and joints keep their numbers.

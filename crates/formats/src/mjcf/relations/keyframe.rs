@@ -5,11 +5,11 @@ use crate::mjcf::bodies::body::{Bodies, BodyJoint, JointType};
 use crate::mjcf::chain::Chains;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
-use crate::reading::limits::MAX_ELEMENTS_PER_KIND;
+use crate::reading::limits::{MAX_ELEMENTS_PER_KIND, MAX_POSITIONS};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::numbers::parse_numbers;
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion};
-use percuss_mechanism::JointKind;
+use percuss_mechanism::{JointKind, Severity};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;
 
@@ -30,7 +30,15 @@ pub(crate) fn read_keyframes(
     let mut names = UniqueNames::default();
     names.reserve(keys.iter().filter_map(|key| tree.attribute(*key, "name")));
     let mut poses = Vec::new();
+    let joints: usize = bodies.bodies.iter().map(|body| body.joints.len()).sum();
+    let most = MAX_POSITIONS / joints.max(1);
     for (number, key) in keys.into_iter().enumerate() {
+        if poses.len() >= most {
+            findings.add_once(Severity::Warning, "too-complex", "keyframe", key, || {
+                format!("keyframes after the first {most} are left out: the model has {joints} joints")
+            });
+            continue;
+        }
         let name = tree.attribute(key, "name").map(str::to_owned);
         let name = name.unwrap_or_else(|| names.take(format!("keyframe{number}")));
         let qpos = tree.attribute(key, "qpos");

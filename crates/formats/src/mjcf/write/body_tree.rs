@@ -44,6 +44,8 @@ pub(super) struct BodyTree {
     halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
     root_is_world: bool,
+    /// The only joint with a limit, and its attributes; `None` for the limits of the mechanism.
+    only_limit: Option<(JointId, String)>,
 }
 
 /// Joints of MuJoCo that belong together.
@@ -110,6 +112,7 @@ impl BodyTree {
             changes: Vec::new(),
             halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
+            only_limit: None,
         };
         tree.changes = form_changes(mechanism, &tree);
         for link in mechanism.link_ids() {
@@ -147,6 +150,26 @@ impl BodyTree {
     /// True unless the link is merged into the body of its child.
     pub fn has_body(&self, link: LinkId) -> bool {
         self.chains[link.index()].is_some()
+    }
+
+    /// Leaves the limit of one joint, with the attributes of an impact.
+    pub fn limit_only(&mut self, mechanism: &Mechanism, joint: JointId, attributes: String) {
+        let lost = mechanism.joint_ids().filter(|id| *id != joint && mechanism.joint(*id).limits().is_some());
+        self.changes.extend(lost.map(|id| {
+            Change::lost("joint", mechanism.joint(id).name(), "its limits", "the only limit in the file is the stop")
+        }));
+        self.only_limit = Some((joint, attributes));
+    }
+
+    /// Attributes of the limits of a joint.
+    fn limit_attributes(&self, mechanism: &Mechanism, joint: JointId) -> String {
+        match &self.only_limit {
+            Some((limited, attributes)) if *limited == joint => attributes.clone(),
+            Some(_) => String::new(),
+            None => mechanism.joint(joint).limits().filter(has_range).map_or(String::new(), |limits| {
+                format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
+            }),
+        }
     }
 
     /// Appends a line within the body of a link; within the world for `None`.
@@ -310,7 +333,7 @@ impl BodyTree {
             let lines = if self.is_free(mechanism, link) {
                 free_joint(joint)
             } else {
-                joint_lines(joint, &frame, !is_rotor)
+                joint_lines(joint, &frame, !is_rotor, &self.limit_attributes(mechanism, id))
             };
             for line in lines? {
                 append(out, format_args!("{lead}  {line}\n"));
@@ -522,7 +545,13 @@ fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
 }
 
 /// Joints of MuJoCo for a joint whose frame in the body is given; without the armature of a rotor that is a body.
-fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Result<Vec<String>, MjcfError> {
+/// `limits`: attributes of its limits.
+fn joint_lines(
+    joint: &Joint,
+    frame: &Transform<f64>,
+    has_armature: bool,
+    limits: &str,
+) -> Result<Vec<String>, MjcfError> {
     let name = escape_attribute(joint.name());
     let anchor = match frame.translation {
         at if at == Vector3::zeros() => String::new(),
@@ -536,10 +565,6 @@ fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Res
         true => common_armature(joint, index..index + 1),
         false => Ok(String::new()),
     };
-    let limits =
-        joint.limits().filter(has_range).map_or(String::new(), |limits| {
-            format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
-        });
     Ok(match joint.kind() {
         JointKind::Fixed => Vec::new(),
         JointKind::Revolute | JointKind::Continuous => {

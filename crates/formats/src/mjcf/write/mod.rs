@@ -13,7 +13,7 @@ use crate::changes::{changed_names, lost_roles};
 use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
-pub use impact::MjcfImpact;
+pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
 pub use keyframe::MechanismState;
 use percuss_mechanism::Mechanism;
@@ -66,7 +66,7 @@ fn write_file(
     let closures = closures::write_closures(mechanism, &mut tree)?;
     let relations = relations::write_relations(mechanism, &mut tree);
     contacts::add_contacts(mechanism, &mut tree);
-    impact.map_or(Ok(()), |impact| impact.add_geoms(mechanism, &mut tree))?;
+    impact.map_or(Ok(()), |impact| impact.add_contact(mechanism, &mut tree))?;
     let mut out = xml_head(heading, mechanism, "MJCF");
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
