@@ -1,8 +1,8 @@
 //! Impacts with a mass that changes over the penetration.
 
 use percuss_contact::{
-    CompliantContact, Damper, Law, Separation, history_with_varying_mass, impact_with_varying_mass, kelvin_voigt,
-    restitution_with_prescribed_acceleration,
+    CompliantContact, Damper, Law, Separation, history_with_varying_mass, impact_with_varying_mass,
+    kelvin_voigt, restitution_with_prescribed_acceleration,
 };
 
 const STIFFNESS: f64 = 2e5;

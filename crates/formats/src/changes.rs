@@ -37,7 +37,12 @@ pub struct Change {
 
 impl Change {
     /// Part with another form: its kind, its name, its form in the file and the reason.
-    pub(crate) fn changed(kind: &str, name: &str, what: impl Into<String>, reason: impl Into<String>) -> Self {
+    pub(crate) fn changed(
+        kind: &str,
+        name: &str,
+        what: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
         Self::new(Effect::Changed, kind, name, what, reason)
     }
 
@@ -68,7 +73,12 @@ impl fmt::Display for Change {
 pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     let with_role = mechanism.joints().iter().filter(|joint| joint.independent().is_some());
     let loss = |joint: &percuss_mechanism::Joint| {
-        Change::lost("joint", joint.name(), "recommendation as a driving joint", format!("{format} has no such attribute"))
+        Change::lost(
+            "joint",
+            joint.name(),
+            "recommendation as a driving joint",
+            format!("{format} has no such attribute"),
+        )
     };
     with_role.map(loss).collect()
 }

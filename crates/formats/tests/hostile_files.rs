@@ -55,9 +55,17 @@ fn hostile_files_are_refused_with_their_line() {
         ("include_self.xml", include("include_self.xml")),
         ("attach_a.xml", attach("attach_b.xml", "x")),
         ("attach_b.xml", attach("attach_a.xml", "y")),
-        ("replicate.xml", format!("<mujoco><worldbody>\n<replicate count=\"1000000\">{body}</replicate></worldbody></mujoco>")),
+        (
+            "replicate.xml",
+            format!(
+                "<mujoco><worldbody>\n<replicate count=\"1000000\">{body}</replicate></worldbody></mujoco>"
+            ),
+        ),
         ("classes.xml", twice.to_owned()),
-        ("deep.xml", format!("<mujoco><worldbody>{}</worldbody></mujoco>", nested("<frame>\n", "</frame>", 5000))),
+        (
+            "deep.xml",
+            format!("<mujoco><worldbody>{}</worldbody></mujoco>", nested("<frame>\n", "</frame>", 5000)),
+        ),
         ("entities.xml", format!("{entities}\n<mujoco model=\"&h;\"/>")),
         ("truncated.xml", "<mujoco><worldbody>\n<body>".to_owned()),
         ("stl.xml", with_mesh("false.stl")),
@@ -65,7 +73,13 @@ fn hostile_files_are_refused_with_their_line() {
         ("obj.xml", with_mesh("false.obj")),
         ("include_a.sdf", part("include_b.sdf")),
         ("include_b.sdf", part("include_a.sdf")),
-        ("deep.sdf", format!("<sdf version=\"1.9\"><model name=\"m\">{}</model></sdf>", nested("<model name=\"n\">\n", "</model>", 3000))),
+        (
+            "deep.sdf",
+            format!(
+                "<sdf version=\"1.9\"><model name=\"m\">{}</model></sdf>",
+                nested("<model name=\"n\">\n", "</model>", 3000)
+            ),
+        ),
         ("entities.sdf", format!("{entities}\n<sdf version=\"1.9\"><model name=\"&h;\"/></sdf>")),
         ("truncated.sdf", "<sdf version=\"1.9\">\n<model name=\"m\">".to_owned()),
         ("deep.urdf", format!("<robot name=\"m\">{}</robot>", nested("<link>\n", "</link>", 5000))),
@@ -85,7 +99,8 @@ fn hostile_files_are_refused_with_their_line() {
         let start = Instant::now();
         let error = load_file(&folder.join(name).to_string_lossy()).expect_err(name);
         assert!(start.elapsed() < PATIENCE, "{name} took {:?}", start.elapsed());
-        let first = error.diagnostics.iter().find(|found| found.severity == Severity::Error).expect("an error");
+        let first =
+            error.diagnostics.iter().find(|found| found.severity == Severity::Error).expect("an error");
         assert!(first.line.is_some() && !first.path.is_empty(), "{name}: {first}");
     }
 }
@@ -96,7 +111,11 @@ fn many_keyframes_are_bounded() {
     let file = folder().join("keyframes.xml");
     let bodies = "<body><joint/><geom size=\"1\"/></body>".repeat(3000);
     let keys = "<key/>\n".repeat(50_000);
-    std::fs::write(&file, format!("<mujoco><worldbody>{bodies}</worldbody><keyframe>{keys}</keyframe></mujoco>")).expect("a file");
+    std::fs::write(
+        &file,
+        format!("<mujoco><worldbody>{bodies}</worldbody><keyframe>{keys}</keyframe></mujoco>"),
+    )
+    .expect("a file");
     let start = Instant::now();
     let loaded = load_file(&file.to_string_lossy()).expect("a model");
     assert!(start.elapsed() < PATIENCE, "took {:?}", start.elapsed());

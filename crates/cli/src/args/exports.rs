@@ -3,9 +3,9 @@
 use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
-use percuss_study::{DampingTable, JointStop};
 use percuss_study::generated::{Additions, Language};
 use percuss_study::headings::{CONTACT, OUTPUT};
+use percuss_study::{DampingTable, JointStop};
 
 /// Heading of the additional functions.
 const FUNCTIONS: &str = "Additional functions";

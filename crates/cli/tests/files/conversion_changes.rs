@@ -57,15 +57,18 @@ fn differences(before: &Mechanism, after: &Mechanism) -> Vec<(String, &'static s
     for coupling in before.couplings() {
         let other = after.couplings().iter().find(|other| other.name() == coupling.name());
         let terms = |of: &percuss_mechanism::Coupling| of.terms().len();
-        if other.is_none_or(|other| terms(other) != terms(coupling) || other.ratio().is_some() != coupling.ratio().is_some())
-        {
+        if other.is_none_or(|other| {
+            terms(other) != terms(coupling) || other.ratio().is_some() != coupling.ratio().is_some()
+        }) {
             found.push((coupling.name().to_owned(), "coupling"));
         }
     }
     for contact in before.contacts() {
         let other = after.contacts().iter().find(|other| other.name() == contact.name());
         let against = |mechanism: &Mechanism, of: &percuss_mechanism::NamedContact| {
-            of.against().filter(|link| *link != mechanism.root()).map(|link| mechanism.link(link).name().to_owned())
+            of.against()
+                .filter(|link| *link != mechanism.root())
+                .map(|link| mechanism.link(link).name().to_owned())
         };
         let is_same = |other: &percuss_mechanism::NamedContact| {
             other.kind() == contact.kind()
@@ -97,7 +100,9 @@ fn shipped_models(folder: &Scratch) -> Vec<String> {
     let paths = files.map(|file| file.path().to_string_lossy().into_owned());
     let mut models: Vec<String> = paths.filter(|path| path.ends_with(".urdf")).collect();
     let listed = percuss("template --list").stdout;
-    for name in listed.lines().filter(|line| !line.starts_with(' ')).filter_map(|line| line.split_whitespace().next()) {
+    for name in
+        listed.lines().filter(|line| !line.starts_with(' ')).filter_map(|line| line.split_whitespace().next())
+    {
         let (sheet, file) = (folder.path(&format!("{name}.toml")), folder.path(&format!("{name}.urdf")));
         if percuss(&format!("template {name} -o {sheet}")).code == 0 {
             assert_eq!(percuss(&format!("convert {sheet} -o {file}")).code, 0, "{name}");
@@ -129,7 +134,9 @@ fn every_difference_of_a_written_model_is_reported() {
         let before = load_file(model).expect("a shipped model").mechanism;
         for (number, ending) in ["xml", "sdf", "urdf"].into_iter().enumerate() {
             let file = folder.path(&format!("written.{ending}"));
-            let Some(report) = report(&format!("convert {model} -o {file} --format json --force")) else { continue };
+            let Some(report) = report(&format!("convert {model} -o {file} --format json --force")) else {
+                continue;
+            };
             written[number] += 1;
             let after = load_file(&file).expect("the written model").mechanism;
             let changes = report["changes"].as_array().expect("changes");
@@ -137,9 +144,13 @@ fn every_difference_of_a_written_model_is_reported() {
             for (name, field) in differences(&before, &after) {
                 counted += 1;
                 let quoted = format!("\"{name}\"");
-                let is_named =
-                    |change: &Value| text(change, "element").contains(&quoted) || text(change, "what").contains(&quoted);
-                assert!(changes.iter().any(is_named), "{model} as {ending}: {field} of {quoted} is not in {changes:#?}");
+                let is_named = |change: &Value| {
+                    text(change, "element").contains(&quoted) || text(change, "what").contains(&quoted)
+                };
+                assert!(
+                    changes.iter().any(is_named),
+                    "{model} as {ending}: {field} of {quoted} is not in {changes:#?}"
+                );
             }
         }
     }
@@ -161,16 +172,34 @@ fn parts_that_are_not_read_are_reported() {
         izz="1"/></inertial><visual><geometry><sphere radius="1"/></geometry></visual></link><joint name="j" type="continuous">
         <parent link="w"/><child link="a"/><dynamics damping="2"/></joint><transmission name="t"/><cable/></robot>"#;
     for (name, text, expected) in [
-        ("a.xml", mjcf, ["damping of <joint>", "stiffness of <joint>", "<camera>", "<sensor>", "timestep of <option>", "1 shape"].as_slice()),
+        (
+            "a.xml",
+            mjcf,
+            [
+                "damping of <joint>",
+                "stiffness of <joint>",
+                "<camera>",
+                "<sensor>",
+                "timestep of <option>",
+                "1 shape",
+            ]
+            .as_slice(),
+        ),
         ("a.sdf", sdf, ["<sensor> in <link>", "<dynamics> in <axis>", "1 shape"].as_slice()),
-        ("a.urdf", urdf, ["damping of <dynamics>", "<transmission> in <robot>", "unknown element <cable>", "1 shape"].as_slice()),
+        (
+            "a.urdf",
+            urdf,
+            ["damping of <dynamics>", "<transmission> in <robot>", "unknown element <cable>", "1 shape"]
+                .as_slice(),
+        ),
     ] {
         let (file, output) = (folder.path(name), folder.path("out.urdf"));
         std::fs::write(&file, text).expect("a file");
         let report = report(&format!("convert {file} -o {output} --format json --force")).expect("a report");
         let changes = report["changes"].as_array().expect("changes");
         for part in expected {
-            let found = changes.iter().find(|change| change["what"].as_str().is_some_and(|what| what.contains(part)));
+            let found =
+                changes.iter().find(|change| change["what"].as_str().is_some_and(|what| what.contains(part)));
             let Some(found) = found else { panic!("{name}: {part} is not in {changes:#?}") };
             assert_eq!(found["effect"], "lost", "{name}: {part}");
             assert!(*part == "1 shape" || found["line"].as_u64().is_some(), "{name}: {part} has no line");

@@ -143,11 +143,16 @@ fn keyframes_are_named_poses() {
     std::fs::write(&file, KEYFRAMES).expect("a file");
     let check = percuss(&format!("check {file}"));
     assert!(check.stdout.contains("named poses            home, drawn (--pose NAME)"), "{}", check.stdout);
-    assert!(check.stderr.contains("qpos has 2 numbers, and the joints of the model have 14 positions"), "{}", check.stderr);
+    assert!(
+        check.stderr.contains("qpos has 2 numbers, and the joints of the model have 14 positions"),
+        "{}",
+        check.stderr
+    );
     let pose = |flags: &str| {
         let contact = "--link b --point 0.1,0.2,-0.3 --normal 1,0.2,0.3 --format json";
         let outcome = percuss(&format!("mass {file} {contact} {flags}"));
-        let report: Value = serde_json::from_str(&outcome.stdout).unwrap_or_else(|_| panic!("{}", outcome.stderr));
+        let report: Value =
+            serde_json::from_str(&outcome.stdout).unwrap_or_else(|_| panic!("{}", outcome.stderr));
         report["pose"].clone()
     };
     let home = pose("--pose home");
@@ -173,7 +178,11 @@ fn keyframes_are_named_poses() {
     // A position that is set goes over the pose.
     assert_eq!(pose("--pose home --set s=0.05")["s"][0], 0.05);
     let unknown = percuss(&format!("mass {file} --link b --point 0,0,0 --normal 1,0,0 --pose hoem"));
-    assert!(unknown.code == 2 && unknown.stderr.contains("which has \"home\", \"drawn\""), "{}", unknown.stderr);
+    assert!(
+        unknown.code == 2 && unknown.stderr.contains("which has \"home\", \"drawn\""),
+        "{}",
+        unknown.stderr
+    );
     let converted = percuss(&format!("convert {file} -o {}", folder.path("model.urdf")));
     assert!(converted.stdout.contains("pose \"home\": the named pose"), "{}", converted.stdout);
 }

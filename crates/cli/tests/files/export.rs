@@ -87,12 +87,15 @@ fn conditions_without_a_form_are_refused() {
 fn floating_bases_get_a_free_joint() {
     let folder = Scratch::new("export-floating");
     let file = folder.path("impact.xml");
-    let contact = "--link body --point 0.3,0,0 --normal 0,0,-1 --restitution 0.3 --stiffness 1e6 --speed 0.02";
+    let contact =
+        "--link body --point 0.3,0,0 --normal 0,0,-1 --restitution 0.3 --stiffness 1e6 --speed 0.02";
     let outcome = percuss(&format!("export models/floating_body.urdf --base floating {contact} -o {file}"));
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let text = std::fs::read_to_string(&file).expect("the file");
     assert!(text.contains("<freejoint name=\"body_floating\"/>"), "{text}");
-    let mass = percuss("mass models/floating_body.urdf --base floating --link body --point 0.3,0,0 --normal 0,0,-1 --format json");
+    let mass = percuss(
+        "mass models/floating_body.urdf --base floating --link body --point 0.3,0,0 --normal 0,0,-1 --format json",
+    );
     let report: serde_json::Value = serde_json::from_str(&mass.stdout).expect("a report");
     let qvel = numbers(&text, "qvel");
     // Closing speed along −z at (0.3, 0, 0): −v_z + 0.3 ω_y.
@@ -112,7 +115,9 @@ fn a_restitution_that_is_not_reached_is_reported() {
     let file = folder.path("impact.xml");
     let report = |flags: &str| {
         let contact = "--link coupler --point 0.36,-0.15,0 --normal 0,1,0 --restitution 0.3";
-        let outcome = percuss(&format!("export models/antiparallelogram.urdf {contact} {flags} --format json --force -o {file}"));
+        let outcome = percuss(&format!(
+            "export models/antiparallelogram.urdf {contact} {flags} --format json --force -o {file}"
+        ));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("a report");
         let codes = report["diagnostics"].to_string();

@@ -1,6 +1,5 @@
 //! Construction of a mechanism from a model in MJCF.
 
-use crate::{LoadError, NamedPose};
 use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
@@ -23,6 +22,7 @@ use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use crate::urdf::load::{LoadOptions, Loaded};
+use crate::{LoadError, NamedPose};
 use percuss_mechanism::{
     Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
     MechanismBuilder, Problem, RelationDescription, Subject,

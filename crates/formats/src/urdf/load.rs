@@ -30,8 +30,6 @@ pub struct LoadOptions {
     pub list_unread: bool,
 }
 
-
-
 /// Mechanism with the findings in its file.
 #[derive(Debug)]
 pub struct Loaded {

@@ -48,7 +48,8 @@ impl ExportReport {
     pub fn new(model: &Model, exported: &ExportedImpact, format: &'static str, files: [&str; 2]) -> Self {
         let (changes, of_file) = changes(model, exported.model.changes.clone());
         // The findings of the damper begin with those of the file.
-        let of_result = exported.damping.diagnostics.iter().filter(|finding| !model.diagnostics.contains(finding));
+        let of_result =
+            exported.damping.diagnostics.iter().filter(|finding| !model.diagnostics.contains(finding));
         Self {
             schema: "percuss.export/1",
             percuss: env!("CARGO_PKG_VERSION"),

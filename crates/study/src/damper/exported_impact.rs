@@ -1,9 +1,9 @@
 //! Impact at a contact of a model as an MJCF file: the mechanism, the contact with its parameters, and the state at the touch.
 
-use crate::damper::curvature::gap_acceleration;
-use crate::damper::damped_contact::damping_report;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::damper::curvature::gap_acceleration;
+use crate::damper::damped_contact::damping_report;
 use crate::damper::damping::{self, DampingReport};
 use crate::damper::joint_stop::{JointStop, StopEnd};
 use crate::damper::penetration::{PathPoint, PenetrationPath};
@@ -15,16 +15,16 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{
-    BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT, SHIFT_UNCERTAINTY, SLOW_IMPACT,
-    STROKES,
+    BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT,
+    SHIFT_UNCERTAINTY, SLOW_IMPACT, STROKES,
 };
+use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{
     ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact,
 };
-use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
 
@@ -244,7 +244,8 @@ fn predicted_restitution(
             values.iter().map(|(depth, (_, acceleration))| Some((*depth, (*acceleration)?))).collect();
         let required = damping.restitution;
         let (restitution, deepest) =
-            restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed).ok()??;
+            restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed)
+                .ok()??;
         let change = |mass: &f64| (mass / law.mass() - 1.0).abs();
         let largest = masses.iter().map(|(_, mass)| change(mass)).fold(0.0, f64::max);
         // A mechanism with several degrees of freedom leaves the path of v* by the square of the change.
@@ -301,8 +302,7 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
 /// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
 fn limit(evaluated: &EvaluatedQuestion<'_>, stop: &JointStop) -> Result<ImpactContact, ImpactExportError> {
     let mechanism = evaluated.pose.mechanism();
-    let joint =
-        mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+    let joint = mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
     let at = evaluated.pose.joint(joint)[0];
     let limits = mechanism.joint(joint).limits();
     let far = |limit: Option<f64>, toward: f64| {

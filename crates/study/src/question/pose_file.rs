@@ -56,7 +56,9 @@ pub enum GivenPoseError {
         got: String,
     },
     /// No pose of this name, and no file.
-    #[error("\"{name}\" is no file, and no pose of the model, which has {known}; expected a JSON file or the name of a pose")]
+    #[error(
+        "\"{name}\" is no file, and no pose of the model, which has {known}; expected a JSON file or the name of a pose"
+    )]
     UnknownName {
         /// Name as given.
         name: String,
@@ -204,7 +206,12 @@ impl GivenPose {
         let is_name = given != "-" && !given.ends_with(".json") && !given.contains(['/', '\\']);
         if is_name && !std::path::Path::new(path).exists() {
             let input = Input { path: given.to_owned(), sha256: String::new() };
-            return Ok(Self { input, positions: BTreeMap::new(), source_model: None, name: Some(given.to_owned()) });
+            return Ok(Self {
+                input,
+                positions: BTreeMap::new(),
+                source_model: None,
+                name: Some(given.to_owned()),
+            });
         }
         let source = Source::read(path, max_size)
             .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;

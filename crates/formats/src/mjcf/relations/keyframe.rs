@@ -25,7 +25,9 @@ pub(crate) fn read_keyframes(
     let keys: Vec<ElementId> = tree.in_sections("keyframe").take(MAX_ELEMENTS_PER_KIND).collect();
     // MuJoCo moves the frame of an aligned free body to its centre of mass, and its qpos is that of the moved frame.
     let is_true = |element: ElementId, name| tree.attribute(element, name) == Some("true");
-    let is_aligned = tree.children_named(tree.root(), "compiler").any(|element| is_true(element, "alignfree"))
+    let is_aligned = tree
+        .children_named(tree.root(), "compiler")
+        .any(|element| is_true(element, "alignfree"))
         || bodies.bodies.iter().flat_map(|body| &body.joints).any(|joint| is_true(joint.element, "align"));
     let mut names = UniqueNames::default();
     names.reserve(keys.iter().filter_map(|key| tree.attribute(*key, "name")));
@@ -51,7 +53,9 @@ pub(crate) fn read_keyframes(
         }
         match positions(qpos, bodies, chains) {
             Ok(positions) => poses.push(NamedPose { name, positions }),
-            Err(reason) => findings.warning("keyframe", key, || format!("the keyframe is left out: {reason}")),
+            Err(reason) => {
+                findings.warning("keyframe", key, || format!("the keyframe is left out: {reason}"))
+            }
         }
     }
     poses
@@ -63,9 +67,11 @@ fn positions(
     bodies: &Bodies,
     chains: &Chains,
 ) -> Result<Vec<(String, Vec<f64>)>, String> {
-    let joints = || bodies.bodies.iter().enumerate().flat_map(|(index, body)| {
-        body.joints.iter().enumerate().map(move |(position, joint)| ((index, position), body, joint))
-    });
+    let joints = || {
+        bodies.bodies.iter().enumerate().flat_map(|(index, body)| {
+            body.joints.iter().enumerate().map(move |(position, joint)| ((index, position), body, joint))
+        })
+    };
     let count: usize = joints().map(|(_, _, joint)| size(joint.kind)).sum();
     let values = match qpos {
         None => None,
@@ -111,7 +117,8 @@ fn positions(
             && own.contains_key(length.as_str())
             && !known.contains_key(length.as_str())
         {
-            let sum: f64 = terms.iter().map(|(joint, factor)| factor * known.get(joint.as_str()).unwrap_or(&0.0)).sum();
+            let sum: f64 =
+                terms.iter().map(|(joint, factor)| factor * known.get(joint.as_str()).unwrap_or(&0.0)).sum();
             found.push((length.clone(), vec![(relation.constant - sum) / factor]));
         }
     }
@@ -150,7 +157,8 @@ fn position(joint: &BodyJoint, pose: &Transform<f64>, qpos: &[f64]) -> Result<Ve
         }
         [px, py, pz, w, x, y, z] => {
             let at = pose.inverse_vector(&(Vector3::new(px, py, pz) - pose.translation));
-            let drawn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
+            let drawn =
+                UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
             let q = drawn.inverse() * unit(w, x, y, z)?;
             vec![at.x, at.y, at.z, q.w, q.i, q.j, q.k]
         }

@@ -114,7 +114,6 @@ impl BodyTree {
             root_is_world: mechanism.link(root).name() == "world",
             only_limit: None,
         };
-        tree.changes = form_changes(mechanism, &tree);
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
@@ -156,7 +155,12 @@ impl BodyTree {
     pub fn limit_only(&mut self, mechanism: &Mechanism, joint: JointId, attributes: String) {
         let lost = mechanism.joint_ids().filter(|id| *id != joint && mechanism.joint(*id).limits().is_some());
         self.changes.extend(lost.map(|id| {
-            Change::lost("joint", mechanism.joint(id).name(), "its limits", "the only limit in the file is the stop")
+            Change::lost(
+                "joint",
+                mechanism.joint(id).name(),
+                "its limits",
+                "the only limit in the file is the stop",
+            )
         }));
         self.only_limit = Some((joint, attributes));
     }
@@ -192,6 +196,11 @@ impl BodyTree {
         let number = mechanism.closures().iter().position(|other| other.name() == closure.name());
         let holder = link.filter(|link| !self.is_world(mechanism, *link));
         self.halves.extend(number.map(|number| (holder, number)));
+    }
+
+    /// True if the root link is the world of MuJoCo.
+    pub fn has_world_root(&self) -> bool {
+        self.root_is_world
     }
 
     /// True if the link is the world of MuJoCo.
@@ -293,7 +302,7 @@ impl BodyTree {
     }
 
     /// True for a body with a free joint of MuJoCo: a floating joint to the root.
-    fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+    pub fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
         let Some([id]) = self.chains[link.index()].as_deref() else { return false };
         let joint = mechanism.joint(*id);
         joint.kind() == JointKind::Floating && joint.parent() == mechanism.root()
@@ -349,57 +358,8 @@ impl BodyTree {
     }
 }
 
-/// Changes of links and joints by the form of MJCF: bodies in one another, with several joints.
-fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change> {
-    let mut changes = Vec::new();
-    let root = mechanism.link(mechanism.root()).name();
-    if !tree.root_is_world {
-        let what = "a body fixed to the world";
-        changes.push(Change::changed("link", root, what, "the root of MJCF is the world"));
-    }
-    for link in mechanism.link_ids() {
-        let name = mechanism.link(link).name();
-        match (&tree.chains[link.index()], tree.rotors[link.index()]) {
-            (None, Some(Rotor::Tendon(_))) => changes.push(Change::changed(
-                "link",
-                name,
-                "the armature of a tendon, without a body",
-                "the tendon is shorter than a body with a slide and an equality",
-            )),
-            (None, _) => changes.push(Change::changed(
-                "link",
-                name,
-                "no body of its own: its joint belongs to the body of its child",
-                "MuJoCo refuses moving bodies without mass",
-            )),
-            (Some(_), _) => {}
-        }
-    }
-    for joint in mechanism.joints() {
-        let name = joint.name();
-        let is_free = joint.parent() == mechanism.root() && tree.is_free(mechanism, joint.child());
-        let parts = match joint.kind() {
-            JointKind::Fixed => {
-                changes.push(Change::lost("joint", name, "its name", "a body without a joint is fixed in MJCF"));
-                None
-            }
-            JointKind::Planar => Some("two slides and a hinge"),
-            JointKind::Floating if !is_free => Some("three slides and a ball joint"),
-            _ => None,
-        };
-        if let Some(parts) = parts {
-            changes.push(Change::changed("joint", name, parts, "MJCF has no such joint of one body in another"));
-        }
-        if let Some(limits) = joint.limits().filter(|limits| !has_range(limits)) {
-            let what = format!("its limits {} and {}", limits.lower, limits.upper);
-            changes.push(Change::lost("joint", name, what, "MuJoCo refuses a range without an extent"));
-        }
-    }
-    changes
-}
-
 /// True for limits that MuJoCo accepts.
-fn has_range(limits: &Limits) -> bool {
+pub(super) fn has_range(limits: &Limits) -> bool {
     limits.lower < limits.upper
 }
 

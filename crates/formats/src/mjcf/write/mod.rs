@@ -4,6 +4,7 @@ mod body_tree;
 pub(crate) mod closures;
 mod contacts;
 mod error;
+mod forms;
 mod impact;
 mod keyframe;
 mod relations;
@@ -13,6 +14,7 @@ use crate::changes::{changed_names, lost_roles};
 use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
+use forms::form_changes;
 pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
 pub use keyframe::MechanismState;
@@ -63,6 +65,8 @@ fn write_file(
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
+    let forms = form_changes(mechanism, &tree);
+    tree.changes.extend(forms);
     let closures = closures::write_closures(mechanism, &mut tree)?;
     let relations = relations::write_relations(mechanism, &mut tree);
     contacts::add_contacts(mechanism, &mut tree);

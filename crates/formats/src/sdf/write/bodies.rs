@@ -147,7 +147,12 @@ impl Bodies {
             match self.forms[id.index()] {
                 Form::World | Form::Link => {}
                 Form::Frame => {
-                    changes.push(Change::changed("link", name, "a frame", "simulators refuse links without mass"));
+                    changes.push(Change::changed(
+                        "link",
+                        name,
+                        "a frame",
+                        "simulators refuse links without mass",
+                    ));
                     if let Some(joint) = mechanism.parent_joint(id).map(|joint| mechanism.joint(joint)) {
                         let reason = "a frame is attached without a joint";
                         changes.push(Change::lost("joint", joint.name(), "its name", reason));
@@ -173,8 +178,17 @@ impl Bodies {
             };
             for id in chain.joints.iter().skip(moving) {
                 let name = mechanism.joint(*id).name();
-                let form = if mechanism.joint(*id).kind() == JointKind::Fixed { "the pose of a joint" } else { form };
-                changes.push(Change::changed("joint", name, form, "SDFormat has joints with a pose and two axes"));
+                let form = if mechanism.joint(*id).kind() == JointKind::Fixed {
+                    "the pose of a joint"
+                } else {
+                    form
+                };
+                changes.push(Change::changed(
+                    "joint",
+                    name,
+                    form,
+                    "SDFormat has joints with a pose and two axes",
+                ));
             }
         }
         changes
@@ -199,7 +213,8 @@ impl Bodies {
             let own = self.used_names.take(name.replace("::", "_"));
             if own != name {
                 let what = format!("its name is \"{own}\"");
-                let reason = "\"::\" separates the names of models in SDFormat, and names are unique in a model";
+                let reason =
+                    "\"::\" separates the names of models in SDFormat, and names are unique in a model";
                 self.changes.push(Change::changed("link", name, what, reason));
             }
             self.names[id.index()] = own;
@@ -285,7 +300,12 @@ impl Bodies {
         let moments = own.about_com.symmetric_eigenvalues();
         if !is_fixed && (own.mass <= 0.0 || moments.min() <= 0.0) {
             let what = "a mass or a moment of inertia of 0 is written as it is";
-            self.changes.push(Change::changed("link", name, what, "SDFormat allows 0, and simulators refuse it"));
+            self.changes.push(Change::changed(
+                "link",
+                name,
+                what,
+                "SDFormat allows 0, and simulators refuse it",
+            ));
         }
         own
     }

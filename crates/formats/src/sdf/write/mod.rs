@@ -50,7 +50,12 @@ pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, SdfE
         let with_armature = |joint: &&Joint| joint.armature().iter().any(|armature| *armature != 0.0);
         bodies.changes.extend(mechanism.joints().iter().filter(with_armature).map(|joint| {
             let what = "its armature is a drake:rotor_inertia";
-            Change::changed("joint", joint.name(), what, "SDFormat has no armature; only Drake reads this element")
+            Change::changed(
+                "joint",
+                joint.name(),
+                what,
+                "SDFormat has no armature; only Drake reads this element",
+            )
         }));
     }
     let mut changes = bodies.changes;
