@@ -152,7 +152,17 @@ impl ChainBuilder {
         self.add_link(LinkDescription::massless(link), rotor.element, true);
         let mut sum = JointSum { terms: rotor.terms.clone(), ..JointSum::default() };
         relations.take_locked(&mut sum.terms);
+        // The length is 0 as drawn, where the followers of other joints are at their offsets.
+        let drawn: f64 = sum
+            .terms
+            .iter()
+            .filter_map(|(joint, factor)| match relations.get(*joint) {
+                Some(Relation::Mimic { offset, .. }) => Some(factor * offset),
+                _ => None,
+            })
+            .sum();
         let mut described = self.describe_sum(sum);
+        described.constant -= drawn;
         described.terms.iter_mut().for_each(|(_, factor)| *factor = -*factor);
         described.terms.insert(0, (joint, 1.0));
         // The length counts from the drawing: a constant has no effect on rates.

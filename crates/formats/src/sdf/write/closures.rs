@@ -1,6 +1,6 @@
 //! Loop closures as joints.
 
-use super::bodies::{Bodies, pose_text};
+use super::bodies::{Bodies, Form, pose_text};
 use super::error::SdfError;
 use crate::changes::Change;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
@@ -66,7 +66,8 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
 /// Pose, ends and axes. The child is the successor, unless that is the world. `drawn`: loop frame of the successor in that of the
 /// predecessor.
 fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
-    let is_swapped = closure.successor().link.is_none();
+    let is_world = |end: &LoopFrame| end.link.is_none_or(|link| bodies.forms[link.index()] == Form::World);
+    let is_swapped = is_world(closure.successor());
     let (parent, child) = if is_swapped {
         (closure.successor(), closure.predecessor())
     } else {
