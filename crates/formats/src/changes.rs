@@ -69,6 +69,15 @@ impl fmt::Display for Change {
     }
 }
 
+/// Model as the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModelText {
+    /// The file.
+    pub text: String,
+    /// Parts of the mechanism that have another form in the file, or none.
+    pub changes: Vec<Change>,
+}
+
 /// Losses that are common to the formats of simulators: recommended driving joints.
 pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     let with_role = mechanism.joints().iter().filter(|joint| joint.independent().is_some());

@@ -1,19 +1,9 @@
 //! Parts that the writers of models share: numbers, names and comments as text of XML files, and the poses as drawn.
 
-use crate::changes::Change;
 use crate::reading::limits::DECIMAL_NOTATION_RANGE;
 use percuss_mechanism::Mechanism;
 use percuss_spatial::{Transform, Vector3};
 use std::fmt::Write;
-
-/// Model as the text of a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ModelText {
-    /// The file.
-    pub text: String,
-    /// Parts of the mechanism that have another form in the file, or none.
-    pub changes: Vec<Change>,
-}
 
 /// First lines of a file: the heading as a comment, none if empty, and a comment for each named contact, which the format
 /// cannot express.

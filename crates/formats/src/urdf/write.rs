@@ -1,7 +1,7 @@
 //! Writer of mechanisms as URDF+.
 
-use crate::changes::changed_names;
-use crate::xml_text::{ModelText, append, escape_attribute, escape_comment, format_number, format_vector};
+use crate::changes::{ModelText, changed_names};
+use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
     Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
     Mechanism, NamedContact,

@@ -10,8 +10,8 @@ mod keyframe;
 mod relations;
 mod rotors;
 
-use crate::changes::{changed_names, lost_roles};
-use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
+use crate::changes::{ModelText, changed_names, lost_roles};
+use crate::xml_text::{append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
 use forms::form_changes;

@@ -5,8 +5,8 @@ mod closures;
 mod error;
 mod joints;
 
-use crate::changes::{Change, changed_names, lost_roles};
-use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
+use crate::changes::{Change, ModelText, changed_names, lost_roles};
+use crate::xml_text::{append, escape_attribute, xml_head};
 use bodies::Bodies;
 pub use error::SdfError;
 use joints::Axes;
