@@ -151,7 +151,9 @@ def random_position(rng, kind, limits, size):
         q = rng.normal(size=4)
         return [*rng.uniform(-1, 1, 3), *(q / np.linalg.norm(q))]
     lower, upper = limits or (-1, 1)
-    return [rng.uniform(max(lower, -1), min(upper, 1)) * size]
+    # Limits beyond ±1 leave the limit nearest to 0.
+    nearest = min(max(0, lower), upper)
+    return [rng.uniform(max(lower, min(-1, nearest)), min(upper, max(1, nearest))) * size]
 
 
 def compare_file(percuss, path, rng, count, options=(), peer=None):

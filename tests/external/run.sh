@@ -84,6 +84,8 @@ check reports python3 "$here/reports.py" --percuss "$percuss"
 check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30
 check linkages "$venv/bin/python" "$here/loops.py" --percuss "$percuss"
 check mjcf "$venv/bin/python" "$here/mjcf.py" --percuss "$percuss"
+check mjcf_models env PYTHONPATH="$here" "$venv/bin/python" "$here/mjcf_models.py" --percuss "$percuss"
+check round_trips env PYTHONPATH="$here" "$venv/bin/python" "$here/round_trips.py" --percuss "$percuss"
 check impact_models "$venv/bin/python" "$here/impact_models.py" --percuss "$percuss"
 check sdf env PYTHONPATH="$here" "$drake/bin/python" "$here/sdf.py" --percuss "$percuss"
 robots=$("$venv/bin/python" -c 'import site; print(site.getsitepackages()[0])')/cmeel.prefix/share/example-robot-data/robots

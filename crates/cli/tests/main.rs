@@ -58,6 +58,7 @@ mod suspensions {
 
 /// Files that are written or replaced.
 mod files {
+    mod conversion_changes;
     mod convert;
     mod explorer;
     mod export;

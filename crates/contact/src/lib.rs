@@ -53,4 +53,7 @@ pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;
 pub use solutions::{hunt_crossley, kelvin_voigt};
 pub use transient_contact::{BodyRegion, SafeSpeed, TransientContact, standard_robot_mass};
-pub use varying_mass::{VaryingMassImpact, history_with_varying_mass, impact_with_varying_mass};
+pub use varying_mass::{
+    VaryingMassImpact, history_with_varying_mass, impact_with_varying_mass,
+    restitution_with_prescribed_acceleration,
+};

@@ -1,13 +1,17 @@
 //! Impact with an effective mass that changes over the penetration.
 
 use crate::error::positive;
-use crate::{CompliantContact, ContactLawError, Damper, Sample, Separation};
+use crate::{CompliantContact, ContactLawError, Damper, Sample, Separation, kelvin_voigt};
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// Steps of the integration over the duration of the impact with the mass at the touch.
 const STEPS: f64 = 4000.0;
 /// Greatest number of steps: an impact that takes longer has no end.
 const MOST_STEPS: usize = 100_000;
+/// Step of the difference for m̄′, relative to the depth of the profile: the mass is smooth over a sixteenth of it, and rounding is 1e-10
+/// of the change of the mass.
+const DERIVATIVE_STEP: f64 = 1e-6;
 
 /// Key figures of an impact with an effective mass that changes over the penetration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -65,17 +69,7 @@ fn integrate(
     mut record: impl FnMut(Sample),
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
     let speed = positive("approach speed, m/s", speed)?;
-    for (_, mass) in profile {
-        positive("effective mass, kg", *mass)?;
-    }
-    if profile.len() < 2 {
-        let valid = "at least 2";
-        return Err(ContactLawError::OutOfRange {
-            what: "points of the mass",
-            got: profile.len() as f64,
-            valid,
-        });
-    }
+    checked_depth(profile)?;
     let constant = damper.impact(contact, speed)?;
     let step = constant.duration.unwrap_or(4.0 * constant.time_of_max_penetration) / STEPS;
     let force = |x: f64, rate: f64| damper.force(contact, x, rate);
@@ -126,6 +120,79 @@ fn integrate(
         record(sample(time + step, state));
     }
     Ok(None)
+}
+
+/// Restitution of a contact that prescribes accelerations of the joints, as MuJoCo's contacts do: j q̈ = −(ω² δ + 2ζω δ̇) while the
+/// force pushes. ω = √(k/m̄) with m̄ at the touch, and ζ is that of the required restitution for a constant mass.
+///
+/// The gap has the acceleration δ̈ = j q̈ + β δ̇². Without a force m̄ δ̈ + ½ m̄′ δ̇² = 0, so j q̈ = −(p + β) δ̇² with p = m̄′/(2 m̄), and with
+/// a force δ̈ = β δ̇² − max(ω² δ + 2ζω δ̇, (p + β) δ̇²). The contact ends at δ = 0. β is the acceleration of the gap at constant joint
+/// rates and a closing speed of 1 m/s, 1/m; MuJoCo leaves this term out of the acceleration that a contact prescribes.
+///
+/// `masses` and `accelerations`: pairs of penetration (m, increasing from 0) and m̄ (kg) or β (1/m), interpolated as for
+/// [`impact_with_varying_mass`]. Returns the restitution and the largest penetration, m. `None`: the contact does not end.
+///
+/// # Errors
+/// As for [`impact_with_varying_mass`]; a required restitution of 0.
+pub fn restitution_with_prescribed_acceleration(
+    contact: CompliantContact,
+    restitution: f64,
+    masses: &[(f64, f64)],
+    accelerations: &[(f64, f64)],
+    speed: f64,
+) -> Result<Option<(f64, f64)>, ContactLawError> {
+    let (speed, depth) = (positive("approach speed, m/s", speed)?, checked_depth(masses)?);
+    let ratio = match restitution {
+        1.0 => 0.0,
+        e => kelvin_voigt::ratio(e, Separation::ForceVanishes)?,
+    };
+    let frequency = (contact.stiffness() / contact.mass()).sqrt();
+    let difference = DERIVATIVE_STEP * depth;
+    let mass_slope = |x: f64| {
+        let at = x.clamp(0.0, depth - difference);
+        let (near, far) = (interpolate(masses, at), interpolate(masses, at + difference));
+        (far / near - 1.0) / (2.0 * difference)
+    };
+    let acceleration = |(x, v): (f64, f64)| {
+        let beta = interpolate(accelerations, x);
+        let wanted = frequency * (frequency * x + 2.0 * ratio * v);
+        beta * v * v - wanted.max((mass_slope(x) + beta) * v * v)
+    };
+    // The period of the contact without damping is more than twice an impact with a constant mass.
+    let step = TAU / frequency / STEPS;
+    let along = |(x, v): (f64, f64), (dx, dv): (f64, f64), h: f64| (x + h * dx, v + h * dv);
+    let rates = |state: (f64, f64)| (state.1, acceleration(state));
+    let mut state = (0.0, speed);
+    let mut deepest = 0.0f64;
+    for _ in 0..MOST_STEPS {
+        let a = rates(state);
+        let b = rates(along(state, a, 0.5 * step));
+        let c = rates(along(state, b, 0.5 * step));
+        let d = rates(along(state, c, step));
+        let mean = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * b + 2.0 * c + d) / 6.0;
+        let next = along(state, (mean(a.0, b.0, c.0, d.0), mean(a.1, b.1, c.1, d.1)), step);
+        if next.0 <= 0.0 && next.1 < 0.0 {
+            let fraction = state.0 / (state.0 - next.0);
+            return Ok(Some((-(state.1 + fraction * (next.1 - state.1)) / speed, deepest)));
+        }
+        state = next;
+        deepest = deepest.max(state.0);
+    }
+    Ok(None)
+}
+
+/// Depth of the last point of a profile, m.
+fn checked_depth(profile: &[(f64, f64)]) -> Result<f64, ContactLawError> {
+    for (_, mass) in profile {
+        positive("effective mass, kg", *mass)?;
+    }
+    match profile {
+        [_, .., (depth, _)] => positive("depth of the last mass, m", *depth),
+        _ => {
+            let (what, valid) = ("points of the mass", "at least 2");
+            Err(ContactLawError::OutOfRange { what, got: profile.len() as f64, valid })
+        }
+    }
 }
 
 /// Cubic through the values and slopes at the ends of an interval; slopes of the parabolas through three neighbours.

@@ -2,6 +2,7 @@
 
 use percuss_contact::{
     CompliantContact, Damper, Law, Separation, history_with_varying_mass, impact_with_varying_mass,
+    kelvin_voigt, restitution_with_prescribed_acceleration,
 };
 
 const STIFFNESS: f64 = 2e5;
@@ -128,5 +129,51 @@ fn the_history_agrees_with_the_key_figures() {
         assert!((impulse - 3.0 * 0.5 * (1.0 + found.restitution)).abs() < 1e-5, "{impulse}");
         let exact = damper.impact(contact, 0.5).expect("an impact").duration.expect("an end");
         assert!((last.time / exact - 1.0).abs() < 1e-3, "{} {exact}", last.time);
+    }
+}
+
+/// A bar on a hinge, whose contact prescribes the acceleration of the joint, as MuJoCo's do: the gap δ = L (sin q − sin q₀) has
+/// δ̈ = L cos q q̈ − L sin q q̇², and L cos q q̈ = −(ω² δ + 2ζω δ̇) as long as the force pushes. With the term −L sin q q̇² in the prescribed
+/// acceleration too (`full`), that of the gap is −(ω² δ + 2ζω δ̇). Near a dead centre the restitution differs from the required one.
+#[test]
+fn prescribed_accelerations_of_a_bar_on_a_hinge() {
+    let (inertia, length, speed) = (0.23f64, 0.5, 0.5);
+    for full in [false, true] {
+        let mut largest = 0.0f64;
+        for (touch, e) in [(-1.3f64, 0.2), (-1.2, 0.6), (-0.6, 0.9), (0.3, 0.2), (1.2, 0.6), (1.0, 0.9)] {
+            let sine = |depth: f64| touch.sin() + depth / length;
+            let square = |depth: f64| 1.0 - sine(depth) * sine(depth);
+            let mass_at = |depth: f64| inertia / (length * length * square(depth));
+            let contact = CompliantContact::new(mass_at(0.0), STIFFNESS).expect("a contact");
+            let frequency = (STIFFNESS / mass_at(0.0)).sqrt();
+            let depth = 1.05 * speed / frequency;
+            let depths = || (0..=20).map(|i| f64::from(i) / 20.0 * depth);
+            let masses: Vec<(f64, f64)> = depths().map(|d| (d, mass_at(d))).collect();
+            let beta = |d: f64| if full { 0.0 } else { -sine(d) / (length * square(d)) };
+            let betas: Vec<(f64, f64)> = depths().map(|d| (d, beta(d))).collect();
+            let (found, _) = restitution_with_prescribed_acceleration(contact, e, &masses, &betas, speed)
+                .unwrap()
+                .expect("an end");
+            let ratio = kelvin_voigt::ratio(e, Separation::ForceVanishes).expect("a ratio");
+            // Leapfrog with a step that is small enough for five digits.
+            let (mut q, mut rate, step) = (touch, speed / (length * touch.cos()), 2e-8);
+            let mut v = speed;
+            for _ in 0..20_000_000 {
+                let x = length * (q.sin() - touch.sin());
+                v = length * q.cos() * rate;
+                if x < 0.0 && v < 0.0 {
+                    break;
+                }
+                let wanted = -frequency * (frequency * x + 2.0 * ratio * v);
+                let free = if full { -length * q.sin() * rate * rate } else { 0.0 };
+                let arm = length * q.cos();
+                let force = ((free - wanted) * inertia / (arm * arm)).max(0.0);
+                rate -= step * force * arm / inertia;
+                q += step * rate;
+            }
+            assert!((found + v / speed).abs() < 2e-5, "{full} {touch} {e}: {found}, {}", -v / speed);
+            largest = largest.max((found - e).abs());
+        }
+        assert!(largest > 2e-3, "{full}: the motion of the bar has an effect: {largest}");
     }
 }

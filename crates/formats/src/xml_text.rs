@@ -5,15 +5,6 @@ use percuss_mechanism::Mechanism;
 use percuss_spatial::{Transform, Vector3};
 use std::fmt::Write;
 
-/// Model as the text of a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ModelText {
-    /// The file.
-    pub text: String,
-    /// Parts of the mechanism that have another form in the file, or none.
-    pub notes: Vec<String>,
-}
-
 /// First lines of a file: the heading as a comment, none if empty, and a comment for each named contact, which the format
 /// cannot express.
 pub(crate) fn xml_head(heading: &str, mechanism: &Mechanism, format: &str) -> String {
@@ -68,11 +59,16 @@ pub(crate) fn escape_attribute(text: &str) -> String {
             '\t' => out.push_str("&#9;"),
             '\n' => out.push_str("&#10;"),
             '\r' => out.push_str("&#13;"),
-            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            c if is_forbidden(c) => out.push('\u{fffd}'),
             other => out.push(other),
         }
     }
     out
+}
+
+/// True for a character that XML 1.0 forbids.
+pub(crate) fn is_forbidden(c: char) -> bool {
+    !matches!(c, '\t' | '\n' | '\r') && matches!(c, '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}')
 }
 
 /// Text for an XML comment: on one line and without `--`.

@@ -2,6 +2,7 @@
 
 mod closing_pairs;
 mod gazebo_joints;
+mod hostile_files;
 mod loading;
 mod loops;
 mod malformed;

@@ -32,7 +32,8 @@ pub use checks::model_check::{
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
-pub use damper::exported_impact::{ExportedImpact, ImpactExportError, export_impact};
+pub use damper::export_report::ExportReport;
+pub use damper::exported_impact::{ExportedImpact, ImpactExportError, export_impact, export_stop};
 pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
@@ -45,6 +46,7 @@ pub use map::map_report::{
 pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
 pub use model::changes::Changes;
+pub use model::conversion::{ChangeRecord, ConversionReport, changes};
 pub use model::loading::{Input, Model, Origin, SheetPoint};
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;

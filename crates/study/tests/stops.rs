@@ -35,6 +35,7 @@ fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
         mechanism: Arc::new(mechanism),
         inputs: Vec::new(),
         shapes: Arc::default(),
+        poses: Arc::default(),
         diagnostics: Vec::new(),
         origin: percuss_study::Origin::default(),
     }

@@ -1,11 +1,11 @@
 //! Flags of the commands that write models, code and pages: `convert`, `export`, `generate`, `explore`.
 
-use super::{ContactArgs, ModelArgs, WritingArgs};
+use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
-use percuss_study::DampingTable;
 use percuss_study::generated::{Additions, Language};
-use percuss_study::headings::OUTPUT;
+use percuss_study::headings::{CONTACT, OUTPUT};
+use percuss_study::{DampingTable, JointStop};
 
 /// Heading of the additional functions.
 const FUNCTIONS: &str = "Additional functions";
@@ -117,6 +117,17 @@ pub enum ModelFormat {
     Sdf,
 }
 
+impl ModelFormat {
+    /// Name in flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mjcf => "mjcf",
+            Self::Urdf => "urdf",
+            Self::Sdf => "sdf",
+        }
+    }
+}
+
 /// Flags of `percuss convert`.
 #[derive(Debug, Args)]
 pub struct ConvertArgs {
@@ -128,13 +139,16 @@ pub struct ConvertArgs {
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf.
     #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
     pub to: Option<ModelFormat>,
+    /// Format of the report about everything changed or lost.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
     #[command(flatten)]
     pub writing: WritingArgs,
 }
 
 impl ConvertArgs {
     /// Format of the flag, else of the file name.
-    pub fn format(&self) -> Result<ModelFormat, Failure> {
+    pub fn model_format(&self) -> Result<ModelFormat, Failure> {
         let ending = self.output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
         match (self.to, ending.as_str()) {
             (Some(format), _) => Ok(format),
@@ -154,6 +168,10 @@ impl ConvertArgs {
 pub enum ImpactFormat {
     /// MuJoCo's format.
     Mjcf,
+    /// Refused: SDFormat has no velocities and no positions of joints.
+    Sdf,
+    /// Refused: URDF has no velocities, no positions of joints and no contact parameters.
+    Urdf,
 }
 
 /// Flags of `percuss export`.
@@ -165,12 +183,25 @@ pub struct ExportArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub damping: DampingTable,
+    /// Stop of a joint instead of a contact: JOINT:lower, JOINT:upper, or JOINT at its position.
+    ///
+    /// Stiffness in N·m/rad and speed in rad/s for a revolute joint.
+    #[arg(
+        long,
+        value_name = "JOINT[:END]",
+        help_heading = CONTACT,
+        conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
+    )]
+    pub limit: Option<JointStop>,
     /// Model file to write; the script has the same name with .py.
     #[arg(long, short, value_name = "FILE.xml", help_heading = OUTPUT)]
     pub output: String,
     /// Format.
     #[arg(long, value_enum, value_name = "FORMAT", default_value_t = ImpactFormat::Mjcf, help_heading = OUTPUT)]
     pub to: ImpactFormat,
+    /// Format of the report: the impact, and everything changed or lost.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
     #[command(flatten)]
     pub writing: WritingArgs,
 }

@@ -35,13 +35,23 @@ impl ModelArgs {
     pub fn load(&self) -> Result<Model, Failure> {
         self.reading.load(&self.model)
     }
+
+    /// Reads the model, with notes about the parts of its file that are no part of a mechanism.
+    pub fn load_for_conversion(&self) -> Result<Model, Failure> {
+        self.reading.load_with(&self.model, &LoadOptions { list_unread: true, ..self.reading.options() })
+    }
 }
 
 impl ReadingArgs {
     /// Reads a model.
     pub fn load(&self, path: &str) -> Result<Model, Failure> {
+        self.load_with(path, &self.options())
+    }
+
+    /// Reads a model with the changes of the flags.
+    fn load_with(&self, path: &str, options: &LoadOptions) -> Result<Model, Failure> {
         let worksheet = self.changes.worksheet.as_deref();
-        let model = Model::load_worksheet(path, self.max_size, &self.options(), worksheet)?;
+        let model = Model::load_worksheet(path, self.max_size, options, worksheet)?;
         let changes = self.changes();
         if changes.is_empty() { Ok(model) } else { Ok(model.with_changes(&changes)?) }
     }

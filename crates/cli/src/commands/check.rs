@@ -106,6 +106,10 @@ fn text(report: &CheckReport) -> String {
     for (name, value) in facts(report) {
         out += &(wrap_hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
     }
+    if !report.poses.is_empty() {
+        let poses = format!("{:<22} {} (--pose NAME)", "named poses", line(&report.poses.join(", ")));
+        out += &(wrap_hanging(&poses, 23) + "\n");
+    }
     let Tables { links, joints, loops } = tables(report);
     let _ = write!(out, "\n{links}\n{joints}");
     if !report.closures.is_empty() {

@@ -126,6 +126,67 @@ fn bad_input_is_refused() {
     assert!(outcome.stderr.contains("<stdin>:2: error: mujoco/worldbody/body/jiont:"), "{}", outcome.stderr);
 }
 
+/// A crank and a slide with a reference position, a ball, a follower, and a free body that is drawn turned.
+const KEYFRAMES: &str = r#"<mujoco><compiler angle="degree"/><worldbody>
+    <body name="a"><joint name="h" axis="0 1 0" ref="30"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/>
+    <body name="b" pos="0 0 -1"><joint name="s" type="slide" axis="1 0 0" ref="0.1"/><joint name="f" axis="0 1 0"/>
+    <inertial pos=".1 0 -.3" mass="1" diaginertia=".1 .2 .1"/></body></body>
+    <body name="c" pos="1 0 0" euler="0 0 90"><freejoint name="free"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+    <body name="d"><joint name="ball" type="ball"/><inertial pos=".1 0 .3" mass="1" diaginertia=".1 .2 .1"/></body></body></worldbody>
+    <equality><joint joint1="f" joint2="h" polycoef="0 2 0 0 0"/></equality>
+    <keyframe><key name="home" qpos="1.2 0.3 1.35 1 2 0 1 0 0 0 0.5 0.5 0.5 0.5"/><key name="drawn"/><key qpos="1 2"/></keyframe></mujoco>"#;
+
+#[test]
+fn keyframes_are_named_poses() {
+    let folder = Scratch::new("keyframes");
+    let file = folder.path("model.xml");
+    std::fs::write(&file, KEYFRAMES).expect("a file");
+    let check = percuss(&format!("check {file}"));
+    assert!(check.stdout.contains("named poses            home, drawn (--pose NAME)"), "{}", check.stdout);
+    assert!(
+        check.stderr.contains("qpos has 2 numbers, and the joints of the model have 14 positions"),
+        "{}",
+        check.stderr
+    );
+    let pose = |flags: &str| {
+        let contact = "--link b --point 0.1,0.2,-0.3 --normal 1,0.2,0.3 --format json";
+        let outcome = percuss(&format!("mass {file} {contact} {flags}"));
+        let report: Value =
+            serde_json::from_str(&outcome.stdout).unwrap_or_else(|_| panic!("{}", outcome.stderr));
+        report["pose"].clone()
+    };
+    let home = pose("--pose home");
+    let numbers = |joint: &str| {
+        let list = home[joint].as_array().expect("numbers");
+        list.iter().map(|x| x.as_f64().expect("a number")).collect::<Vec<f64>>()
+    };
+    let near = |joint: &str, expected: &[f64]| {
+        let found = numbers(joint);
+        let error = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        // Roundings of angles and rotations.
+        assert!(found.len() == expected.len() && error < 1e-14, "{joint}: {found:?} {expected:?}");
+    };
+    let reference = std::f64::consts::FRAC_PI_6;
+    near("h", &[1.2 - reference]);
+    near("s", &[0.3 - 0.1]);
+    near("f", &[2.0 * (1.2 - reference)]);
+    near("ball", &[0.5, 0.5, 0.5, 0.5]);
+    // The body is drawn at (1, 0, 0), turned by 90° about z: the quaternion 1 0 0 0 of MuJoCo is a turn by −90°.
+    let half = 0.5f64.sqrt();
+    near("free", &[2.0, 0.0, 0.0, half, 0.0, 0.0, -half]);
+    assert_eq!(pose("--pose drawn"), pose(""));
+    // A position that is set goes over the pose.
+    assert_eq!(pose("--pose home --set s=0.05")["s"][0], 0.05);
+    let unknown = percuss(&format!("mass {file} --link b --point 0,0,0 --normal 1,0,0 --pose hoem"));
+    assert!(
+        unknown.code == 2 && unknown.stderr.contains("which has \"home\", \"drawn\""),
+        "{}",
+        unknown.stderr
+    );
+    let converted = percuss(&format!("convert {file} -o {}", folder.path("model.urdf")));
+    assert!(converted.stdout.contains("pose \"home\": the named pose"), "{}", converted.stdout);
+}
+
 const ROTOR: &str = r#"<mujoco><worldbody>
     <body name="a"><joint name="x" axis="0 1 0"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/>
     <body name="b" pos="1 0 0"><joint name="y" axis="0 1 0"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/></body></body>

@@ -70,14 +70,69 @@ fn conditions_without_a_form_are_refused() {
     for (flags, message) in [
         ("--lock crank_pin", "--lock"),
         ("--against-mass 2", "--against-mass"),
-        ("--base floating", "--base floating"),
         ("--for mujoco", "--for"),
+        ("--to sdf", "percuss convert model -o file.sdf"),
+        ("--to urdf", "no positions and velocities of joints"),
+        ("--limit crank_hinge", "--limit"),
         ("--exponent 1.5", "mujoco"),
     ] {
         let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} {flags} -o {file}"));
         assert_eq!(outcome.code, 2, "{flags}");
-        assert!(outcome.stderr.to_lowercase().contains(message), "{flags}: {}", outcome.stderr);
+        assert!(
+            outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase().contains(message),
+            "{flags}: {}",
+            outcome.stderr
+        );
     }
     let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} -o {}", folder.path("impact.txt")));
     assert!(outcome.code == 2 && outcome.stderr.contains(".xml"), "{}", outcome.stderr);
+}
+
+/// A body of 2 kg and the moments (0.02, 0.03, 0.04) kg·m² that floats: the keyframe has its free joint at the velocity of the impact, and a
+/// link of the name of the ground is refused.
+#[test]
+fn floating_bases_get_a_free_joint() {
+    let folder = Scratch::new("export-floating");
+    let file = folder.path("impact.xml");
+    let contact =
+        "--link body --point 0.3,0,0 --normal 0,0,-1 --restitution 0.3 --stiffness 1e6 --speed 0.02";
+    let outcome = percuss(&format!("export models/floating_body.urdf --base floating {contact} -o {file}"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let text = std::fs::read_to_string(&file).expect("the file");
+    assert!(text.contains("<freejoint name=\"body_floating\"/>"), "{text}");
+    let mass = percuss(
+        "mass models/floating_body.urdf --base floating --link body --point 0.3,0,0 --normal 0,0,-1 --format json",
+    );
+    let report: serde_json::Value = serde_json::from_str(&mass.stdout).expect("a report");
+    let qvel = numbers(&text, "qvel");
+    // Closing speed along −z at (0.3, 0, 0): −v_z + 0.3 ω_y.
+    assert!((0.3 * qvel[4] - qvel[2] - 0.02).abs() < ROUNDING, "{qvel:?}");
+    // The impulse m̄ v through the contact point: v_z = −m̄ v / m.
+    let body = number(&report, "/effective_mass") * 0.02 / -qvel[2];
+    let check = percuss("check models/floating_body.urdf --format json");
+    let check: serde_json::Value = serde_json::from_str(&check.stdout).expect("a report");
+    assert!((body / number(&check, "/total_mass") - 1.0).abs() < ROUNDING, "{body}");
+}
+
+/// Near a dead centre m̄ changes over the penetration: a warning states the restitution that constant parameters reach, and the bound of the
+/// report contains it. A slow impact on a stiff contact has none.
+#[test]
+fn a_restitution_that_is_not_reached_is_reported() {
+    let folder = Scratch::new("export-shift");
+    let file = folder.path("impact.xml");
+    let report = |flags: &str| {
+        let contact = "--link coupler --point 0.36,-0.15,0 --normal 0,1,0 --restitution 0.3";
+        let outcome = percuss(&format!(
+            "export models/antiparallelogram.urdf {contact} {flags} --format json --force -o {file}"
+        ));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("a report");
+        let codes = report["diagnostics"].to_string();
+        (report, codes.contains("restitution-not-reached"))
+    };
+    let (slow, is_warned) = report("--stiffness 400N/mm --speed 1mm/s");
+    assert!(!is_warned && number(&slow, "/error_bound") <= 1.01e-3, "{slow}");
+    let (fast, is_warned) = report("--stiffness 400N/mm --speed 1m/s");
+    let shift = number(&fast, "/predicted_restitution") - 0.3;
+    assert!(is_warned && shift.abs() > 1e-3 && number(&fast, "/error_bound") > shift.abs(), "{fast}");
 }

@@ -25,6 +25,8 @@ pub(crate) struct Chains {
     pub joint_elements: Vec<ElementId>,
     /// Name of the link of every body.
     pub link_names: Vec<String>,
+    /// Name of every joint of a body.
+    pub joint_names: HashMap<JointKey, String>,
     /// Relations of joint positions, with their elements.
     pub relations: Vec<(ElementId, RelationDescription)>,
 }
@@ -65,6 +67,7 @@ pub(crate) fn build_chains(
         let described = builder.describe_sum(sum);
         builder.chains.relations.push((element, described));
     }
+    builder.chains.joint_names = builder.joints;
     builder.chains
 }
 
@@ -149,7 +152,17 @@ impl ChainBuilder {
         self.add_link(LinkDescription::massless(link), rotor.element, true);
         let mut sum = JointSum { terms: rotor.terms.clone(), ..JointSum::default() };
         relations.take_locked(&mut sum.terms);
+        // The length is 0 as drawn, where the followers of other joints are at their offsets.
+        let drawn: f64 = sum
+            .terms
+            .iter()
+            .filter_map(|(joint, factor)| match relations.get(*joint) {
+                Some(Relation::Mimic { offset, .. }) => Some(factor * offset),
+                _ => None,
+            })
+            .sum();
         let mut described = self.describe_sum(sum);
+        described.constant -= drawn;
         described.terms.iter_mut().for_each(|(_, factor)| *factor = -*factor);
         described.terms.insert(0, (joint, 1.0));
         // The length counts from the drawing: a constant has no effect on rates.

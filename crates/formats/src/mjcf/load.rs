@@ -1,6 +1,5 @@
 //! Construction of a mechanism from a model in MJCF.
 
-use crate::LoadError;
 use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
@@ -12,6 +11,7 @@ use crate::mjcf::document::check::check_grammar;
 use crate::mjcf::document::files::{AttachedModel, Files, read_files};
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
+use crate::mjcf::relations::keyframe::read_keyframes;
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
@@ -22,6 +22,7 @@ use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use crate::urdf::load::{LoadOptions, Loaded};
+use crate::{LoadError, NamedPose};
 use percuss_mechanism::{
     Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
     MechanismBuilder, Problem, RelationDescription, Subject,
@@ -42,6 +43,7 @@ pub(crate) fn load_text(
     if !files.reports.iter().any(Report::has_errors) {
         let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
         let mut findings = Findings::new(&files.tree, files.reports);
+        findings.lists_unread = options.list_unread;
         roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {
@@ -55,22 +57,33 @@ pub(crate) fn load_text(
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
-        Some((mechanism, shapes, opened)) if !failed => {
+        Some(Parts { mechanism, shapes, poses, opened }) if !failed => {
             let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
             let files = included.chain(opened).collect();
-            Ok(Loaded { mechanism, shapes, diagnostics, files })
+            Ok(Loaded { mechanism, shapes, poses, diagnostics, files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
 }
 
-/// Mechanism, shapes of its links, and mesh files that were opened; `None` after an error.
+/// Contents of a model.
+struct Parts {
+    mechanism: Mechanism,
+    /// Shapes of the links.
+    shapes: Vec<Vec<Shape>>,
+    /// Keyframes.
+    poses: Vec<NamedPose>,
+    /// Mesh files that were opened.
+    opened: Vec<PathBuf>,
+}
+
+/// Contents of a model; `None` after an error.
 fn read_model(
     tree: &ElementTree,
     models: &[AttachedModel],
     options: &LoadOptions,
     findings: &mut Findings<'_>,
-) -> Option<(Mechanism, Vec<Vec<Shape>>, Vec<PathBuf>)> {
+) -> Option<Parts> {
     let models = Models::read(tree, models, findings);
     let mut bodies = read_bodies(tree, &models, findings);
     if findings.has_errors() {
@@ -107,13 +120,14 @@ fn read_model(
     };
     let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
     let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
+    let poses = read_keyframes(tree, &bodies, &chains, findings);
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
     let of_links = chains
         .is_auxiliary
         .iter()
         .map(|is_auxiliary| if *is_auxiliary { Vec::new() } else { of_bodies.next().unwrap_or_default() });
-    Some((mechanism, of_links.collect(), meshes.opened))
+    Some(Parts { mechanism, shapes: of_links.collect(), poses, opened: meshes.opened })
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements.

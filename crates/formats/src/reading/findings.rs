@@ -3,7 +3,7 @@
 use crate::Diagnostic;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::{LONGEST_COMPARED_NAME, MAX_CANDIDATES};
-use crate::reading::report::{Place, Report, shortened};
+use crate::reading::report::{NOT_READ, Place, Report, shortened};
 use percuss_mechanism::{Severity, near_names};
 
 /// Collected findings, bounded in number for each file.
@@ -11,12 +11,14 @@ pub(crate) struct Findings<'t> {
     tree: &'t ElementTree,
     /// One report for each file of the tree.
     reports: Vec<Report>,
+    /// True for notes about parts of the files that are no part of a mechanism.
+    pub lists_unread: bool,
 }
 
 impl<'t> Findings<'t> {
     /// Continues the reports of the files of a tree.
     pub fn new(tree: &'t ElementTree, reports: Vec<Report>) -> Self {
-        Self { tree, reports }
+        Self { tree, reports, lists_unread: false }
     }
 
     /// Adds a finding about an element.
@@ -73,6 +75,14 @@ impl<'t> Findings<'t> {
         let (file, offset) = (self.tree.element(element).file, self.tree.element(element).offset);
         let path = self.path(element);
         self.reports[file].add_once(severity, code, kind.to_owned(), Place::Named(offset, &path), message);
+    }
+
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`, if `LoadOptions` selects such notes.
+    pub fn add_unread(&mut self, element: ElementId, kind: impl FnOnce() -> String) {
+        if self.lists_unread {
+            let kind = kind();
+            self.add_once(Severity::Note, NOT_READ, &kind, element, || kind.clone());
+        }
     }
 
     /// Reports of the files.

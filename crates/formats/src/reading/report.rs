@@ -23,6 +23,9 @@ pub enum Place<'a, 'i> {
     Named(usize, &'a str),
 }
 
+/// Code of the notes about parts of a file that are no part of a mechanism.
+pub const NOT_READ: &str = "not-read";
+
 /// Finding with its position as a byte offset.
 struct Finding {
     severity: Severity,
@@ -42,6 +45,7 @@ pub struct Report {
     /// Index in `findings` per code and kind; `None` beyond the limit.
     once: HashMap<(&'static str, String), Option<usize>>,
     is_xacro: bool,
+    lists_unread: bool,
 }
 
 /// Index in `Report::counts`.
@@ -77,6 +81,19 @@ impl Report {
             }
         };
         self.findings.push(Finding { severity, code, offset, element, message: message(), repeats: 0 });
+    }
+
+    /// Selects notes about parts of the file that are no part of a mechanism.
+    pub fn list_unread(&mut self, listed: bool) {
+        self.lists_unread = listed;
+    }
+
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`, if such notes are selected.
+    pub(crate) fn add_unread(&mut self, place: Place<'_, '_>, kind: impl FnOnce() -> String) {
+        if self.lists_unread {
+            let kind = kind();
+            self.add_once(Severity::Note, NOT_READ, kind.clone(), place, || kind);
+        }
     }
 
     /// Adds an error.

@@ -27,6 +27,7 @@ pub(crate) fn load_text(
     let Files { tree, reports } = read_files(file, text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
+    findings.lists_unread = options.list_unread;
     // After an error of a file the tree may be empty.
     let model = if failed { None } else { read_model(&tree, wanted, options, &mut findings) };
     let failed = findings.has_errors();
@@ -34,7 +35,7 @@ pub(crate) fn load_text(
     match model {
         Some((mechanism, shapes)) if !failed => {
             let files = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name)).collect();
-            Ok(Loaded { mechanism, shapes, diagnostics, files })
+            Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

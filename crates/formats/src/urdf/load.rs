@@ -25,6 +25,9 @@ pub struct LoadOptions {
     /// Pairs of links that mark a loop of an unknown kind (`closing_NAME_1`, `closing_NAME_2` in a URDF) are a warning instead of an
     /// error: the caller closes the loops.
     pub open_pairs: bool,
+    /// Parts of the file without an effect on the mechanism (`Silent` in the table of the dialect) give notes with the code
+    /// [`NOT_READ`](crate::NOT_READ), one for each kind of element or attribute: a conversion loses them.
+    pub list_unread: bool,
 }
 
 /// Mechanism with the findings in its file.
@@ -34,10 +37,21 @@ pub struct Loaded {
     pub mechanism: Mechanism,
     /// Shapes of every link, in link order.
     pub shapes: Vec<Vec<Shape>>,
+    /// Poses that the file names: keyframes of MJCF.
+    pub poses: Vec<NamedPose>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
     /// Further files that were read: included files and meshes.
     pub files: Vec<PathBuf>,
+}
+
+/// Pose of a mechanism with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedPose {
+    /// Name, unique in the model.
+    pub name: String,
+    /// Position of every joint that moves on its own, by name (layouts of [`JointKind`](percuss_mechanism::JointKind)), rad or m.
+    pub positions: Vec<(String, Vec<f64>)>,
 }
 
 /// Reads the text of a URDF, closed loops and couplings included; `report` contains findings about its bytes.
@@ -54,12 +68,13 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     mut report: Report,
 ) -> Result<Loaded, LoadError> {
+    report.list_unread(options.list_unread);
     let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(name, text);
     match mechanism {
         Some((mechanism, shapes)) if !failed => {
-            Ok(Loaded { mechanism, shapes, diagnostics, files: Vec::new() })
+            Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files: Vec::new() })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -1,5 +1,6 @@
 //! Writer of mechanisms as URDF+.
 
+use crate::changes::{ModelText, changed_names};
 use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
     Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
@@ -71,6 +72,12 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     }
     out.push_str("</robot>\n");
     out
+}
+
+/// [`write_urdf`] with a comment at the head of the file, and the parts of the mechanism that have another form.
+pub fn write_urdf_model(mechanism: &Mechanism, heading: &str) -> ModelText {
+    let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
+    ModelText { text: write_urdf_with(mechanism, &comments), changes: changed_names(mechanism) }
 }
 
 fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {

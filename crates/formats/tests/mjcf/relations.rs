@@ -107,7 +107,19 @@ fn sites_are_contacts_with_their_axis_as_normal() {
     assert!((normal - percuss_spatial::Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15, "{normal}");
     // The contact survives as a site.
     let text = write_mjcf(&loaded.mechanism, "").unwrap();
-    assert_eq!(text.notes, Vec::<String>::new());
+    assert!(text.changes.iter().all(|change| !change.element.contains("contact")), "{:?}", text.changes);
     let again = load_mjcf(&text.text).unwrap();
     assert_eq!(again.mechanism.contacts().len(), 1);
+}
+
+/// The length of a tendon with an armature is 0 as drawn, where the follower `b` is at its offset of 0.1.
+#[test]
+fn lengths_of_tendons_are_closed_as_drawn() {
+    let body = |name: &str| format!("<body><joint name=\"{name}\"/><geom size=\".1\"/></body>");
+    let sections = "<equality><joint joint1=\"b\" joint2=\"a\" polycoef=\"0.1 2 0 0 0\"/></equality>
+        <tendon><fixed name=\"t\" armature=\"0.5\"><joint joint=\"a\" coef=\"3\"/><joint joint=\"b\" coef=\"4\"/></fixed></tendon>";
+    let loaded = load_mjcf(&model(&(body("a") + &body("b")), sections)).unwrap();
+    let [relation] = loaded.mechanism.couplings() else { panic!("one relation") };
+    // length − 3 a − 4 b = −4 · 0.1
+    assert_eq!(relation.constant(), -0.4);
 }

@@ -222,3 +222,32 @@ fn shipped_models_are_written_or_refused_by_name() {
     assert!(count >= 14, "{count} written; {refused:#?}");
     assert!(refused.iter().all(|refusal| refusal.contains(": loop \"")), "{refused:#?}");
 }
+
+/// A loop whose successor is the root link with the name of the world: the world is the parent of the joint, since SDFormat refuses it as a
+/// child.
+#[test]
+fn loops_to_the_root_have_the_world_as_parent() {
+    let body = |name: &str| LinkDescription::new(name, Inertial::diagonal(1.0, [0.1, 0.0, 0.0], [0.1; 3]));
+    let mechanism = MechanismBuilder::new("m")
+        .link(LinkDescription::massless("world"))
+        .link(body("a"))
+        .link(body("b"))
+        .joint(JointDescription::new("first", JointKind::Continuous, "world", "a").axis([0.0, 0.0, 1.0]))
+        .joint(
+            JointDescription::new("second", JointKind::Continuous, "a", "b")
+                .axis([0.0, 0.0, 1.0])
+                .origin(Transform::from_translation([1.0, 0.0, 0.0].into())),
+        )
+        .closure(ClosureDescription {
+            successor_frame: Transform::from_translation([2.0, 0.0, 0.0].into()),
+            predecessor_frame: Transform::from_translation([1.0, 0.0, 0.0].into()),
+            ..ClosureDescription::new("pin", ClosureKind::Spherical, "b", "world")
+        })
+        .build()
+        .unwrap()
+        .mechanism;
+    let text = written(&mechanism);
+    let again = load_sdf(&text).unwrap_or_else(|error| panic!("{error}: {text}")).mechanism;
+    assert_eq!(again.closures().len(), 1, "{text}");
+    assert!(text.contains("<parent>world</parent>\n      <child>b</child>"), "{text}");
+}

@@ -246,6 +246,9 @@ class Model:
     def total_mass(self) -> float:
         """Total mass, kg."""
     @property
+    def poses(self) -> dict[str, dict[str, list[float]]]:
+        """Poses that the file names, keyframes of MJCF: by name, the position of every joint that moves on its own, rad or m."""
+    @property
     def diagnostics(self) -> list[Diagnostic]:
         """Warnings and notes, in the order of the file."""
     @property

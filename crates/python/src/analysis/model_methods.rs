@@ -93,6 +93,13 @@ impl Model {
         self.read.mechanism.total_mass()
     }
 
+    /// Poses that the file names, keyframes of MJCF: by name, the position of every joint that moves on its own, rad or m.
+    #[getter]
+    fn poses(&self) -> BTreeMap<String, BTreeMap<String, Vec<f64>>> {
+        let poses = self.read.poses.iter();
+        poses.map(|pose| (pose.name.clone(), pose.positions.iter().cloned().collect())).collect()
+    }
+
     /// Warnings and notes, in the order of the file.
     #[getter]
     fn diagnostics(&self) -> Vec<Diagnostic> {

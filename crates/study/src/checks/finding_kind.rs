@@ -90,6 +90,7 @@ finding_kinds! {
     PointMassBase = "point-mass-base", Warning, Model;
     PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
     RackMoved = "rack-moved", Warning, Report;
+    RestitutionNotReached = "restitution-not-reached", Warning, Report;
     ReversedAxis = "reversed-axis", Note, Model;
     RigidLoops = "rigid-loops", Warning, Model;
     RowsFollowed = "rows-followed", Note, Report;

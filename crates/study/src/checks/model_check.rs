@@ -47,6 +47,8 @@ pub struct CheckReport {
     pub total_mass: f64,
     /// Position of every movable joint, in the layout of `--set`.
     pub pose: Positions,
+    /// Names of the poses of the file, for `--pose`: keyframes of MJCF.
+    pub poses: Vec<String>,
     /// Findings of the reader and of the assembly.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
@@ -149,6 +151,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         closure_residual: pose.loops().map(|l| l.residual),
         total_mass: mechanism.total_mass(),
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
+        poses: model.poses.iter().map(|pose| pose.name.clone()).collect(),
         diagnostics,
     })
 }

@@ -1,9 +1,11 @@
-//! Curvature of the motion of an impact.
+//! Curvature of the motion of an impact, and acceleration of the gap at constant joint rates.
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::thresholds::CURVATURE_STEP;
 use nalgebra::Vector3;
-use percuss_dynamics::Pose;
+use percuss_dynamics::{Contact, ContactResponse, Pose};
+use percuss_mechanism::JointKind;
+use percuss_spatial::Twist;
 
 /// Acceleration of the contact point plus the largest acceleration of a centre of mass, at constant joint rates and a
 /// closing speed of 1 m/s, 1/m.
@@ -21,6 +23,37 @@ pub(crate) fn motion_curvature(evaluated: &EvaluatedQuestion) -> Option<f64> {
     let contact = accelerations.next()?;
     let curvature = contact + accelerations.fold(0.0, f64::max);
     curvature.is_finite().then_some(curvature)
+}
+
+/// β: acceleration of the gap at constant joint rates and a closing speed of 1 m/s, 1/m. The rates are those of MuJoCo: the linear
+/// velocity of a floating joint has the axes of its parent. Loops open by the second order, so that the accelerations of the joints are 0.
+/// Second difference of the contact point in the frame of the other side. `None` if the response does not fit the pose.
+pub(crate) fn gap_acceleration(pose: &Pose, response: &ContactResponse, contact: &Contact) -> Option<f64> {
+    let normal = response.contact.normal_world;
+    let point = |pose: &Pose| {
+        let touched = pose.link(contact.link).point(&contact.point);
+        contact.against.map_or(touched, |other| pose.link(other).inverse_point(&touched))
+    };
+    let normal = contact.against.map_or(normal, |other| pose.link(other).inverse_vector(&normal));
+    let moved = |step: f64| {
+        let without_turn = |w: Vector3<f64>, v: Vector3<f64>| v - w.cross(&v) * (0.5 * step);
+        let joints = pose.mechanism().joints().iter().zip(&response.joint_velocities);
+        let velocities: Vec<Vec<f64>> = joints
+            .map(|(joint, rates)| match (joint.kind(), &rates[..]) {
+                (JointKind::Floating, &[a, b, c, x, y, z]) => {
+                    let linear = without_turn(Vector3::new(a, b, c), Vector3::new(x, y, z));
+                    vec![a, b, c, linear.x, linear.y, linear.z]
+                }
+                _ => rates.clone(),
+            })
+            .collect();
+        let Twist { angular, linear } = response.base_velocity;
+        let base = Twist::new(angular, without_turn(angular, linear));
+        Some(point(&pose.advanced(&velocities, &base, step).ok()?))
+    };
+    let (ahead, behind) = moved(CURVATURE_STEP).zip(moved(-CURVATURE_STEP))?;
+    let acceleration = normal.dot(&(ahead + behind - 2.0 * point(pose))) / (CURVATURE_STEP * CURVATURE_STEP);
+    acceleration.is_finite().then_some(acceleration)
 }
 
 /// Position of the contact point relative to that of the other link, and positions of the centres of mass of all links

@@ -1,19 +1,35 @@
 //! Impact at a contact of a model as an MJCF file: the mechanism, the contact with its parameters, and the state at the touch.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::damper::curvature::gap_acceleration;
 use crate::damper::damped_contact::damping_report;
-use crate::damper::damping::DampingReport;
+use crate::damper::damping::{self, DampingReport};
+use crate::damper::joint_stop::{JointStop, StopEnd};
+use crate::damper::penetration::{PathPoint, PenetrationPath};
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{IMPACT_RADIUS, LEAST_RADIUS_OVER_PENETRATION, SLOW_IMPACT};
-use percuss_contact::exports::{Tool, Value};
-use percuss_dynamics::{Base, PointVelocity};
-use percuss_formats::{MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact};
-use percuss_mechanism::LinkId;
-use percuss_spatial::{Twist, Vector3};
+use crate::thresholds::{
+    BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT,
+    SHIFT_UNCERTAINTY, SLOW_IMPACT, STROKES,
+};
+use nalgebra::{Rotation3, UnitQuaternion};
+use percuss_contact::exports::{MassDrift, Tool, Value};
+use percuss_contact::restitution_with_prescribed_acceleration;
+use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
+use percuss_formats::{
+    ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact,
+};
+use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
+use percuss_spatial::{Transform, Twist, Vector3};
+
+/// Name of the ground of MJCF.
+const WORLD: &str = "world";
 
 /// Error of an exported impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -59,7 +75,10 @@ pub struct ExportedImpact {
     pub speed: f64,
     /// Time step, s.
     pub time_step: f64,
-    /// Error bound of the restitution at this time step; `None` if unknown.
+    /// Restitution with the mass as it changes over the penetration, for an infinitely short time step; `None` if the mechanism cannot
+    /// follow the impact.
+    pub predicted: Option<f64>,
+    /// Bound of the difference from the required restitution at this time step; `None` if unknown.
     pub error_bound: Option<f64>,
 }
 
@@ -74,14 +93,60 @@ pub fn export_impact(
     damping: &DampingQuestion,
     heading: &str,
 ) -> Result<ExportedImpact, ImpactExportError> {
+    export(model, question, damping, None, heading)
+}
+
+/// Writes the impact of a joint on its stop as MJCF. `conditions` supplies the pose and the held parts; its contact is ignored. Without a
+/// speed in `damping`, the impact has 0.01 rad/s or 10 mm/s.
+///
+/// # Errors
+/// As for [`export_impact`]; a joint without a stop.
+pub fn export_stop(
+    model: &Model,
+    stop: &JointStop,
+    conditions: MassQuestion,
+    damping: &DampingQuestion,
+    heading: &str,
+) -> Result<ExportedImpact, ImpactExportError> {
+    let (question, record) = stop.question(model, conditions)?;
+    let mut damping = damping.clone();
+    damping.options.stop = Some(record.motion);
+    let mut exported = export(model, &question, &damping, Some(stop), heading)?;
+    exported.damping.stop = Some(record);
+    Ok(exported)
+}
+
+/// Writes an impact at a contact, or of a joint on its stop.
+fn export(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+    stop: Option<&JointStop>,
+    heading: &str,
+) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed.unwrap_or(SLOW_IMPACT);
-    let damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    let mut damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    // MuJoCo prescribes accelerations: the bound for laws that prescribe forces does not hold.
+    damping.options.drift = Some(MassDrift { relative: 0.0, penetration: 1.0 });
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let report = damping_report(&evaluated, &damping)?;
+    let mut report = damping_report(&evaluated, &damping)?;
+    let accuracy = damping.options.accuracy;
+    let predicted = predicted_restitution(&evaluated, &damping, report.effective_mass);
+    let shift = predicted.map_or(0.0, |predicted| predicted.shift(damping.restitution));
+    if shift > NEGLIGIBLE_SHIFT * accuracy && damping.options.time_step.is_none() {
+        // The shift and the error of the time step together are within the accuracy, if possible.
+        damping.options.accuracy = (accuracy - shift).max(LEAST_ACCURACY * accuracy);
+        report = damping_report(&evaluated, &damping)?;
+    }
     let record = &report.exports[Tool::MUJOCO.name()];
     let time_step = record.time_step.ok_or(ImpactExportError::Parameter { name: "timestep" })?;
-    let error_bound = record.error_bound;
+    let error_bound = record.error_bound.filter(|_| predicted.is_some()).map(|bound| bound + shift);
+    if let Some(finding) = unreached_finding(damping.restitution, predicted, error_bound, accuracy) {
+        report.diagnostics.push(finding.into());
+    }
+    let record = &report.exports[Tool::MUJOCO.name()];
+    let predicted = predicted.map(|predicted| predicted.restitution);
     let contact = &evaluated.result.response.contact;
     let size = model.mechanism.characteristic_length();
     let penetration = report.damper.max_penetration.unwrap_or_default();
@@ -89,22 +154,129 @@ pub fn export_impact(
         true => Some([numbers(record, "equality_solref")?, numbers(record, "equality_solimp")?]),
         false => None,
     };
+    let mechanism = &model.mechanism;
+    let (state, floating) = match question.base {
+        Base::Fixed => (state(&evaluated, speed)?, None),
+        Base::Floating => {
+            let (mechanism, state) = with_floating_root(mechanism, state(&evaluated, speed)?)?;
+            (state, Some(mechanism))
+        }
+    };
     let impact = MjcfImpact {
-        state: state(&evaluated, speed)?,
-        link: contact.link,
-        against: contact.against,
-        point: contact.point_link,
-        normal: contact.normal_world,
-        radius: (IMPACT_RADIUS * size).max(LEAST_RADIUS_OVER_PENETRATION * penetration),
-        extent: size,
-        solref: numbers(record, "solref")?,
-        solimp: numbers(record, "solimp")?,
+        state,
+        contact: match stop {
+            Some(stop) => limit(&evaluated, stop)?,
+            None => ImpactContact::Surfaces(ImpactSurfaces {
+                link: contact.link,
+                against: contact.against,
+                point: contact.point_link,
+                normal: contact.normal_world,
+                radius: (IMPACT_RADIUS * size).max(LEAST_RADIUS_OVER_PENETRATION * penetration),
+                extent: size,
+            }),
+        },
+        solref: numbers(record, if stop.is_some() { "solreflimit" } else { "solref" })?,
+        solimp: numbers(record, if stop.is_some() { "solimplimit" } else { "solimp" })?,
         equality,
         time_step,
         restitution: damping.restitution,
     };
-    let model = write_mjcf_impact(&model.mechanism, &impact, heading)?;
-    Ok(ExportedImpact { model, speed, time_step, error_bound, damping: report })
+    let model = write_mjcf_impact(floating.as_ref().unwrap_or(mechanism), &impact, heading)?;
+    Ok(ExportedImpact { model, speed, time_step, predicted, error_bound, damping: report })
+}
+
+/// Restitution of an impact with the mass as it changes over the penetration.
+#[derive(Clone, Copy, Debug)]
+struct Prediction {
+    restitution: f64,
+    /// Bound of the error of `restitution` by motions across the path of v*.
+    uncertainty: f64,
+}
+
+impl Prediction {
+    /// Bound of the difference from a required restitution.
+    fn shift(self, required: f64) -> f64 {
+        (self.restitution - required).abs() + self.uncertainty
+    }
+}
+
+/// Restitution of MuJoCo's contact with m̄ as it changes over the penetration. The normal moves with the other side, as the face in
+/// the file does. `None` if the mechanism cannot follow the impact to its end. `mass`: m̄ at the touch, kg.
+fn predicted_restitution(
+    evaluated: &EvaluatedQuestion<'_>,
+    damping: &DampingQuestion,
+    mass: f64,
+) -> Option<Prediction> {
+    let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
+    if result.response.singular_pose {
+        return None;
+    }
+    if !result.response.mechanism_moves() {
+        return Some(Prediction { restitution: damping.restitution, uncertainty: 0.0 });
+    }
+    // The normal of a stop turns with the joint, and its gap is linear in the position.
+    let is_stop = damping.options.stop.is_some();
+    let normal = match contact.against {
+        Some(other) => pose.link(other).inverse_vector(&result.response.contact.normal_world),
+        None => result.response.contact.normal_world,
+    };
+    let contact = match is_stop {
+        true => *contact,
+        false => Contact { normal: Direction::Along(normal, Frame::Against), ..*contact },
+    };
+    let path = PenetrationPath { prepared, contact: &contact };
+    let law = damping::contact(damping, mass).ok()?;
+    let speed = damping.speed?;
+    let depth = speed * (law.mass() / law.stiffness()).sqrt();
+    STROKES.into_iter().find_map(|factor| {
+        let mut stroke = factor * depth;
+        let value = |at: &PathPoint| match is_stop {
+            true => (at.mass, Some(0.0)),
+            false => (at.mass, gap_acceleration(&at.pose, &at.response, &contact)),
+        };
+        let values = path.values_to(pose, stroke, value).or_else(|end| {
+            stroke = BEFORE_END * end.depth;
+            path.values_to(pose, stroke, value)
+        });
+        let values = values.ok()?;
+        let masses: Vec<(f64, f64)> = values.iter().map(|(depth, (mass, _))| (*depth, *mass)).collect();
+        let accelerations: Option<Vec<(f64, f64)>> =
+            values.iter().map(|(depth, (_, acceleration))| Some((*depth, (*acceleration)?))).collect();
+        let required = damping.restitution;
+        let (restitution, deepest) =
+            restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed)
+                .ok()??;
+        let change = |mass: &f64| (mass / law.mass() - 1.0).abs();
+        let largest = masses.iter().map(|(_, mass)| change(mass)).fold(0.0, f64::max);
+        // A mechanism with several degrees of freedom leaves the path of v* by the square of the change.
+        let across = if pose.degrees_of_freedom() > 1 { largest * largest } else { 0.0 };
+        let uncertainty = across + SHIFT_UNCERTAINTY * (restitution - required).abs();
+        (deepest <= stroke).then_some(Prediction { restitution, uncertainty })
+    })
+}
+
+/// Warning about a restitution that constant parameters do not reach. `accuracy`: permitted difference.
+fn unreached_finding(
+    required: f64,
+    predicted: Option<Prediction>,
+    error_bound: Option<f64>,
+    accuracy: f64,
+) -> Option<Finding> {
+    let Some((predicted, bound)) = predicted.zip(error_bound) else {
+        let message = "the restitution of the exported impact is not known: the mechanism does not follow the impact to its end; use a slower \
+                       impact or a stiffer contact";
+        return Some(Finding::about_result(FindingKind::RestitutionNotReached, message));
+    };
+    // Rounding of the accuracy less the shift.
+    (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
+        let message = format!(
+            "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the effective mass changes \
+             over the penetration; a slower impact or a stiffer contact reduces the difference",
+            predicted.restitution,
+            bound - (predicted.restitution - required).abs()
+        );
+        Finding::about_result(FindingKind::RestitutionNotReached, message)
+    })
 }
 
 /// Refuses conditions that hold for an answer and are no part of the model.
@@ -114,7 +286,6 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
         (!question.lock.is_empty(), "--lock", "replace the joint by a fixed joint in the model file"),
         (!question.hold.is_empty(), "--hold", "add a loop to the model file"),
         (!question.armature.is_empty(), "--armature", in_model),
-        (question.base == Base::Floating, "--base floating", "add a floating joint to the model file"),
         (
             question.against_mass.is_some(),
             "--against-mass",
@@ -126,6 +297,45 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
         Some((_, condition, remedy)) => Err(ImpactExportError::Condition { condition, remedy }),
         None => Ok(()),
     }
+}
+
+/// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
+fn limit(evaluated: &EvaluatedQuestion<'_>, stop: &JointStop) -> Result<ImpactContact, ImpactExportError> {
+    let mechanism = evaluated.pose.mechanism();
+    let joint = mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+    let at = evaluated.pose.joint(joint)[0];
+    let limits = mechanism.joint(joint).limits();
+    let far = |limit: Option<f64>, toward: f64| {
+        limit.filter(|limit| (limit - at) * toward > 0.0).unwrap_or(at + toward * FAR_LIMIT)
+    };
+    let range = match stop.end {
+        Some(StopEnd::Lower) => [at, far(limits.map(|limits| limits.upper), 1.0)],
+        Some(StopEnd::Upper) | None => [far(limits.map(|limits| limits.lower), -1.0), at],
+    };
+    Ok(ImpactContact::Limit { joint, range })
+}
+
+/// Mechanism whose root link floats in the world by a joint, and its state. Links and joints keep their numbers.
+fn with_floating_root(
+    mechanism: &Mechanism,
+    mut state: MechanismState,
+) -> Result<(Mechanism, MechanismState), ImpactExportError> {
+    let root = mechanism.root();
+    let name = mechanism.link(root).name();
+    let joint = JointDescription::new(format!("{name}_floating"), JointKind::Floating, WORLD, name);
+    let builder = mechanism.to_builder().link(LinkDescription::massless(WORLD)).joint(joint);
+    let Built { mechanism, .. } = builder.build().map_err(|_| ImpactExportError::Condition {
+        condition: "--base floating",
+        remedy: "add a floating joint to the model file; its root link cannot have the name \"world\", nor a joint the name ROOT_floating",
+    })?;
+    let (pose, twist) = (state.link_poses[root.index()], state.link_twists[root.index()]);
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
+    state.positions.push(pose.translation.iter().copied().chain([q.w, q.i, q.j, q.k]).collect());
+    let (angular, linear) = (pose.inverse_vector(&twist.angular), pose.inverse_vector(&twist.linear));
+    state.velocities.push(angular.iter().chain(linear.iter()).copied().collect());
+    state.link_poses.push(Transform::identity());
+    state.link_twists.push(Twist::zero());
+    Ok((mechanism, state))
 }
 
 /// Numbers of a parameter.

@@ -34,10 +34,11 @@ pub(crate) struct PenetrationPath<'a> {
 }
 
 /// Pose during the penetration and the contact response at the pose.
-struct PathPoint {
-    pose: Pose,
-    response: ContactResponse,
-    mass: f64,
+pub(crate) struct PathPoint {
+    pub pose: Pose,
+    pub response: ContactResponse,
+    /// m̄, kg.
+    pub mass: f64,
 }
 
 impl PenetrationPath<'_> {
@@ -46,6 +47,19 @@ impl PenetrationPath<'_> {
     /// # Errors
     /// [`PenetrationEnd`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
     pub fn masses_to(&self, pose: &Pose, depth: f64) -> Result<Vec<(f64, f64)>, PenetrationEnd> {
+        self.values_to(pose, depth, |point| point.mass)
+    }
+
+    /// A value of the points of the path over the penetration (m), as [`masses_to`](Self::masses_to).
+    ///
+    /// # Errors
+    /// As for [`masses_to`](Self::masses_to).
+    pub fn values_to<T>(
+        &self,
+        pose: &Pose,
+        depth: f64,
+        value: impl Fn(&PathPoint) -> T,
+    ) -> Result<Vec<(f64, T)>, PenetrationEnd> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
         let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd {
@@ -54,7 +68,7 @@ impl PenetrationPath<'_> {
             masses: Vec::new(),
         })?;
         let mut error = None;
-        let mut masses = vec![(0.0, at.mass)];
+        let mut values = vec![(0.0, value(&at))];
         while done < depth {
             step = step.min(LARGEST_PENETRATION * depth);
             // No tiny last step: its error would be rounding only.
@@ -66,7 +80,7 @@ impl PenetrationPath<'_> {
                     at = next;
                     // Exact end at `depth`, without rounding.
                     done = if step < depth - done { done + step } else { depth };
-                    masses.push((done, at.mass));
+                    values.push((done, value(&at)));
                     step *= PENETRATION_GROWTH;
                     error = None;
                 }
@@ -79,7 +93,7 @@ impl PenetrationPath<'_> {
                 }
             }
         }
-        Ok(masses)
+        Ok(values)
     }
 
     /// Point after a step, if one whole step and two half steps agree; `Err(None)` otherwise.

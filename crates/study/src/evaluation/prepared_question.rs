@@ -89,7 +89,12 @@ impl<'a> PreparedQuestion<'a> {
     /// Resolves a question.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let mechanism = &model.mechanism;
-        let resolved = question.resolve_contact(mechanism)?;
+        let mut resolved = question.resolve_contact(mechanism)?;
+        let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
+        let pose = question.pose.as_ref().map(|pose| pose.resolve(model)).transpose().map_err(refuse)?;
+        if let Some(pose) = pose.flatten() {
+            resolved.to_mut().pose = Some(pose);
+        }
         let question = &*resolved;
         let find = |field: Field, name: &str| {
             mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
@@ -247,7 +252,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
-        let pose = self.question.pose.iter().map(|file| &file.input);
+        let pose = self.question.pose.iter().filter_map(GivenPose::file);
         self.model.inputs.iter().chain(pose).cloned().collect()
     }
 

@@ -4,7 +4,7 @@ use crate::model::changes::Changes;
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, NamedPose, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
@@ -53,6 +53,8 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// The shapes of every link, in link order.
     pub shapes: Arc<Vec<Vec<Shape>>>,
+    /// Poses that the file names: keyframes of MJCF.
+    pub poses: Arc<Vec<NamedPose>>,
     /// Warnings and notes found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// Origin of the model, for building design variants.
@@ -198,6 +200,7 @@ impl Model {
             mechanism: Arc::new(loaded.mechanism),
             inputs,
             shapes: Arc::new(loaded.shapes),
+            poses: Arc::new(loaded.poses),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
             origin: Origin::default(),
         })
@@ -238,6 +241,7 @@ impl Model {
         let sheet = OriginSheet { sheet, points, unit, axes, lines, kinematics };
         let sheet = Some(Arc::new(sheet));
         let model = Self {
+            poses: Arc::default(),
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),
             mechanism: Arc::new(mechanism),
             inputs,

@@ -1,6 +1,7 @@
 //! Models as loaded from files, and changes of them.
 
 pub(crate) mod changes;
+pub(crate) mod conversion;
 pub(crate) mod loading;
 pub(crate) mod record;
 pub(crate) mod sheet;

@@ -23,6 +23,8 @@ pub struct GivenPose {
     pub(crate) positions: BTreeMap<String, GivenPosition>,
     /// Model of the result in the file; `None` for an object of joints and positions.
     source_model: Option<Input>,
+    /// Name of a pose of the model, until the model is known; then `positions` is empty.
+    name: Option<String>,
 }
 
 /// Error of an invalid pose file.
@@ -52,6 +54,16 @@ pub enum GivenPoseError {
         path: String,
         /// Content of the file.
         got: String,
+    },
+    /// No pose of this name, and no file.
+    #[error(
+        "\"{name}\" is no file, and no pose of the model, which has {known}; expected a JSON file or the name of a pose"
+    )]
+    UnknownName {
+        /// Name as given.
+        name: String,
+        /// Names of the poses of the model.
+        known: String,
     },
     /// Invalid position.
     #[error("{path}: {message}")]
@@ -182,6 +194,25 @@ impl GivenPose {
     /// # Errors
     /// [`GivenPoseError`]: unreadable file, invalid JSON, no positions, or an invalid position.
     pub fn read(path: &str, max_size: u64) -> Result<Self, GivenPoseError> {
+        Self::read_as(path, path, max_size)
+    }
+
+    /// Reads the file `path`, as [`read`](Self::read). If there is no such file and the text `given` has no folder and no ending .json,
+    /// it is the name of a pose of the model.
+    ///
+    /// # Errors
+    /// As for [`read`](Self::read).
+    pub(crate) fn read_as(path: &str, given: &str, max_size: u64) -> Result<Self, GivenPoseError> {
+        let is_name = given != "-" && !given.ends_with(".json") && !given.contains(['/', '\\']);
+        if is_name && !std::path::Path::new(path).exists() {
+            let input = Input { path: given.to_owned(), sha256: String::new() };
+            return Ok(Self {
+                input,
+                positions: BTreeMap::new(),
+                source_model: None,
+                name: Some(given.to_owned()),
+            });
+        }
         let source = Source::read(path, max_size)
             .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;
         let path = source.name.clone();
@@ -218,7 +249,36 @@ impl GivenPose {
         }
         let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
         let positions = positions.into_iter().collect();
-        Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model })
+        Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model, name: None })
+    }
+
+    /// The pose with the positions of a model's pose, if it is given by name.
+    pub(crate) fn resolve(&self, model: &Model) -> Result<Option<Self>, GivenPoseError> {
+        let Some(name) = &self.name else { return Ok(None) };
+        let Some(pose) = model.poses.iter().find(|pose| pose.name == *name) else {
+            let names: Vec<String> =
+                model.poses.iter().take(MAX_LISTED_JOINTS).map(|pose| format!("\"{}\"", pose.name)).collect();
+            let known = match (names.is_empty(), model.poses.len() > names.len()) {
+                (true, _) => "none".to_owned(),
+                (false, false) => names.join(", "),
+                (false, true) => format!("{} and others", names.join(", ")),
+            };
+            return Err(GivenPoseError::UnknownName { name: truncate_for_message(name).into_owned(), known });
+        };
+        let position = |(joint, values): &(String, Vec<f64>)| {
+            let given = GivenPosition::from_numbers(values).map_err(|error| GivenPoseError::Position {
+                path: name.clone(),
+                message: format!("joint \"{joint}\": {error}"),
+            })?;
+            Ok((joint.clone(), given))
+        };
+        let positions = pose.positions.iter().map(position).collect::<Result<_, GivenPoseError>>()?;
+        Ok(Some(Self { positions, ..self.clone() }))
+    }
+
+    /// File of the pose; `None` for a pose of the model.
+    pub(crate) fn file(&self) -> Option<&Input> {
+        self.name.is_none().then_some(&self.input)
     }
 
     /// True if every movable joint that is no mimic has a position.

@@ -311,7 +311,11 @@ impl StudyReader<'_> {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
         // The study closes the loops that the file only marks.
-        let options = LoadOptions { accept: study.model.accepted(), open_pairs: !study.closure.is_empty() };
+        let options = LoadOptions {
+            accept: study.model.accepted(),
+            open_pairs: !study.closure.is_empty(),
+            ..LoadOptions::default()
+        };
         let model = self.model(study, source, folder, &options)?;
         let contacts = expand(&study.contact, &model.mechanism).map_err(refused)?;
         let contact = &contacts.first().cloned().unwrap_or_default();

@@ -1,79 +1,96 @@
 //! Command `percuss convert`.
 
-use crate::args::{ConvertArgs, ModelFormat};
+use crate::args::{CheckFormat, ConvertArgs, ModelFormat};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
+use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
-use percuss_formats::{Comments, ModelText, write_mjcf, write_sdf, write_urdf_with};
+use crate::terminal::report::{write_diagnostics, write_json, write_out, write_unescaped};
+use crate::terminal::wrap::fact_line;
+use percuss_formats::{ModelText, write_mjcf, write_sdf, write_urdf_model};
 use percuss_mechanism::{Mechanism, Severity};
-use percuss_study::DiagnosticRecord;
+use percuss_study::{ChangeRecord, ConversionReport, DiagnosticRecord, Model};
 
 /// Runs the command.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     args.writing.apply();
-    let format = args.format()?;
-    if args.output != "-" {
+    let format = args.model_format()?;
+    let to_stdout = args.output == "-";
+    if to_stdout && args.format == CheckFormat::Json {
+        return Err(Failure::bad_input(
+            "--format json: the report goes to the standard output, and so does the model of --output -; give a file",
+        ));
+    }
+    if !to_stdout {
         check_writable(&args.output)?;
     }
-    let model = args.model.load()?;
+    let model = args.model.load_for_conversion()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
-    write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
+    refuse_warnings(&model, args.model.reading.strict)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);
-    let (text, notes) = write_model(&model.mechanism, format, &heading)?;
-    let notes: Vec<DiagnosticRecord> = notes.into_iter().map(note).collect();
-    write_diagnostics(&notes, false)?;
+    let ModelText { text, changes } = write_model(&model.mechanism, format, &heading)?;
+    let report = ConversionReport::new(&model, changes, format.name(), &args.output);
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     let text = append_hash(text);
-    if args.output == "-" {
+    if to_stdout {
+        let notes: Vec<DiagnosticRecord> = report.changes.iter().map(note).collect();
+        write_diagnostics(&notes, false)?;
         return write_unescaped(text.as_bytes());
     }
     write_file(&args.output, text.as_bytes())?;
-    let mechanism = &model.mechanism;
-    write_out(&format!(
-        "{}: {} links, {} joints, {} loops\n",
-        args.output,
-        mechanism.links().len(),
-        mechanism.joints().len(),
-        mechanism.closures().len() + mechanism.couplings().len()
-    ))
-}
-
-/// Text of the model with a comment at its head, and notes about parts that have another form.
-fn write_model(
-    mechanism: &Mechanism,
-    format: ModelFormat,
-    heading: &str,
-) -> Result<(String, Vec<String>), Failure> {
-    match format {
-        ModelFormat::Mjcf => {
-            let ModelText { text, notes } = write_mjcf(mechanism, heading).map_err(|error| {
-                Failure::bad_input(format!("the model cannot be written as MJCF: {error}"))
-            })?;
-            Ok((text, notes))
-        }
-        ModelFormat::Sdf => {
-            let ModelText { text, notes } = write_sdf(mechanism, heading).map_err(|error| {
-                Failure::bad_input(format!("the model cannot be written as SDFormat: {error}"))
-            })?;
-            Ok((text, notes))
-        }
-        ModelFormat::Urdf => {
-            let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
-            Ok((write_urdf_with(mechanism, &comments), Vec::new()))
-        }
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&summary(&report)),
     }
 }
 
-/// Note on a conversion, without a position in a file.
-pub(super) fn note(message: String) -> DiagnosticRecord {
+/// Refuses a model with warnings under `strict`, those about parts that are not read included.
+pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure> {
+    match strict {
+        true => write_diagnostics(&model.diagnostics, true),
+        false => Ok(()),
+    }
+}
+
+/// Text of the model with a comment at its head, and the parts that have another form.
+fn write_model(mechanism: &Mechanism, format: ModelFormat, heading: &str) -> Result<ModelText, Failure> {
+    match format {
+        ModelFormat::Mjcf => write_mjcf(mechanism, heading)
+            .map_err(|error| Failure::bad_input(format!("the model cannot be written as MJCF: {error}"))),
+        ModelFormat::Sdf => write_sdf(mechanism, heading)
+            .map_err(|error| Failure::bad_input(format!("the model cannot be written as SDFormat: {error}"))),
+        ModelFormat::Urdf => Ok(write_urdf_model(mechanism, heading)),
+    }
+}
+
+/// Size of the model, and everything that changes or is lost.
+fn summary(report: &ConversionReport) -> String {
+    let mut out = format!(
+        "{}: {} links, {} joints, {} loops\n",
+        line(&report.output),
+        report.links,
+        report.joints,
+        report.loops + report.couplings
+    );
+    out += &change_lines(&report.changes);
+    out
+}
+
+/// A line for every part that changes or is lost.
+pub(super) fn change_lines(changes: &[ChangeRecord]) -> String {
+    changes.iter().map(|change| fact_line(change.effect, &line(&change.text()))).collect()
+}
+
+/// Change as a note, for a model that is written to the standard output.
+fn note(change: &ChangeRecord) -> DiagnosticRecord {
     DiagnosticRecord {
         severity: Severity::Note,
         code: "converted",
-        path: None,
-        line: None,
+        path: change.path.clone(),
+        line: change.line,
         column: None,
-        element: None,
-        message,
+        element: Some(change.element.clone()),
+        message: format!("{}: {} ({})", change.effect, change.what, change.reason),
     }
 }

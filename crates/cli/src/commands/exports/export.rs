@@ -1,15 +1,16 @@
 //! Command `percuss export`.
 
-use super::convert::note;
-use crate::args::{ExportArgs, ImpactFormat};
+use super::convert::{change_lines, refuse_warnings};
+use crate::args::{CheckFormat, ExportArgs, ImpactFormat};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, shell_quoted};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{DiagnosticRecord, ExportedImpact, ImpactExportError, export_impact};
+use percuss_study::contact::exports::StopMotion;
+use percuss_study::{ExportReport, ImpactExportError, export_impact, export_stop};
 use std::path::Path;
 
 /// Script that runs an exported impact. It finds the model by its own name.
@@ -21,7 +22,10 @@ const ENDING: &str = "xml";
 pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     args.writing.apply();
     let script = script_path(&args.output)?;
-    let contact = args.contact.question()?;
+    let contact = match &args.limit {
+        Some(_) => args.contact.conditions()?,
+        None => args.contact.question()?,
+    };
     if !args.damping.tools.is_empty() {
         return Err(Failure::bad_input("--for: the format of the file selects the simulator (--to)"));
     }
@@ -30,23 +34,40 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
             "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
         ));
     };
-    args.damping.check_units(&damping, false)?;
     for path in [&args.output, &script] {
         check_writable(path)?;
     }
-    let model = args.model.load()?;
+    let model = args.model.load_for_conversion()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
+    refuse_warnings(&model, args.model.reading.strict)?;
+    let turns = args.limit.as_ref().map(|stop| stop.motion(&model)).transpose()? == Some(StopMotion::Turn);
+    args.damping.check_units(&damping, turns)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);
     let exported = match args.to {
-        ImpactFormat::Mjcf => export_impact(&model, &contact, &damping, &heading)?,
+        ImpactFormat::Mjcf => match &args.limit {
+            Some(stop) => export_stop(&model, stop, contact, &damping, &heading)?,
+            None => export_impact(&model, &contact, &damping, &heading)?,
+        },
+        ImpactFormat::Sdf => return Err(no_impact("SDFormat", "sdf", "gazebo-classic or --for drake")),
+        ImpactFormat::Urdf => return Err(no_impact("URDF", "urdf", "drake or --for bullet")),
     };
-    write_diagnostics(&exported.damping.diagnostics, args.model.reading.strict)?;
-    let notes: Vec<DiagnosticRecord> = exported.model.notes.iter().cloned().map(note).collect();
-    write_diagnostics(&notes, false)?;
-    write_file(&args.output, append_hash(exported.model.text.clone()).as_bytes())?;
+    let report = ExportReport::new(&model, &exported, "mjcf", [&args.output, &script]);
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    write_file(&args.output, append_hash(exported.model.text).as_bytes())?;
     write_file(&script, SCRIPT.as_bytes())?;
-    write_out(&summary(args, &script, &exported))
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&summary(args, &report)),
+    }
+}
+
+/// Refusal of a format that cannot express the state of an impact.
+fn no_impact(format: &str, ending: &str, tools: &str) -> Failure {
+    Failure::bad_input(format!(
+        "--to {ending}: {format} has no positions and velocities of joints, so that an impact has no form in it; use --to mjcf, or write \
+         the mechanism by \"percuss convert MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
+    ))
 }
 
 /// Name of the script of a model file.
@@ -61,14 +82,18 @@ fn script_path(output: &str) -> Result<String, Failure> {
 }
 
 /// Files, the impact, and the command that runs it.
-fn summary(args: &ExportArgs, script: &str, exported: &ExportedImpact) -> String {
-    let bound = exported.error_bound.map_or_else(String::new, |bound| format!(" ± {}", number(bound)));
-    let mut out = fact_line("written", &line(&format!("{}, {script}", args.output)));
-    out += &fact_line("effective mass", &format!("{} kg", number(exported.damping.effective_mass)));
-    out += &fact_line("approach speed", &format!("{} m/s", number(exported.speed)));
-    out += &fact_line("restitution", &format!("{}{bound}", number(exported.damping.damper.restitution)));
-    out += &fact_line("time step", &format!("{} s", number(exported.time_step)));
-    out += &fact_line("run", &line(&format!("python {}", shell_quoted(script))));
+fn summary(args: &ExportArgs, report: &ExportReport) -> String {
+    let bound = report.error_bound.map_or_else(String::new, |bound| format!(" ± {bound:.1e}"));
+    let mut out = fact_line("written", &line(&format!("{}, {}", args.output, report.script)));
+    let turns = report.stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn);
+    let (name, mass, speed) =
+        if turns { ("effective inertia", "kg·m²", "rad/s") } else { ("effective mass", "kg", "m/s") };
+    out += &fact_line(name, &format!("{} {mass}", number(report.effective_mass)));
+    out += &fact_line("approach speed", &format!("{} {speed}", number(report.approach_speed)));
+    out += &fact_line("restitution", &format!("{}{bound}", number(report.restitution)));
+    out += &fact_line("time step", &format!("{} s", number(report.time_step)));
+    out += &fact_line("run", &line(&format!("python {}", shell_quoted(&report.script))));
+    out += &change_lines(&report.changes);
     out
 }
 

@@ -27,6 +27,8 @@ pub(crate) struct BodyJoint {
     pub axis: Vector3<f64>,
     /// Lower and upper limit minus the reference position, rad or m.
     pub limits: Option<[f64; 2]>,
+    /// MuJoCo's position as drawn, rad or m.
+    pub reference: f64,
     /// Armature of the joint and of its actuators, kg·m² or kg.
     pub armature: f64,
 }

@@ -266,6 +266,7 @@ impl<'t> Walker<'_, 't, '_> {
             anchor: Vector3::zeros(),
             axis: Vector3::z(),
             limits: None,
+            reference: 0.0,
             armature: 0.0,
         };
         // A free joint by its own element takes no defaults.
@@ -278,6 +279,7 @@ impl<'t> Walker<'_, 't, '_> {
         if kind == JointType::Free {
             return BodyJoint { armature, ..free };
         }
+        let reference = attributes.number("ref", self.findings).unwrap_or(0.0);
         let anchor = attributes.numbers::<3>("pos", self.findings).unwrap_or_default();
         let axis = attributes.numbers::<3>("axis", self.findings).unwrap_or([0.0, 0.0, 1.0]);
         let axis = unit(axis.into());
@@ -291,6 +293,11 @@ impl<'t> Walker<'_, 't, '_> {
             anchor: parent.frame.point(&anchor.into()),
             axis: parent.frame.vector(&axis.unwrap_or_else(Vector3::z)),
             limits: self.read_limits(attributes, kind),
+            reference: match kind {
+                JointType::Hinge => reference * self.models.settings(element).angle_unit,
+                JointType::Slide => reference,
+                JointType::Ball | JointType::Free => 0.0,
+            },
             armature,
             ..free
         }

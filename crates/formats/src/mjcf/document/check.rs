@@ -15,7 +15,10 @@ pub(crate) fn check_grammar(tree: &ElementTree, root: ElementId, findings: &mut 
 fn check_element(tree: &ElementTree, id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
     match rule.treatment {
         Treatment::Read => {}
-        Treatment::Silent => return,
+        Treatment::Silent => {
+            findings.add_unread(id, || format!("<{}>", rule.tag));
+            return;
+        }
         Treatment::Warned(reason) => {
             findings.add_once(Severity::Warning, "ignored", rule.tag, id, || reason.to_owned());
             return;
@@ -50,14 +53,15 @@ fn check_attributes(
         let name = attribute.name.as_str();
         let treatment = rule.attributes.iter().find(|(known, _)| *known == name).map(|(_, t)| *t);
         match treatment {
-            Some(Treatment::Read | Treatment::Silent) => {}
+            Some(Treatment::Read) => {}
+            Some(Treatment::Silent) => findings.add_unread(id, || format!("{name} of <{}>", rule.tag)),
             Some(Treatment::Warned(reason)) => {
                 findings.add_once(Severity::Warning, "ignored", name, id, || reason.to_owned());
             }
             Some(Treatment::Refused(reason)) => {
                 findings.attribute_error("unsupported", id, name, || format!("{name}: {reason}"));
             }
-            None if rule.open => {}
+            None if rule.open => findings.add_unread(id, || format!("{} of <{}>", shortened(name), rule.tag)),
             None => findings.attribute_error("unknown-attribute", id, name, || {
                 let guess = similar_name(name, rule.attributes.iter().map(|(known, _)| *known));
                 format!("<{}> has no attribute \"{}\"{guess}", rule.tag, shortened(name))

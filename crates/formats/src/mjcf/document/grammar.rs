@@ -107,9 +107,25 @@ const IN_ROOT: &[ElementRule] = &[
     element("tendon", &[], Content::List(IN_TENDON)),
     element("actuator", &[], Content::List(IN_ACTUATOR)),
     unread("sensor", Silent),
-    unread("keyframe", Silent),
+    element("keyframe", &[], Content::List(&[KEY])),
     unread("custom", Silent),
 ];
+
+/// Keyframe. Velocities, controls and mocap poses have no form in a pose.
+const KEY: ElementRule = element(
+    "key",
+    &[
+        ("name", Read),
+        ("qpos", Read),
+        ("time", Silent),
+        ("qvel", Silent),
+        ("act", Silent),
+        ("ctrl", Silent),
+        ("mpos", Silent),
+        ("mquat", Silent),
+    ],
+    NO_CHILDREN,
+);
 
 const IN_COMPILER: &[(&str, Treatment)] = &[
     ("autolimits", Read),

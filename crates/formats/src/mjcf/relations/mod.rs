@@ -3,5 +3,6 @@
 pub(crate) mod actuator;
 pub(crate) mod equality;
 pub(crate) mod joint_relations;
+pub(crate) mod keyframe;
 pub(crate) mod references;
 pub(crate) mod tendon;

@@ -2,10 +2,11 @@
 
 use super::error::MjcfError;
 use super::rotors::{Rotor, rotor_inertial};
+use crate::changes::Change;
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 
 /// Largest depth of nested bodies: readers bound the nesting of elements.
@@ -38,11 +39,13 @@ pub(super) struct BodyTree {
     pub world_contents: String,
     /// Form of each link that is a rotor.
     pub rotors: Vec<Option<Rotor>>,
-    pub notes: Vec<String>,
+    pub changes: Vec<Change>,
     /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
     halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
     root_is_world: bool,
+    /// The only joint with a limit, and its attributes; `None` for the limits of the mechanism.
+    only_limit: Option<(JointId, String)>,
 }
 
 /// Joints of MuJoCo that belong together.
@@ -106,9 +109,10 @@ impl BodyTree {
             contents: vec![String::new(); count],
             world_contents: String::new(),
             rotors,
-            notes: Vec::new(),
+            changes: Vec::new(),
             halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
+            only_limit: None,
         };
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
@@ -118,9 +122,11 @@ impl BodyTree {
             if let (Some(Rotor::Body), [joint]) = (tree.rotors[link.index()], &chain[..]) {
                 tree.inertials[link.index()] = Some(rotor_inertial(mechanism.joint(*joint)));
                 let name = mechanism.link(link).name();
-                tree.notes.push(format!(
-                    "link \"{name}\": the armature of its joint is written as the mass of a body, since MuJoCo leaves the armature of a \
-                     tendon over several branches out of the mass matrix"
+                tree.changes.push(Change::changed(
+                    "link",
+                    name,
+                    "a body whose mass is the armature of its joint",
+                    "MuJoCo leaves the armature of a tendon over several branches out of the mass matrix",
                 ));
                 continue;
             }
@@ -129,8 +135,11 @@ impl BodyTree {
                 && let Some(least) = raise_moments(inertial, mechanism.characteristic_length())
             {
                 let name = mechanism.link(link).name();
-                tree.notes.push(format!(
-                    "link \"{name}\": moments below {least:.1e} kg·m² are raised to this value, since MuJoCo refuses moments of 0"
+                tree.changes.push(Change::changed(
+                    "link",
+                    name,
+                    format!("moments of inertia below {least:.1e} kg·m² are raised to this value"),
+                    "MuJoCo refuses moments of 0",
                 ));
             }
         }
@@ -140,6 +149,31 @@ impl BodyTree {
     /// True unless the link is merged into the body of its child.
     pub fn has_body(&self, link: LinkId) -> bool {
         self.chains[link.index()].is_some()
+    }
+
+    /// Leaves the limit of one joint, with the attributes of an impact.
+    pub fn limit_only(&mut self, mechanism: &Mechanism, joint: JointId, attributes: String) {
+        let lost = mechanism.joint_ids().filter(|id| *id != joint && mechanism.joint(*id).limits().is_some());
+        self.changes.extend(lost.map(|id| {
+            Change::lost(
+                "joint",
+                mechanism.joint(id).name(),
+                "its limits",
+                "the only limit in the file is the stop",
+            )
+        }));
+        self.only_limit = Some((joint, attributes));
+    }
+
+    /// Attributes of the limits of a joint.
+    fn limit_attributes(&self, mechanism: &Mechanism, joint: JointId) -> String {
+        match &self.only_limit {
+            Some((limited, attributes)) if *limited == joint => attributes.clone(),
+            Some(_) => String::new(),
+            None => mechanism.joint(joint).limits().filter(has_range).map_or(String::new(), |limits| {
+                format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
+            }),
+        }
     }
 
     /// Appends a line within the body of a link; within the world for `None`.
@@ -162,6 +196,11 @@ impl BodyTree {
         let number = mechanism.closures().iter().position(|other| other.name() == closure.name());
         let holder = link.filter(|link| !self.is_world(mechanism, *link));
         self.halves.extend(number.map(|number| (holder, number)));
+    }
+
+    /// True if the root link is the world of MuJoCo.
+    pub fn has_world_root(&self) -> bool {
+        self.root_is_world
     }
 
     /// True if the link is the world of MuJoCo.
@@ -263,7 +302,7 @@ impl BodyTree {
     }
 
     /// True for a body with a free joint of MuJoCo: a floating joint to the root.
-    fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+    pub fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
         let Some([id]) = self.chains[link.index()].as_deref() else { return false };
         let joint = mechanism.joint(*id);
         joint.kind() == JointKind::Floating && joint.parent() == mechanism.root()
@@ -303,7 +342,7 @@ impl BodyTree {
             let lines = if self.is_free(mechanism, link) {
                 free_joint(joint)
             } else {
-                joint_lines(joint, &frame, !is_rotor)
+                joint_lines(joint, &frame, !is_rotor, &self.limit_attributes(mechanism, id))
             };
             for line in lines? {
                 append(out, format_args!("{lead}  {line}\n"));
@@ -317,6 +356,11 @@ impl BodyTree {
         }
         Ok(())
     }
+}
+
+/// True for limits that MuJoCo accepts.
+pub(super) fn has_range(limits: &Limits) -> bool {
+    limits.lower < limits.upper
 }
 
 /// Per link: true if it has no body of its own, which holds for a massless moving link with one child and no closure.
@@ -461,7 +505,13 @@ fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
 }
 
 /// Joints of MuJoCo for a joint whose frame in the body is given; without the armature of a rotor that is a body.
-fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Result<Vec<String>, MjcfError> {
+/// `limits`: attributes of its limits.
+fn joint_lines(
+    joint: &Joint,
+    frame: &Transform<f64>,
+    has_armature: bool,
+    limits: &str,
+) -> Result<Vec<String>, MjcfError> {
     let name = escape_attribute(joint.name());
     let anchor = match frame.translation {
         at if at == Vector3::zeros() => String::new(),
@@ -475,10 +525,6 @@ fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Res
         true => common_armature(joint, index..index + 1),
         false => Ok(String::new()),
     };
-    let limits =
-        joint.limits().filter(|limits| limits.lower < limits.upper).map_or(String::new(), |limits| {
-            format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
-        });
     Ok(match joint.kind() {
         JointKind::Fixed => Vec::new(),
         JointKind::Revolute | JointKind::Continuous => {

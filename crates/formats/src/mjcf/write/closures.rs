@@ -2,6 +2,7 @@
 
 use super::body_tree::{BodyTree, inertial_element, pose_attributes};
 use super::error::MjcfError;
+use crate::changes::Change;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3, plane_basis};
@@ -45,8 +46,22 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
                 add_connect(mechanism, tree, closure, &name, &Vector3::zeros(), &mut sections);
                 let along = closure.axis() * mechanism.characteristic_length();
                 add_connect(mechanism, tree, closure, &format!("{name}/axis"), &along, &mut sections);
+                tree.changes.push(Change::changed(
+                    "loop",
+                    closure.name(),
+                    "connects of two points of its axis",
+                    "MJCF has no revolute constraint",
+                ));
             }
-            ClosureKind::Distance => add_rod(mechanism, tree, closure, &name, &mut sections),
+            ClosureKind::Distance => {
+                add_rod(mechanism, tree, closure, &name, &mut sections);
+                tree.changes.push(Change::changed(
+                    "loop",
+                    closure.name(),
+                    "a tendon of constant length",
+                    "MJCF has no distance constraint",
+                ));
+            }
             ClosureKind::Prismatic
             | ClosureKind::Cylindrical
             | ClosureKind::Planar
@@ -254,10 +269,14 @@ fn add_half(
         format_args!("    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
     );
     let split = mechanism.link(link).name();
-    tree.notes.push(format!(
-        "loop \"{}\": a part of the mass and inertia of link \"{split}\" is in the body \"{}/half\"",
+    tree.changes.push(Change::changed(
+        "loop",
         closure.name(),
-        closure.name()
+        format!(
+            "joints to a body \"{}/half\" with a part of the mass and inertia of link \"{split}\", and a weld",
+            closure.name()
+        ),
+        format!("MJCF has no {} constraint", closure.kind().name()),
     ));
     Ok(())
 }

@@ -1,22 +1,24 @@
 //! Named contacts as sites: the z-axis of a site is the normal with all joints at 0.
 
 use super::body_tree::{BodyTree, pose_attributes};
+use crate::changes::Change;
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::xml_text::escape_attribute;
 use percuss_mechanism::{ContactKind, ContactNormal, Mechanism, NamedContact};
 use percuss_spatial::Transform;
 
-/// Adds a site for each contact. What a site cannot express becomes a note.
+/// Adds a site for each contact. The parts that a site cannot express are changes.
 pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
     for contact in mechanism.contacts() {
         let name = contact.name();
         if !tree.has_body(contact.link()) {
-            tree.notes
-                .push(format!("contact \"{name}\": not written, its link has no body of its own in MJCF"));
+            let reason = "its link has no body of its own in MJCF";
+            tree.changes.push(Change::lost("contact", name, "the contact", reason));
             continue;
         }
         let Some(frame) = site_frame(tree, contact) else {
-            tree.notes.push(format!("contact \"{name}\": not written, its normal has no direction as drawn"));
+            let reason = "its normal has no direction as drawn";
+            tree.changes.push(Change::lost("contact", name, "the contact", reason));
             continue;
         };
         let line = format!("<site name=\"{}\"{}/>\n", escape_attribute(name), pose_attributes(&frame));
@@ -26,8 +28,11 @@ pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
             && contact.against().is_none_or(|other| other == mechanism.root())
             && matches!(contact.normal(), ContactNormal::Fixed(_));
         if !is_plain {
-            tree.notes.push(format!(
-                "contact \"{name}\": written as a site with the normal as drawn; its kind, gap and other side have no form in MJCF"
+            tree.changes.push(Change::changed(
+                "contact",
+                name,
+                "a site with the normal as drawn, without its kind, gap and other side",
+                "a site of MJCF is a frame of a body",
             ));
         }
     }

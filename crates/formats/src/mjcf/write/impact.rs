@@ -5,21 +5,52 @@ use super::error::MjcfError;
 use super::keyframe::MechanismState;
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::xml_text::{append, format_number, format_vector};
-use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
 /// Name of the keyframe and of the contact pair.
 const NAME: &str = "impact";
 
-/// Impact at a contact, in MuJoCo's parameters.
+/// Impact at a contact or at the stop of a joint, in MuJoCo's parameters.
 ///
-/// The contact link has a sphere about the contact point. The other side has a face at the distance of the radius along the
+/// At a contact, the contact link has a sphere about the contact point. The other side has a face at the distance of the radius along the
 /// normal: a plane on the ground, a box on a link. The gap of the two is n·(p_face − p) − radius, so its closing speed is that of
 /// the contact point along the normal, and the normal moves with the other side.
 #[derive(Clone, Debug)]
 pub struct MjcfImpact {
     /// Pose and velocity at the touch.
     pub state: MechanismState,
+    /// Surfaces that touch, or the stop of a joint.
+    pub contact: ImpactContact,
+    /// `solref` of the contact or of the limit.
+    pub solref: Vec<f64>,
+    /// `solimp` of the contact or of the limit.
+    pub solimp: Vec<f64>,
+    /// `solref` and `solimp` of all equality constraints; `None` without constraints.
+    pub equality: Option<[Vec<f64>; 2]>,
+    /// Time step, s.
+    pub time_step: f64,
+    /// Restitution, written as the number `restitution`.
+    pub restitution: f64,
+}
+
+/// Parts that touch in an impact.
+#[derive(Clone, Debug)]
+pub enum ImpactContact {
+    /// Sphere and face.
+    Surfaces(ImpactSurfaces),
+    /// Stop of a joint with one degree of freedom: the only limit in the file.
+    Limit {
+        /// The joint.
+        joint: JointId,
+        /// Its range, rad or m: one of the ends is the stop.
+        range: [f64; 2],
+    },
+}
+
+/// Sphere about the contact point, and face of the other side.
+#[derive(Clone, Debug)]
+pub struct ImpactSurfaces {
     /// The contact link.
     pub link: LinkId,
     /// Link on the other side; `None` for the ground.
@@ -32,27 +63,40 @@ pub struct MjcfImpact {
     pub radius: f64,
     /// Half of the side of the face, m.
     pub extent: f64,
-    /// `solref` of the contact.
-    pub solref: Vec<f64>,
-    /// `solimp` of the contact.
-    pub solimp: Vec<f64>,
-    /// `solref` and `solimp` of all equality constraints; `None` without constraints.
-    pub equality: Option<[Vec<f64>; 2]>,
-    /// Time step, s.
-    pub time_step: f64,
-    /// Restitution, written as the number `restitution`.
-    pub restitution: f64,
 }
 
 impl MjcfImpact {
-    /// Adds the two geoms to the bodies.
+    /// Adds the two geoms to the bodies, or the only limit to the joints.
     ///
     /// # Errors
     /// [`MjcfError`]: a link without a body in the file.
-    pub(super) fn add_geoms(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
+    pub(super) fn add_contact(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
+        match &self.contact {
+            ImpactContact::Surfaces(surfaces) => self.add_geoms(surfaces, mechanism, tree),
+            ImpactContact::Limit { joint, range: [lower, upper] } => {
+                let attributes = format!(
+                    " range=\"{} {}\" solreflimit=\"{}\" solimplimit=\"{}\"",
+                    format_number(*lower),
+                    format_number(*upper),
+                    list(&self.solref),
+                    list(&self.solimp)
+                );
+                tree.limit_only(mechanism, *joint, attributes);
+                Ok(())
+            }
+        }
+    }
+
+    /// Adds the two geoms to the bodies.
+    fn add_geoms(
+        &self,
+        surfaces: &ImpactSurfaces,
+        mechanism: &Mechanism,
+        tree: &mut BodyTree,
+    ) -> Result<(), MjcfError> {
         let moving = |link| moving_link(mechanism, tree, link);
-        let other = self.against.map(moving).filter(|link| *link != mechanism.root());
-        let own = moving(self.link);
+        let other = surfaces.against.map(moving).filter(|link| *link != mechanism.root());
+        let own = moving(surfaces.link);
         if let Some(link) = [Some(own), other].into_iter().flatten().find(|link| !tree.has_body(*link)) {
             return Err(MjcfError::new(
                 "link",
@@ -62,29 +106,29 @@ impl MjcfImpact {
         }
         let attributes = "contype=\"0\" conaffinity=\"0\"";
         let poses = &self.state.link_poses;
-        let centre = poses[self.link.index()].point(&self.point);
+        let centre = poses[surfaces.link.index()].point(&surfaces.point);
         let sphere = format!(
             "<geom name=\"{NAME}/point\" type=\"sphere\" size=\"{}\" pos=\"{}\" {attributes}/>\n",
-            format_number(self.radius),
+            format_number(surfaces.radius),
             format_vector(&poses[own.index()].inverse_point(&centre))
         );
         tree.append_content(mechanism, Some(own), &sphere);
-        let Some(rotation) = rotation_to_z(-self.normal) else {
+        let Some(rotation) = rotation_to_z(-surfaces.normal) else {
             return Err(MjcfError::new(
                 "link",
-                mechanism.link(self.link).name(),
+                mechanism.link(surfaces.link).name(),
                 "the normal has no direction",
             ));
         };
         let (kind, depth) = match other {
             None => ("plane", 0.0),
-            Some(_) => ("box", self.radius),
+            Some(_) => ("box", surfaces.radius),
         };
         // The face is the side of the box towards the contact link.
-        let face = Transform::new(rotation, centre + self.normal * (self.radius + depth));
+        let face = Transform::new(rotation, centre + surfaces.normal * (surfaces.radius + depth));
         let holder = other.map_or_else(Transform::identity, |link| poses[link.index()]);
-        let extent = format_number(self.extent);
-        let size = [&extent, &extent, &format_number(self.radius)].map(String::as_str).join(" ");
+        let extent = format_number(surfaces.extent);
+        let size = [&extent, &extent, &format_number(surfaces.radius)].map(String::as_str).join(" ");
         let line = format!(
             "<geom name=\"{NAME}/face\" type=\"{kind}\" size=\"{size}\"{} {attributes}/>\n",
             pose_attributes(&(holder.inverse() * face))
@@ -96,8 +140,12 @@ impl MjcfImpact {
     /// Elements before the bodies: options, defaults and numbers.
     pub(super) fn head(&self) -> String {
         let mut out = format!(
-            "  <option timestep=\"{}\" gravity=\"0 0 0\">\n    <flag limit=\"disable\"/>\n  </option>\n",
-            format_number(self.time_step)
+            "  <option timestep=\"{}\" gravity=\"0 0 0\">\n    <flag limit=\"{}\"/>\n  </option>\n",
+            format_number(self.time_step),
+            match self.contact {
+                ImpactContact::Surfaces(_) => "disable",
+                ImpactContact::Limit { .. } => "enable",
+            }
         );
         if let Some([solref, solimp]) = &self.equality {
             append(
@@ -121,13 +169,16 @@ impl MjcfImpact {
 
     /// Elements after the bodies: contact pair and keyframe.
     pub(super) fn tail(&self, key: &super::keyframe::Keyframe) -> String {
-        format!(
-            "  <contact>\n    <pair name=\"{NAME}\" geom1=\"{NAME}/point\" geom2=\"{NAME}/face\" condim=\"1\" solref=\"{}\" \
-             solimp=\"{}\"/>\n  </contact>\n  <keyframe>\n    {}\n  </keyframe>\n",
-            list(&self.solref),
-            list(&self.solimp),
-            key.element(NAME)
-        )
+        let pair = match self.contact {
+            ImpactContact::Surfaces(_) => format!(
+                "  <contact>\n    <pair name=\"{NAME}\" geom1=\"{NAME}/point\" geom2=\"{NAME}/face\" condim=\"1\" solref=\"{}\" \
+                 solimp=\"{}\"/>\n  </contact>\n",
+                list(&self.solref),
+                list(&self.solimp)
+            ),
+            ImpactContact::Limit { .. } => String::new(),
+        };
+        format!("{pair}  <keyframe>\n    {}\n  </keyframe>\n", key.element(NAME))
     }
 }
 

@@ -4,15 +4,18 @@ mod body_tree;
 pub(crate) mod closures;
 mod contacts;
 mod error;
+mod forms;
 mod impact;
 mod keyframe;
 mod relations;
 mod rotors;
 
-use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
+use crate::changes::{ModelText, changed_names, lost_roles};
+use crate::xml_text::{append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
-pub use impact::MjcfImpact;
+use forms::form_changes;
+pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
 pub use keyframe::MechanismState;
 use percuss_mechanism::Mechanism;
@@ -62,10 +65,12 @@ fn write_file(
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
+    let forms = form_changes(mechanism, &tree);
+    tree.changes.extend(forms);
     let closures = closures::write_closures(mechanism, &mut tree)?;
-    let relations = relations::write_relations(mechanism, &tree);
+    let relations = relations::write_relations(mechanism, &mut tree);
     contacts::add_contacts(mechanism, &mut tree);
-    impact.map_or(Ok(()), |impact| impact.add_geoms(mechanism, &mut tree))?;
+    impact.map_or(Ok(()), |impact| impact.add_contact(mechanism, &mut tree))?;
     let mut out = xml_head(heading, mechanism, "MJCF");
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
@@ -88,6 +93,8 @@ fn write_file(
         out.push_str(&impact.tail(&key));
     }
     out.push_str("</mujoco>\n");
-    let notes = tree.notes;
-    Ok(ModelText { text: out, notes })
+    let mut changes = tree.changes;
+    changes.extend(lost_roles(mechanism, "MJCF"));
+    changes.extend(changed_names(mechanism));
+    Ok(ModelText { text: out, changes })
 }

@@ -3,11 +3,12 @@
 use super::body_tree::BodyTree;
 use super::closures::Sections;
 use super::rotors::{Rotor, armature, tendon_name, tendon_terms};
+use crate::changes::Change;
 use crate::xml_text::{append, escape_attribute, format_number};
 use percuss_mechanism::{JointId, Mechanism};
 
 /// Writes all mimics and couplings.
-pub(super) fn write_relations(mechanism: &Mechanism, tree: &BodyTree) -> Sections {
+pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sections {
     let mut sections = Sections::default();
     let name = |id| escape_attribute(mechanism.joint(id).name());
     for joint in mechanism.joints() {
@@ -28,6 +29,16 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &BodyTree) -> Section
     for (_, coupling) in mechanism.couplings().iter().enumerate().filter(|(number, _)| !is_tendon(*number)) {
         let own = escape_attribute(coupling.name());
         let constant = coupling.constant();
+        let form = match (coupling.terms(), coupling.curve()) {
+            ([(first, _), (second, _)], None) => format!(
+                "an equality of the joints \"{}\" and \"{}\"",
+                mechanism.joint(*first).name(),
+                mechanism.joint(*second).name()
+            ),
+            _ => "an equality of fixed tendons".to_owned(),
+        };
+        let reason = "MJCF writes all relations of joints as equalities";
+        tree.changes.push(Change::changed("coupling", coupling.name(), form, reason));
         if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
             append(
                 &mut sections.equalities,

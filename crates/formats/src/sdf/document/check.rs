@@ -29,7 +29,10 @@ pub(crate) fn check_children(
         seen |= 1 << index;
         match rule.treatment {
             Treatment::Read => {}
-            Treatment::Silent => continue,
+            Treatment::Silent => {
+                findings.add_unread(child, || format!("<{tag}> in <{}>", tree.tag(parent)));
+                continue;
+            }
             Treatment::Warned(reason) => {
                 findings.add_once(Severity::Warning, "ignored", rule.tag, child, || reason.to_owned());
                 continue;
@@ -60,7 +63,9 @@ fn warn_unknown(
              into the model"
                 .to_owned()
         });
-    } else if !tag.contains(':') {
+    } else if tag.contains(':') {
+        findings.add_unread(element, || format!("<{}>", shortened(tag)));
+    } else {
         findings.add_once(Severity::Warning, "unknown-element", tag, element, || {
             let guess = similar_name(tag, rules.iter().map(|rule| rule.tag));
             format!("unknown element <{}> is ignored{guess}", shortened(tag))

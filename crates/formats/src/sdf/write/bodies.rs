@@ -1,6 +1,7 @@
 //! Links of the file: links with a body, frames, and links that are a part of a joint.
 
 use super::error::SdfError;
+use crate::changes::Change;
 use crate::reading::unique_names::UniqueNames;
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
@@ -52,7 +53,7 @@ pub(super) struct Bodies {
     pub names: Vec<String>,
     /// Names in use, for those of joints.
     pub used_names: UniqueNames,
-    pub notes: Vec<String>,
+    pub changes: Vec<Change>,
 }
 
 /// Name of the model.
@@ -78,12 +79,13 @@ impl Bodies {
             chains: vec![None; count],
             names: vec![String::new(); count],
             used_names: UniqueNames::default(),
-            notes: Vec::new(),
+            changes: Vec::new(),
         };
         if mechanism.link(root).name() == "world" {
             bodies.forms[root.index()] = Form::World;
         }
         bodies.find_chains(mechanism);
+        bodies.changes = bodies.form_changes(mechanism);
         bodies.name_links(mechanism)?;
         Ok(bodies)
     }
@@ -132,6 +134,66 @@ impl Bodies {
         }
     }
 
+    /// Changes of links and joints by the form of SDFormat: frames, joints with a pose, joints of two axes.
+    fn form_changes(&self, mechanism: &Mechanism) -> Vec<Change> {
+        let mut changes = Vec::new();
+        if self.forms[mechanism.root().index()] == Form::Link {
+            let what = "a link that a joint fixes to the world";
+            let reason = "a model of SDFormat floats without such a joint";
+            changes.push(Change::changed("link", mechanism.link(mechanism.root()).name(), what, reason));
+        }
+        for id in mechanism.link_ids() {
+            let name = mechanism.link(id).name();
+            match self.forms[id.index()] {
+                Form::World | Form::Link => {}
+                Form::Frame => {
+                    changes.push(Change::changed(
+                        "link",
+                        name,
+                        "a frame",
+                        "simulators refuse links without mass",
+                    ));
+                    if let Some(joint) = mechanism.parent_joint(id).map(|joint| mechanism.joint(joint)) {
+                        let reason = "a frame is attached without a joint";
+                        changes.push(Change::lost("joint", joint.name(), "its name", reason));
+                    }
+                }
+                Form::Merged => {
+                    let what = "no link of its own: it is within a joint";
+                    changes.push(Change::changed("link", name, what, "simulators refuse links without mass"));
+                }
+            }
+        }
+        for chain in self.chains.iter().flatten() {
+            let first = mechanism.joint(chain.joints[0]);
+            if first.kind() == JointKind::Floating {
+                let reason = "a link without a joint floats in SDFormat";
+                changes.push(Change::lost("joint", first.name(), "its name", reason));
+            }
+            let (form, moving) = match chain.kind {
+                ChainKind::Single => ("the pose of a joint", 1),
+                ChainKind::Universal => ("an axis of a universal joint", 0),
+                ChainKind::Revolute2 => ("an axis of a revolute2 joint", 0),
+                ChainKind::Screw => ("the advance of a screw", 1),
+            };
+            for id in chain.joints.iter().skip(moving) {
+                let name = mechanism.joint(*id).name();
+                let form = if mechanism.joint(*id).kind() == JointKind::Fixed {
+                    "the pose of a joint"
+                } else {
+                    form
+                };
+                changes.push(Change::changed(
+                    "joint",
+                    name,
+                    form,
+                    "SDFormat has joints with a pose and two axes",
+                ));
+            }
+        }
+        changes
+    }
+
     /// Gives the links their names; `::` separates the names of models in SDFormat.
     fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
         for id in mechanism.link_ids() {
@@ -150,7 +212,10 @@ impl Bodies {
             }
             let own = self.used_names.take(name.replace("::", "_"));
             if own != name {
-                self.notes.push(format!("link \"{name}\" has the name \"{own}\" in the file"));
+                let what = format!("its name is \"{own}\"");
+                let reason =
+                    "\"::\" separates the names of models in SDFormat, and names are unique in a model";
+                self.changes.push(Change::changed("link", name, what, reason));
             }
             self.names[id.index()] = own;
         }
@@ -166,9 +231,9 @@ impl Bodies {
     pub fn joint_name(&mut self, name: &str) -> String {
         let own = self.used_names.take(name.replace("::", "_"));
         if own != name {
-            self.notes.push(format!(
-                "joint \"{name}\" has the name \"{own}\" in the file: names must be unique in a model"
-            ));
+            let what = format!("its name is \"{own}\"");
+            let reason = "\"::\" separates the names of models in SDFormat, and names are unique in a model";
+            self.changes.push(Change::changed("joint", name, what, reason));
         }
         own
     }
@@ -228,15 +293,18 @@ impl Bodies {
         let massless = Inertial::diagonal(0.0, [0.0; 3], [0.0; 3]);
         let own = mechanism.link(link).inertial().copied().unwrap_or(massless);
         if is_massless(mechanism, link) && is_fixed {
-            self.notes.push(format!(
-                "link \"{name}\" has no mass and cannot move; it is written with 1 kg and 1 kg·m², since simulators refuse 0"
-            ));
+            let what = "1 kg and 1 kg·m² instead of no mass; it cannot move";
+            self.changes.push(Change::changed("link", name, what, "simulators refuse a mass of 0"));
             return Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
         }
         let moments = own.about_com.symmetric_eigenvalues();
         if !is_fixed && (own.mass <= 0.0 || moments.min() <= 0.0) {
-            self.notes.push(format!(
-                "link \"{name}\" has a mass or a moment of 0, which SDFormat allows and simulators refuse"
+            let what = "a mass or a moment of inertia of 0 is written as it is";
+            self.changes.push(Change::changed(
+                "link",
+                name,
+                what,
+                "SDFormat allows 0, and simulators refuse it",
             ));
         }
         own

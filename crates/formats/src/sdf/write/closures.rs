@@ -1,10 +1,11 @@
 //! Loop closures as joints.
 
-use super::bodies::{Bodies, pose_text};
+use super::bodies::{Bodies, Form, pose_text};
 use super::error::SdfError;
+use crate::changes::Change;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
 use crate::xml_text::{append, escape_attribute, format_vector};
-use percuss_mechanism::{Closure, ClosureKind, LoopFrame, Mechanism};
+use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
 /// Writes all closures. SDFormat places a joint on its child; the side of the parent is as drawn.
@@ -13,6 +14,7 @@ use percuss_spatial::{Transform, Vector3};
 /// [`SdfError`] for kinds without a joint in SDFormat, and for closures that are open as drawn.
 pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<String, SdfError> {
     let mut out = String::new();
+    let floats = mechanism.joints().iter().any(|joint| joint.kind() == JointKind::Floating);
     for closure in mechanism.closures() {
         let refusal = |reason: String| SdfError::new("loop", closure.name(), reason);
         let kind = match closure.kind() {
@@ -43,7 +45,19 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
         }
         let name = escape_attribute(&bodies.joint_name(closure.name()));
         append(&mut out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
+        if floats {
+            bodies.changes.push(Change::changed(
+                "loop",
+                closure.name(),
+                "a joint that closes no loop, if it is the first to a floating link",
+                "SDFormat has no floating joint beside it",
+            ));
+        }
         append_ends(bodies, closure, &drawn, &mut out);
+        // Readers that grow a tree cut the loop here, as in the mechanism.
+        out.push_str(
+            "      <physics><simbody><must_be_loop_joint>true</must_be_loop_joint></simbody></physics>\n",
+        );
         out.push_str("    </joint>\n");
     }
     Ok(out)
@@ -52,7 +66,8 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
 /// Pose, ends and axes. The child is the successor, unless that is the world. `drawn`: loop frame of the successor in that of the
 /// predecessor.
 fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
-    let is_swapped = closure.successor().link.is_none();
+    let is_world = |end: &LoopFrame| end.link.is_none_or(|link| bodies.forms[link.index()] == Form::World);
+    let is_swapped = is_world(closure.successor());
     let (parent, child) = if is_swapped {
         (closure.successor(), closure.predecessor())
     } else {

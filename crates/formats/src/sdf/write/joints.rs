@@ -2,6 +2,7 @@
 
 use super::bodies::{Bodies, Chain, ChainKind, Form, path_pose, pose_text};
 use super::error::SdfError;
+use crate::changes::Change;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
@@ -73,6 +74,9 @@ impl Axes {
                 ));
             }
             axes.followers.insert(follower, Follower { leader, multiplier, offset });
+            let what = format!("a mimic of joint \"{}\"", mechanism.joint(follower).name());
+            let reason = "SDFormat has no other relation of joints";
+            bodies.changes.push(Change::changed("coupling", coupling.name(), what, reason));
         }
         for (id, follower) in &axes.followers {
             if ![id, &follower.leader].iter().all(|joint| axes.names.contains_key(joint)) {

@@ -5,11 +5,12 @@ mod closures;
 mod error;
 mod joints;
 
-use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
+use crate::changes::{Change, ModelText, changed_names, lost_roles};
+use crate::xml_text::{append, escape_attribute, xml_head};
 use bodies::Bodies;
 pub use error::SdfError;
 use joints::Axes;
-use percuss_mechanism::Mechanism;
+use percuss_mechanism::{Joint, Mechanism};
 
 /// Writes SDFormat 1.7, or 1.11 if a joint follows another: links with inertias, joints with limits, and the joints that close loops.
 /// `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read
@@ -46,9 +47,22 @@ pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, SdfE
     out.push_str(&closures);
     out.push_str("  </model>\n</sdf>\n");
     if axes.has_rotors() {
-        bodies.notes.push("armatures are written as drake:rotor_inertia, which only Drake reads".to_owned());
+        let with_armature = |joint: &&Joint| joint.armature().iter().any(|armature| *armature != 0.0);
+        bodies.changes.extend(mechanism.joints().iter().filter(with_armature).map(|joint| {
+            let what = "its armature is a drake:rotor_inertia";
+            Change::changed(
+                "joint",
+                joint.name(),
+                what,
+                "SDFormat has no armature; only Drake reads this element",
+            )
+        }));
     }
-    let lost = mechanism.contacts().iter();
-    let lost = lost.map(|contact| format!("contact \"{}\": SDFormat has no named contacts", contact.name()));
-    Ok(ModelText { text: out, notes: bodies.notes.into_iter().chain(lost).collect() })
+    let mut changes = bodies.changes;
+    changes.extend(mechanism.contacts().iter().map(|contact| {
+        Change::lost("contact", contact.name(), "the contact", "SDFormat has no named contacts")
+    }));
+    changes.extend(lost_roles(mechanism, "SDFormat"));
+    changes.extend(changed_names(mechanism));
+    Ok(ModelText { text: out, changes })
 }

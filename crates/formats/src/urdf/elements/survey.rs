@@ -114,9 +114,14 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
     let place = Place::Element(node);
     match rule.treatment {
         Treatment::Read => check_element(node, rule, report),
-        Treatment::Silent if rule.name == "gazebo" => check_gazebo_joints(node, report),
-        Treatment::Silent if rule.name == "mujoco" => refuse_mujoco_equalities(node, report),
-        Treatment::Silent => {}
+        Treatment::Silent => {
+            match rule.name {
+                "gazebo" => check_gazebo_joints(node, report),
+                "mujoco" => refuse_mujoco_equalities(node, report),
+                _ => {}
+            }
+            report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node)));
+        }
         Treatment::Noted(reason) => {
             report.add_once(Severity::Note, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
@@ -125,6 +130,11 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
         }
         Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
     }
+}
+
+/// Tag of the parent of an element.
+fn parent_tag<'a>(node: Node<'a, '_>) -> &'a str {
+    node.parent_element().map_or("", |parent| parent.tag_name().name())
 }
 
 /// Applies the treatments of the table to the attributes of an element.
@@ -138,7 +148,8 @@ fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut
             Some(Treatment::Read) if has_xacro_substitution(attribute.value()) => {
                 report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
             }
-            Some(Treatment::Read | Treatment::Silent) => {}
+            Some(Treatment::Read) => {}
+            Some(Treatment::Silent) => report.add_unread(place, || format!("{name} of <{}>", rule.name)),
             Some(Treatment::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
             Some(Treatment::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
             Some(Treatment::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),

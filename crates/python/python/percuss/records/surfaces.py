@@ -330,5 +330,7 @@ class CheckReport(Record):
     """Total mass, kg."""
     pose: dict[str, list[float]]
     """Position of every movable joint, in the layout of "--set"."""
+    poses: list[str]
+    """Names of the poses of the file, for "--pose": keyframes of MJCF."""
     diagnostics: list[DiagnosticRecord]
     """Findings of the reader and of the assembly."""

@@ -225,9 +225,9 @@ pub struct PoseTable {
     )]
     #[schemars(with = "Option<Words>")]
     pub travel: Vec<GivenTravel>,
-    /// Complete configuration: output of --format json, or JSON with a position for each joint. Set positions and
-    /// guesses override it.
-    #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json", help_heading = POSE))]
+    /// Complete configuration: output of --format json, JSON with a position for each joint, or the name of a pose of the model
+    /// (keyframe of MJCF, listed by `percuss check`). Set positions and guesses override it.
+    #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json|NAME", help_heading = POSE))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
 }
@@ -359,7 +359,7 @@ impl QuestionTables<'_> {
         let read = |file: &String| {
             // The standard input and absolute paths are kept.
             let path = folder.join(file);
-            GivenPose::read(&path.to_string_lossy(), max_size)
+            GivenPose::read_as(&path.to_string_lossy(), file, max_size)
                 .map_err(|error| InvalidKey::new(Field::Pose.key(), error.to_string()))
         };
         let mut question = MassQuestion {

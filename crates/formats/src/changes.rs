@@ -1,0 +1,108 @@
+//! Changes of a conversion: parts of a mechanism that have another form in a written file, or none.
+
+use percuss_mechanism::Mechanism;
+use std::fmt;
+
+/// Effect of a conversion on a part of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// The part has another form in the file.
+    Changed,
+    /// The file does not have the part.
+    Lost,
+}
+
+impl Effect {
+    /// `changed` or `lost`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Changed => "changed",
+            Self::Lost => "lost",
+        }
+    }
+}
+
+/// Part of a mechanism that has another form in a written file, or none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Effect on the part.
+    pub effect: Effect,
+    /// The part: `link "arm"`.
+    pub element: String,
+    /// Form of the part in the file, or what the file does not have.
+    pub what: String,
+    /// Reason.
+    pub reason: String,
+}
+
+impl Change {
+    /// Part with another form: its kind, its name, its form in the file and the reason.
+    pub(crate) fn changed(
+        kind: &str,
+        name: &str,
+        what: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
+        Self::new(Effect::Changed, kind, name, what, reason)
+    }
+
+    /// Part without a form: its kind, its name, what is lost and the reason.
+    pub(crate) fn lost(kind: &str, name: &str, what: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self::new(Effect::Lost, kind, name, what, reason)
+    }
+
+    fn new(
+        effect: Effect,
+        kind: &str,
+        name: &str,
+        what: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
+        Self { effect, element: format!("{kind} \"{name}\""), what: what.into(), reason: reason.into() }
+    }
+}
+
+/// `link "arm": changed: what (reason)`.
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}: {} ({})", self.element, self.effect.name(), self.what, self.reason)
+    }
+}
+
+/// Model as the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModelText {
+    /// The file.
+    pub text: String,
+    /// Parts of the mechanism that have another form in the file, or none.
+    pub changes: Vec<Change>,
+}
+
+/// Losses that are common to the formats of simulators: recommended driving joints.
+pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
+    let with_role = mechanism.joints().iter().filter(|joint| joint.independent().is_some());
+    let loss = |joint: &percuss_mechanism::Joint| {
+        Change::lost(
+            "joint",
+            joint.name(),
+            "recommendation as a driving joint",
+            format!("{format} has no such attribute"),
+        )
+    };
+    with_role.map(loss).collect()
+}
+
+/// Changes of names with characters that XML forbids.
+pub(crate) fn changed_names(mechanism: &Mechanism) -> Vec<Change> {
+    let links = mechanism.links().iter().map(|link| ("link", link.name()));
+    let joints = mechanism.joints().iter().map(|joint| ("joint", joint.name()));
+    let closures = mechanism.closures().iter().map(|closure| ("loop", closure.name()));
+    let couplings = mechanism.couplings().iter().map(|coupling| ("coupling", coupling.name()));
+    let contacts = mechanism.contacts().iter().map(|contact| ("contact", contact.name()));
+    let names = links.chain(joints).chain(closures).chain(couplings).chain(contacts);
+    let is_changed = |(_, name): &(&str, &str)| name.chars().any(crate::xml_text::is_forbidden);
+    let change = |(kind, name)| {
+        Change::changed(kind, name, "characters of its name become U+FFFD", "XML forbids control characters")
+    };
+    names.filter(is_changed).map(change).collect()
+}

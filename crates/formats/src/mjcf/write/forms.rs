@@ -1,0 +1,65 @@
+//! Changes of links and joints by the form of MJCF.
+
+use super::body_tree::{BodyTree, has_range};
+use super::rotors::Rotor;
+use crate::changes::Change;
+use percuss_mechanism::{JointKind, Mechanism};
+
+/// Changes of links and joints by the form of MJCF: bodies in one another, with several joints.
+pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change> {
+    let mut changes = Vec::new();
+    let root = mechanism.link(mechanism.root()).name();
+    if !tree.has_world_root() {
+        let what = "a body fixed to the world";
+        changes.push(Change::changed("link", root, what, "the root of MJCF is the world"));
+    }
+    for link in mechanism.link_ids() {
+        let name = mechanism.link(link).name();
+        match (tree.has_body(link), tree.rotors[link.index()]) {
+            (false, Some(Rotor::Tendon(_))) => changes.push(Change::changed(
+                "link",
+                name,
+                "the armature of a tendon, without a body",
+                "the tendon is shorter than a body with a slide and an equality",
+            )),
+            (false, _) => changes.push(Change::changed(
+                "link",
+                name,
+                "no body of its own: its joint belongs to the body of its child",
+                "MuJoCo refuses moving bodies without mass",
+            )),
+            (true, _) => {}
+        }
+    }
+    for joint in mechanism.joints() {
+        let name = joint.name();
+        let is_free = joint.parent() == mechanism.root() && tree.is_free(mechanism, joint.child());
+        let parts = match joint.kind() {
+            JointKind::Fixed => {
+                changes.push(Change::lost(
+                    "joint",
+                    name,
+                    "its name",
+                    "a body without a joint is fixed in MJCF",
+                ));
+                None
+            }
+            JointKind::Planar => Some("two slides and a hinge"),
+            JointKind::Floating if !is_free => Some("three slides and a ball joint"),
+            _ => None,
+        };
+        if let Some(parts) = parts {
+            changes.push(Change::changed(
+                "joint",
+                name,
+                parts,
+                "MJCF has no such joint of one body in another",
+            ));
+        }
+        if let Some(limits) = joint.limits().filter(|limits| !has_range(limits)) {
+            let what = format!("its limits {} and {}", limits.lower, limits.upper);
+            changes.push(Change::lost("joint", name, what, "MuJoCo refuses a range without an extent"));
+        }
+    }
+    changes
+}
