@@ -149,7 +149,7 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
     let known = |value: Option<f64>| value.map_or_else(|| "?".to_owned(), short_number);
     for (i, contact) in several.contacts.iter().enumerate() {
         let (after, last) = if sticking.sticks[i] {
-            ("sticks", known(sticking.required_friction[i]))
+            ("sticks", friction_needed(sticking, i))
         } else {
             ("lets go", format!("{} m/s", short_number(sticking.opening_speeds[i])))
         };
@@ -162,6 +162,16 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
         ]);
     }
     table
+}
+
+/// Coefficient of friction that a sticking contact needs. For open impulses the least coefficient of all contacts is an upper bound: it
+/// suffices for the best distribution.
+fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
+    match (sticking.required_friction[contact], sticking.least_friction) {
+        (Some(required), _) => short_number(required),
+        (None, Some(least)) => format!("at most {}", short_number(least)),
+        (None, None) => "none suffices".to_owned(),
+    }
 }
 
 /// Conditions of a plastic impact.
