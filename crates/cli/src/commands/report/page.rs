@@ -1,7 +1,7 @@
 //! Text of the report: head, result, sections.
 
 use super::results::{MapResult, StudyResults};
-use super::{answers, contact, mechanism, sensitivity};
+use super::{answers, contact, impact, mechanism, sensitivity};
 use crate::args::RunArgs;
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
@@ -56,7 +56,7 @@ pub(super) fn text(
         answers::add_damper(damper, &damping.question, &mut page)?;
     }
     if let Some(report) = &results.impact {
-        answers::add_impact(report, &mut page);
+        impact::add_impact(report, &results.mechanism, &mut page);
     }
     match &results.mapped {
         None => {}
