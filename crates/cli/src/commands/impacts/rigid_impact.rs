@@ -79,7 +79,11 @@ fn text(report: &ImpactReport) -> String {
         out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
     }
     out += &format!("\n{}", rate_table(report));
-    out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
+    let reactions = reaction_table(report);
+    // A free body has no joints.
+    if reactions.rows().len() > 1 {
+        out += &format!("\n{reactions}{}", wrap_lines(&legend(report)));
+    }
     out += &in_time::bearing_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     let friction = if report.friction.is_some() { "" } else { "friction, " };
@@ -299,7 +303,7 @@ fn armature(range: &ReflectedRangeRecord) -> String {
 }
 
 /// A value that is rounding relative to `size` is shown as 0.
-fn rounded(value: f64, size: f64) -> f64 {
+pub fn rounded(value: f64, size: f64) -> f64 {
     if value.abs() < COMPONENT_ROUNDING * size { 0.0 } else { value }
 }
 

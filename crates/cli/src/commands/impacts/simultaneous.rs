@@ -1,5 +1,6 @@
 //! Impact of several contacts at once, as text.
 
+use crate::commands::impacts::rigid_impact::rounded;
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::wrap_lines;
@@ -146,7 +147,10 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
         "tangential N·s",
         "friction needed, or opening speed",
     ]);
-    let known = |value: Option<f64>| value.map_or_else(|| "?".to_owned(), short_number);
+    let impulses = sticking.normal_impulses.iter().chain(&sticking.tangential_impulses);
+    let largest = impulses.flatten().fold(0.0, |most: f64, p| most.max(p.abs()));
+    let known =
+        |value: Option<f64>| value.map_or_else(|| "?".to_owned(), |p| short_number(rounded(p, largest)));
     for (i, contact) in several.contacts.iter().enumerate() {
         let (after, last) = if sticking.sticks[i] {
             ("sticks", friction_needed(sticking, i))

@@ -24,6 +24,9 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
         caption +=
             " Redundant constraints leave components open: of these bearings the determinate part is drawn.";
     }
+    if report.simultaneous.as_ref().is_some_and(|several| several.contacts.len() > 1) {
+        caption += " Impulses of the first contact alone.";
+    }
     page.large_picture(&impulse_drawing(report, mechanism).to_svg(), "Impulses in the mechanism");
     page.paragraph("soft", &caption);
     if let Some(table) = rigid_impact::law_table(report) {
@@ -31,11 +34,15 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
         page.paragraph("soft", &rigid_impact::law_note(report).replace('\n', " "));
     }
     add_simultaneous(report, page);
-    page.heading("Bearings");
-    page.table(&bearing_rows(report));
-    page.heading("Reactions by components");
-    page.table(rigid_impact::reaction_table(report).rows());
-    page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
+    // A free body has no bearings.
+    let bearings = bearing_rows(report);
+    if bearings.len() > 1 {
+        page.heading("Bearings");
+        page.table(&bearings);
+        page.heading("Reactions by components");
+        page.table(rigid_impact::reaction_table(report).rows());
+        page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
+    }
     if let Some(table) = rigid_impact::drive_table(report) {
         page.table(table.rows());
     }
@@ -138,7 +145,8 @@ fn bearing_rows(report: &ImpactReport) -> Vec<Vec<String>> {
         })
         .collect();
     bearings.sort_by(|a, b| magnitude(&b.force).total_cmp(&magnitude(&a.force)));
-    let peak = report.contact_law.as_ref().map(|law| law.peak_force / report.impulse);
+    let law = report.contact_law.as_ref().filter(|_| report.reactions.iter().all(|r| r.peak_force.is_some()));
+    let peak = law.map(|law| law.peak_force / report.impulse);
     let mut header = vec!["bearing", "from", "on", "force N·s", "moment N·m·s"];
     header.extend(peak.iter().flat_map(|_| ["peak force N", "peak moment N·m"]));
     let mut rows: Vec<Vec<String>> = vec![header.into_iter().map(str::to_owned).collect()];

@@ -140,10 +140,16 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
         ))
     ));
     page.heading("Validity");
+    let impact = results.impact.as_ref();
+    let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
+    let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
+    let several = if is_several { "" } else { ", several impacts at once" };
     page.paragraph(
         "",
-        "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and \
-         speed have no effect: a finite force does no work in an instantaneous impact.",
+        &format!(
+            "Not included: {friction}compliance of the links{several}. Gravity, springs, dampers and speed have no effect: a finite \
+             force does no work in an instantaneous impact."
+        ),
     );
 }
 
