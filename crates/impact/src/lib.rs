@@ -38,10 +38,10 @@ pub use percussion::{
     PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
     worst_reaction_within,
 };
-pub use ranges::extremes::{
+pub use ranges::extreme_question::{
     ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
-    extreme_effective_mass, extreme_quantity,
 };
+pub use ranges::extremes::{extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,

@@ -158,9 +158,15 @@ fn nonnegative_least_squares(g: &DMatrix<f64>, load: &DVector<f64>) -> (DVector<
         let Some(best) = best.filter(|&k| gains[k] > f64::EPSILON * load.norm()) else { break };
         passive.push(best);
         loop {
-            let columns = g.select_columns(&passive);
-            let svd = columns.svd(true, true);
-            let solution = svd.solve(load, 1e-13).expect("both bases");
+            let qr = g.select_columns(&passive).qr();
+            let reduced = qr.q().tr_mul(load);
+            let dependent = passive.len() > g.nrows();
+            let solution = qr.r().solve_upper_triangular(&reduced).filter(|_| !dependent);
+            // A column that depends on the others has no gain beyond rounding.
+            let Some(solution) = solution else {
+                passive.retain(|k| *k != best);
+                break;
+            };
             if solution.iter().all(|x| *x > 0.0) {
                 weights.fill(0.0);
                 passive.iter().zip(solution.iter()).for_each(|(&k, x)| weights[k] = *x);
