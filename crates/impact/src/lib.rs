@@ -53,7 +53,7 @@ pub use reactions::unit_impulse::reactions_to_unit_impulse;
 pub use rigid::impact::{
     RigidImpact, closing_speed, greatest_closing_speed, greatest_closing_speed_of_gears,
 };
-pub use rigid::workspace::ImpactWorkspace;
+pub use rigid::workspace::{ImpactWorkspace, ImpactsAtPose};
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,

@@ -6,6 +6,9 @@ use serde_json::Value;
 const FOUR_BAR: &str =
     "impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3";
 
+/// Contact of [`FOUR_BAR`] without its point.
+const FOUR_BAR_CONTACT: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
+
 /// Rounding of a few operations.
 const ROUNDING: f64 = 1e-12;
 
@@ -344,6 +347,27 @@ fn the_best_constant_armature_of_the_crank() {
     assert!(percuss(&command).stdout.contains("the best constant is"));
     let outcome = percuss(&format!("{FOUR_BAR} --speed 2 --reflected crank_hinge=0:1m:5"));
     assert!(outcome.code == 2 && outcome.stderr.contains("--reflected"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_joint_that_does_not_drive_names_the_drivers() {
+    let text = percuss(&format!("{FOUR_BAR} --speed 1 --reflected rocker_hinge")).stdout;
+    let text = text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(text.contains("no driving joint (the loops are driven by crank_hinge)"), "{text}");
+}
+
+/// The point of the least reaction at the rocker hinge is (0, 0.1, 0), where the coupler cannot move along the normal. The message has no
+/// digits of rounding.
+#[test]
+fn an_immovable_centre_of_percussion_is_refused() {
+    let refused = percuss(&format!("{FOUR_BAR} --speed 1 --percussion rocker_hinge"));
+    let message = refused.stderr.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(
+        refused.code == 2 && message.contains("the point of the least reaction [0, 0.1, 0] m"),
+        "{message}"
+    );
+    let immovable = percuss(&format!("mass {FOUR_BAR_CONTACT} --point 0,0.1,0"));
+    assert!(immovable.stdout.contains("immovable"), "{}", immovable.stdout);
 }
 
 #[test]

@@ -1,8 +1,7 @@
 //! Impact of several contacts at once, as text.
 
-use crate::commands::impacts::rigid_impact::rounded;
 use crate::terminal::escape::line;
-use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::wrap::wrap_lines;
 use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord, TouchingRecord};
 
