@@ -18,6 +18,7 @@ mod linkages {
 
 /// Results that need a contact law.
 mod impacts {
+    mod cables_and_stops;
     mod damp;
     mod designs;
     mod extremes;

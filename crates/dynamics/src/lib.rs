@@ -37,7 +37,7 @@ pub use batch::error::BatchError;
 pub use batch::row_contacts::BatchContacts;
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
 pub use batch::rows::{Batch, BatchAnswer, BatchPositions};
-pub use batch::workspace::{Workspace, WorkspaceResponse};
+pub use batch::workspace::{ResponseAtPose, Workspace, WorkspaceResponse};
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
     effective_mass,

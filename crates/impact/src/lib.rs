@@ -38,10 +38,10 @@ pub use percussion::{
     PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
     worst_reaction_within,
 };
-pub use ranges::extremes::{
+pub use ranges::extreme_question::{
     ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
-    extreme_effective_mass, extreme_quantity,
 };
+pub use ranges::extremes::{extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
@@ -53,7 +53,7 @@ pub use reactions::unit_impulse::reactions_to_unit_impulse;
 pub use rigid::impact::{
     RigidImpact, closing_speed, greatest_closing_speed, greatest_closing_speed_of_gears,
 };
-pub use rigid::workspace::ImpactWorkspace;
+pub use rigid::workspace::{ImpactWorkspace, ImpactsAtPose};
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,

@@ -29,7 +29,7 @@ pub enum PercussionError {
     #[error(
         "joint \"{joint}\": no centre of percussion, because the {} [{}, {}, {}] m (frame of the contact link) is immovable along the normal; \
          expected a point that the mechanism can move along it",
-        if *is_best { "point of the least reaction" } else { "contact point" }, point[0], point[1], point[2]
+        if *is_best { "point of the least reaction" } else { "contact point" }, rounded(point[0]), rounded(point[1]), rounded(point[2])
     )]
     Immovable {
         /// The joint.
@@ -57,6 +57,12 @@ pub enum PercussionError {
         /// The joint.
         joint: String,
     },
+}
+
+/// Coordinate in nanometres for messages: without the digits of rounding.
+fn rounded(coordinate: f64) -> f64 {
+    const PER_METRE: f64 = 1e9;
+    (coordinate * PER_METRE).round() / PER_METRE + 0.0
 }
 
 /// Contact point with the least impulse at a joint, at unit impulse at the contact. Components that redundant constraints

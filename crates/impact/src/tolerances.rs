@@ -64,7 +64,10 @@ pub const COMPLEMENTARY: f64 = 1e-10;
 /// Largest number of simultaneous contacts: all subsets of contacts are examined.
 pub const MOST_CONTACTS: usize = 12;
 
-/// Smallest coefficient of restitution of the energetic law of several contacts.
+/// Largest number of integration steps of the energetic law of several contacts: contacts with small e close some hundred times.
+pub const MOST_ENERGETIC_STEPS: usize = 200_000;
+
+/// Smallest coefficient of restitution above 0 of the energetic law of several contacts: the expansion is shorter by this factor.
 pub const LEAST_ENERGETIC: f64 = 0.01;
 
 /// Energy created by a law of restitution, relative to the energy of the closing motion, that is rounding.

@@ -10,3 +10,4 @@ mod properties;
 mod ranges;
 mod several;
 mod sticking;
+mod sticking_friction;

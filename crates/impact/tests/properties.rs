@@ -274,7 +274,7 @@ fn workspaces_agree_with_single_impacts() {
         let pose = &case.pose;
         let response = pose.respond(&case.contact).expect("a contact");
         let single = RigidImpact::new(pose, &response, 0.7, 0.4, None);
-        let workspace = ImpactWorkspace::new(pose).impact(&case.contact, 0.7, 0.4);
+        let workspace = ImpactWorkspace::new(pose).at(pose).impact(&case.contact, 0.7, 0.4);
         let (single, workspace) = match (single, workspace) {
             (Ok(single), Ok(workspace)) => (single, workspace),
             (Err(a), Err(b)) => {

@@ -40,9 +40,9 @@ pub use percuss_dynamics::{
     DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
     InverseOperationalInertia, LayoutError, LocatedContact, LoopState, LowestPoint, MapAnswers, MapError,
     MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
-    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System, Travel,
-    TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
+    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseAtPose, ResponseError,
+    RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError,
+    System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

@@ -160,7 +160,7 @@ CASES: dict[str, Call] = {
     "Contact": Call(
         lambda **given: POSE.respond(percuss.Contact(**given)),
         {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0], "against": "forearm", "toward": None, "normal_frame": "link",
-         "turning": False},
+         "turning": False, "cable": False},
     ),
     "Model.changed": Call(ARM.changed, {"link_mass": {"tool": 1.0}, "link_com": {"tool": [0, 0, 0]}, "move": {}}),
     "Model.to_urdf": Call(ARM.to_urdf, {}),

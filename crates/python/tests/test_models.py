@@ -169,6 +169,25 @@ def test_contacts_compare_print_and_travel() -> None:
     toward = percuss.Contact("a", [0, 0, 0], toward=("b", [1, 0, 0]))
     assert toward == pickle.loads(pickle.dumps(toward)) and toward != contact
     assert toward.normal is None and toward.toward == ("b", (1.0, 0.0, 0.0))
+    cable = percuss.Contact("a", [0, 0, 0], toward=("b", [1, 0, 0]), cable=True)
+    assert cable == pickle.loads(pickle.dumps(cable)) == eval(repr(cable), {"Contact": percuss.Contact})
+    assert cable != toward and cable.against == "b" and cable.cable and not cable.turning and not toward.cable
+
+
+def test_a_cable_has_the_mass_of_its_line() -> None:
+    arm = percuss.load(ROOT / "models/planar_2r.urdf")
+    pose = arm.pose({"elbow": 0.7})
+    line = percuss.Contact("outer", [0.4, 0, 0], toward=("ground", [0, 1, 0]), turning=True, against="ground")
+    cable = percuss.Contact("outer", [0.4, 0, 0], toward=("ground", [0, 1, 0]), cable=True)
+    pushed, pulled = pose.respond(line), pose.respond(cable)
+    assert pulled.effective_mass == pytest.approx(pushed.effective_mass, rel=1e-12)
+    # The gap closes while the cable gets longer.
+    for joint, rates in pulled.joint_velocities.items():
+        assert rates == pytest.approx(-pushed.joint_velocities[joint], rel=1e-12)
+    with pytest.raises(percuss.InputError, match="toward"):
+        percuss.Contact("outer", [0.4, 0, 0], [0, 1, 0], cable=True)
+    with pytest.raises(percuss.InputError, match="turning"):
+        percuss.Contact("outer", [0.4, 0, 0], toward=("ground", [0, 1, 0]), cable=True, turning=True)
 
 
 def test_a_base_pose_moves_the_world_and_no_mass() -> None:

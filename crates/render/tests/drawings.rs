@@ -49,6 +49,43 @@ fn both_views_show_it_at_one_scale() {
     assert!(corner().to_png(1.0).is_ok() && corner().to_pdf().is_ok());
 }
 
+/// Loads have lengths in proportion to their magnitudes, also those with a label, and point along their vectors.
+#[test]
+fn loads_are_in_proportion() {
+    let load =
+        |vector: [f64; 3], label: &str| DrawnArrow { from: [0.0, 0.5, 0.2], vector, label: label.into() };
+    let plain = Drawing { arrows: Vec::new(), ..corner() };
+    let loaded =
+        Drawing { loads: vec![load([0.0, 0.0, 40.0], ""), load([0.0, 30.0, 0.0], "p")], ..plain.clone() };
+    // Lines of two points that the loads add, as (dx, dy) on the page.
+    let strokes = |drawing: &Drawing| -> Vec<[f64; 2]> {
+        let svg = drawing.to_svg();
+        let document = Document::parse(&svg).expect("well-formed");
+        let paths = document.descendants().filter_map(|n| n.attribute("d"));
+        let ends = paths.filter_map(|d| {
+            let numbers = d.split(['M', 'L']).filter_map(|p| p.split_once(' '));
+            let points: Vec<(f64, f64)> =
+                numbers.filter_map(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?))).collect();
+            match points[..] {
+                [a, b] => Some([b.0 - a.0, b.1 - a.1]),
+                _ => None,
+            }
+        });
+        ends.collect()
+    };
+    let without = strokes(&plain);
+    let mut added = strokes(&loaded);
+    without.iter().for_each(|old| {
+        let at = added.iter().position(|new| new == old).expect("the lines of the drawing without loads");
+        added.remove(at);
+    });
+    // From the front: up and to the right. From the left, the second load points at the reader.
+    let [up, right, up_again, towards] = added[..] else { panic!("{added:?}") };
+    assert!(up[0].abs() < 0.02 && up[1] < 0.0 && right[1].abs() < 0.02 && right[0] > 0.0, "{added:?}");
+    assert!((right[0] / -up[1] - 0.75).abs() < 1e-3, "{added:?}");
+    assert!((up_again[1] - up[1]).abs() < 0.02 && towards[0].hypot(towards[1]) < 0.02, "{added:?}");
+}
+
 /// Texts of a picture.
 fn texts(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("well-formed");

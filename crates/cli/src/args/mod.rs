@@ -55,7 +55,9 @@ impl Cli {
     /// Command line, without the flags of a contact that do not apply to a map, to generated code or to an exported impact.
     pub fn definition() -> clap::Command {
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
-            "normal" | "along_line" | "turning_normal" | "normal_frame" | "estimate" => argument.hide(true),
+            "normal" | "along_line" | "turning_normal" | "cable" | "normal_frame" | "estimate" => {
+                argument.hide(true)
+            }
             _ => argument,
         };
         // Fixed name: on Windows the file name has an extension.

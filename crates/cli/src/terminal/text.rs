@@ -5,6 +5,11 @@ use crate::terminal::limits;
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use std::fmt;
 
+/// A value that is rounding relative to `size` is shown as 0.
+pub fn rounded(value: f64, size: f64) -> f64 {
+    if value.abs() < limits::COMPONENT_ROUNDING * size { 0.0 } else { value }
+}
+
 /// Formats nine significant digits without trailing zeros; scientific notation for very small and very large numbers.
 pub fn number(x: f64) -> String {
     if x == 0.0 {

@@ -30,7 +30,8 @@ fn extremes_of_an_arm() {
     // Over all normals of the plane the smallest mass is smaller and the largest larger.
     let plane = json(&format!("{command} --normals across:0,0,1 --format json"));
     let mass = |report: &Value, key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
-    assert!(mass(&plane, "least") <= mass(&report, "least") && mass(&plane, "most") >= mass(&report, "most"));
+    let ratio = |key: &str| mass(&plane, key) / mass(&report, key);
+    assert!(ratio("least") <= 1.0 + ROUNDING && ratio("most") >= 1.0 - ROUNDING);
     assert!(plane["most"]["normal_world"][2].as_f64().expect("a number").abs() < ROUNDING);
     assert!(report["most"]["normal_world"].is_null());
     let text = percuss(&format!("{command} --normals across:0,0,1")).stdout;
@@ -49,6 +50,37 @@ fn extremes_of_an_arm() {
         let outcome = percuss(&format!("{arm} {more}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
     }
+    // The message about a follower lists the joints that drive.
+    let follower = percuss(
+        "extremes models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --range rocker_hinge=0:0.1",
+    );
+    assert!(follower.code == 2 && follower.stderr.contains("expected one of"), "{}", follower.stderr);
+    assert!(follower.stderr.contains("crank_hinge"), "{}", follower.stderr);
+    // With a held direction of the tip the masses are those of percuss mass; held in all directions, every pose is immovable.
+    let arm = "--link outer --point 0.4,0,0 --normal 1,0,0 --hold outer:0.4,0,0";
+    let ranges = "--range elbow=0.8:1.2 --range shoulder=-0.3:0.1 --format json";
+    let held = json(&format!("extremes models/planar_2r.urdf {arm}:0,1,0 {ranges}"));
+    for key in ["least", "most"] {
+        let at = |i: usize| held[key]["positions"][i]["position"].as_f64().expect("a position");
+        let there = format!("--set elbow={} --set shoulder={}", at(0), at(1));
+        let mass = json(&format!("mass models/planar_2r.urdf {arm}:0,1,0 {there} --format json"));
+        let exact = mass["effective_mass"].as_f64().expect("a mass");
+        assert!((held[key]["effective_mass"].as_f64().expect("a mass") / exact - 1.0).abs() < 1e-9, "{held}");
+        // A scan of the ranges finds nothing beyond.
+        for (elbow, shoulder) in [(0.8, -0.3), (0.8, 0.1), (1.2, -0.3), (1.2, 0.1), (1.0, -0.1)] {
+            let there = format!("--set elbow={elbow} --set shoulder={shoulder}");
+            let mass = json(&format!("mass models/planar_2r.urdf {arm}:0,1,0 {there} --format json"));
+            let other = mass["effective_mass"].as_f64().expect("a mass");
+            let is_beyond =
+                if key == "least" { other < exact * (1.0 - 1e-9) } else { other > exact * (1.0 + 1e-9) };
+            assert!(!is_beyond, "{key}: {exact}, {other} at {there}");
+        }
+    }
+    let fixed = json(&format!("extremes models/planar_2r.urdf {arm} {ranges}"));
+    assert_eq!(
+        (&fixed["least"]["status"], &fixed["most"]["status"]),
+        (&"immovable".into(), &"immovable".into())
+    );
     // Without limits and ranges nothing varies.
     let refused = percuss(
         "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --against-mass 2",

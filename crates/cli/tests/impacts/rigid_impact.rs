@@ -6,6 +6,9 @@ use serde_json::Value;
 const FOUR_BAR: &str =
     "impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3";
 
+/// Contact of [`FOUR_BAR`] without its point.
+const FOUR_BAR_CONTACT: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
+
 /// Rounding of a few operations.
 const ROUNDING: f64 = 1e-12;
 
@@ -347,6 +350,27 @@ fn the_best_constant_armature_of_the_crank() {
 }
 
 #[test]
+fn a_joint_that_does_not_drive_names_the_drivers() {
+    let text = percuss(&format!("{FOUR_BAR} --speed 1 --reflected rocker_hinge")).stdout;
+    let text = text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(text.contains("no driving joint (the loops are driven by crank_hinge)"), "{text}");
+}
+
+/// The point of the least reaction at the rocker hinge is (0, 0.1, 0), where the coupler cannot move along the normal. The message has no
+/// digits of rounding.
+#[test]
+fn an_immovable_centre_of_percussion_is_refused() {
+    let refused = percuss(&format!("{FOUR_BAR} --speed 1 --percussion rocker_hinge"));
+    let message = refused.stderr.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(
+        refused.code == 2 && message.contains("the point of the least reaction [0, 0.1, 0] m"),
+        "{message}"
+    );
+    let immovable = percuss(&format!("mass {FOUR_BAR_CONTACT} --point 0,0.1,0"));
+    assert!(immovable.stdout.contains("immovable"), "{}", immovable.stdout);
+}
+
+#[test]
 fn a_centre_of_percussion_names_open_components() {
     let command = format!("{FOUR_BAR} --speed 2 --percussion crank_hinge");
     let report = json(&format!("{command} --format json"));
@@ -526,6 +550,8 @@ fn sticking_feet_need_friction() {
         text.contains("not possible") && text.contains("at least 1, ") && text.contains("0.6 less"),
         "{text}"
     );
+    // The tangential impulses are open: the table states the bound of the best distribution, not a question mark.
+    assert_eq!(text.matches("at most 1 ").count() + text.matches("at most 0.99").count(), 2, "{text}");
     let tilting =
         percuss(&format!("{body} --also body:-0.1,0,-0.1:0,0,-1 --base-twist 0,20,0,0,0,-1")).stdout;
     assert!(tilting.contains("(opens)") && tilting.contains("The motion before opens"), "{tilting}");

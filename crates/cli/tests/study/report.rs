@@ -520,3 +520,42 @@ fn outputs_of_the_study_are_written_beside_the_page() {
         outcome.stderr
     );
 }
+
+/// Report of an impact: impulses in the mechanism, bearings with the magnitudes of the command's components, and the impact in time.
+#[test]
+fn an_impact_has_arrows_and_a_table_of_bearings() {
+    let folder = Scratch::new("impact-report");
+    for study in ["bump-stop", "four-bar", "arm", "feet"] {
+        let path = format!("models/studies/{study}-impact.toml");
+        let html = folder.path(&format!("{study}.html"));
+        let outcome = percuss(&format!("run {path} --report {html} --allow-outside"));
+        assert_eq!(outcome.code, 0, "{study}: {}", outcome.stderr);
+        let page = fs::read_to_string(html).expect("written");
+        let drawn = pictures(&page);
+        assert!(drawn[1].contains(">p</text>") && drawn[1].contains("from above"), "{study}: no impulse");
+        assert!(!drawn[1].contains("contribution"), "{study}");
+        assert_eq!(page.contains(">Bearings</h3>"), study != "feet", "{study}");
+    }
+    let stop = "impact models/suspensions/double-wishbone.toml --at bump_stop --restitution 0.3 --speed 0.5 --stiffness 200N/mm \
+                --in-time --format json";
+    let answer: serde_json::Value = serde_json::from_str(&percuss(stop).stdout).expect("JSON");
+    let page = fs::read_to_string(folder.path("bump-stop.html")).expect("written");
+    let table = &page[position(&page, ">Bearings</h3>")..position(&page, ">Reactions by components</h3>")];
+    for name in ["lower_arm_hinge", "upper_arm_hinge", "lower_ball"] {
+        let all = answer["reactions"].as_array().expect("a list");
+        let record = all.iter().find(|record| record["name"] == name).expect("a reaction");
+        let row = table.split("<tr>").find(|row| row.contains(name)).expect("a row");
+        let cells: Vec<f64> = row.split(['<', '>']).filter_map(|cell| cell.parse().ok()).collect();
+        let expected = ["force", "moment", "peak_force", "peak_moment"].map(|key| {
+            let components = record[key].as_array().expect("components");
+            components.iter().map(|c| c.as_f64().expect("determinate").powi(2)).sum::<f64>().sqrt()
+        });
+        // The table has five digits; a moment that is rounding is 0.
+        for (shown, exact) in cells.iter().zip(expected) {
+            assert!((shown - exact).abs() <= 1e-4 * exact + 1e-9, "{name}: {cells:?} {expected:?}");
+        }
+        assert_eq!(cells.len(), 4, "{row}");
+    }
+    let drawn = pictures(&page);
+    assert!(drawn.iter().any(|svg| svg.contains("penetration (mm)")), "no impact in time");
+}

@@ -272,6 +272,26 @@ impl RouteInput<'_> {
         Ok((mass, error, self.recursive_flags(workspace, mass)))
     }
 
+    /// m̄ and v* as by [`respond_into`](Self::respond_into), without the error if the rounding is negligible.
+    pub fn move_into(
+        &self,
+        workspace: &mut RecursionWorkspace,
+        velocities: &mut [f64],
+    ) -> Result<(EffectiveMass, RemarkFlags), RouteError> {
+        if workspace.deciding.indefinite || !workspace.is_clear() {
+            let (mass, _, flags) = self.respond_into(workspace, velocities)?;
+            return Ok((mass, flags));
+        }
+        let mass = workspace.mass();
+        velocities.fill(0.0);
+        if let EffectiveMass::Finite(m) = mass {
+            let RecursionWorkspace { recursion, motion, .. } = &mut *workspace;
+            recursion.velocities(self.model, &self.located.point_root, motion);
+            velocities.iter_mut().zip(&motion.velocities).for_each(|(to, v)| *to = v * m);
+        }
+        Ok((mass, self.recursive_flags(workspace, mass)))
+    }
+
     /// [`remark_flags`](Self::remark_flags) of the recursion's result.
     fn recursive_flags(&self, workspace: &RecursionWorkspace, mass: EffectiveMass) -> RemarkFlags {
         let mut flags = self.remark_flags(workspace, mass, workspace.closing_speed);

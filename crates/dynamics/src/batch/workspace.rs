@@ -2,11 +2,11 @@
 //! more than 64 coordinates and no cluster more than 48 degrees of freedom.
 
 use crate::analysis::assembly::Assembly;
+use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
-
 use crate::kernels::kernel_contact;
-use crate::kinematics::contact::{Contact, Direction, Frame};
+use crate::kinematics::contact::{Contact, Direction, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
@@ -63,6 +63,19 @@ pub struct WorkspaceResponse {
     pub remarks: RemarkFlags,
     /// v* of a floating root link, in its axes at its origin; zero for a fixed root link.
     pub base_velocity: Twist<f64>,
+}
+
+/// Response of a [`Workspace`] to a contact at a pose: [`Workspace::respond_at`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResponseAtPose {
+    /// m̄.
+    pub effective_mass: EffectiveMass,
+    /// Findings, as [`Workspace::remarks`].
+    pub remarks: RemarkFlags,
+    /// v* of a floating root link, in its axes at its origin; zero for a fixed root link.
+    pub base_velocity: Twist<f64>,
+    /// The contact at the pose.
+    pub contact: LocatedContact,
 }
 
 impl System {
@@ -271,18 +284,61 @@ impl Workspace {
         let (effective_mass, error, own) =
             route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
         self.remarks |= own;
+        let base_velocity = self.split_velocities(model, velocities);
+        Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
+    }
+
+    /// m̄ and v* as by [`respond`](Self::respond), at a pose of the same system: its frames and its closed loops are used as they are.
+    /// `velocities`: v* of all joints.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: an invalid contact; a mechanism that the recursion refuses. `velocities` is then empty.
+    ///
+    /// # Panics
+    /// If the pose belongs to another system.
+    pub fn respond_at(
+        &mut self,
+        pose: &Pose,
+        contact: &Contact,
+        velocities: &mut Vec<f64>,
+    ) -> Result<ResponseAtPose, ResponseError> {
+        velocities.clear();
+        let assembly = &pose.assembly;
+        let model = assembly.model();
+        assert!(std::ptr::eq(model, self.assembly.model()), "the pose belongs to another system");
+        self.remarks = assembly.remarks().iter().collect();
+        if let Some(remark) = assembly.base_remark(contact, pose.base_is_given) {
+            self.remarks |= RemarkFlags::from(&remark);
+        }
+        let contact = pose.locate(contact)?;
+        model.refuse_large_clusters(&pose.groups)?;
+        let route_input = RouteInput {
+            model,
+            kinematics: &pose.kinematics,
+            groups: &pose.groups,
+            misfits: assembly.misfits(),
+            located: &contact,
+        };
+        route_input.run_recursion(&mut self.recursion);
+        let (effective_mass, own) = route_input.move_into(&mut self.recursion, &mut self.velocities)?;
+        self.remarks |= own;
+        let base_velocity = self.split_velocities(model, velocities);
+        Ok(ResponseAtPose { effective_mass, remarks: self.remarks, base_velocity, contact })
+    }
+
+    /// Appends v* of all joints in joint order to `velocities`; returns that of a floating root link.
+    fn split_velocities(&self, model: &Model, velocities: &mut Vec<f64>) -> Twist<f64> {
         for (joint, body) in model.mechanism.joints().iter().zip(&model.body_of_joint) {
             match body.map(|b| &model.bodies[b].v).filter(|v| !v.is_empty()) {
                 Some(v) => velocities.extend_from_slice(&self.velocities[v.clone()]),
                 None => velocities.extend(std::iter::repeat_n(0.0, joint.kind().dofs())),
             }
         }
-        let mut base_velocity = Twist::zero();
-        if let Some(base) = model.bodies.iter().find(|body| body.joint.is_none() && !body.v.is_empty()) {
+        let base = model.bodies.iter().find(|body| body.joint.is_none() && !body.v.is_empty());
+        base.map_or_else(Twist::zero, |base| {
             let v = &self.velocities[base.v.clone()];
-            base_velocity = Twist::new(Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]));
-        }
-        Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
+            Twist::new(Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]))
+        })
     }
 
     /// Checks the positions and updates the frames.

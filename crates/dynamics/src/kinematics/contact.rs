@@ -6,8 +6,8 @@ use crate::model::input::{foreign_link, is_number};
 use crate::model::tangent;
 use crate::tolerances::{DIRECTION_DECIMALS, LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
 use nalgebra::{DMatrix, Vector3};
-use percuss_mechanism::LinkId;
-use percuss_spatial::Transform;
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
+use percuss_spatial::{Transform, plane_basis};
 
 /// Frame of a contact point or a normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,6 +81,35 @@ impl Contact {
             point: point.into(),
             normal: Direction::Along(normal.into(), Frame::Link),
         }
+    }
+
+    /// Cable between a point of a link and a point of another link (m, frames of the links). The gap closes while the cable gets longer.
+    pub fn cable(
+        link: LinkId,
+        point: impl Into<Vector3<f64>>,
+        other: LinkId,
+        end: impl Into<Vector3<f64>>,
+    ) -> Self {
+        let normal = Direction::TurningAwayFrom(other, end.into());
+        Self { link, against: Some(other), point: point.into(), normal }
+    }
+
+    /// Stop of a joint with one velocity: a point of the child against the parent whose closing speed is the rate of the joint. For a hinge
+    /// the point is 1 m from the axis, and m̄ is an inertia in kg·m². `is_upper`: the stop acts against a positive rate. `None` for joints with
+    /// several velocities or none.
+    pub fn joint_stop(mechanism: &Mechanism, joint: JointId, is_upper: bool) -> Option<Self> {
+        let joint = mechanism.joint(joint);
+        let axis = joint.axis();
+        let (point, normal) = match joint.kind() {
+            JointKind::Revolute | JointKind::Continuous => {
+                let across = plane_basis(axis).0;
+                (across, axis.cross(&across))
+            }
+            JointKind::Prismatic => (Vector3::zeros(), *axis),
+            JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => return None,
+        };
+        let normal = if is_upper { normal } else { -normal };
+        Some(Self::new(joint.child(), point, normal).against(joint.parent()))
     }
 
     /// Replaces the ground on the other side by a link.

@@ -1,7 +1,8 @@
 //! Errors of a search for extremes.
 
 use crate::motion::driver_rates::RatesError;
-use percuss_dynamics::{AssemblyError, ConfigurationError, ResponseError};
+use percuss_dynamics::{AssemblyError, ConfigurationError, Pose, ResponseError, System};
+use percuss_mechanism::JointId;
 
 /// Error of a search for extremes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -27,10 +28,15 @@ pub enum ExtremesError {
     #[error("no joint varies; give the range of at least one driving joint")]
     NoJoint,
     /// A varied joint does not drive, or has several velocities.
-    #[error("joint \"{joint}\" is no driving joint with one velocity")]
+    #[error(
+        "joint \"{joint}\" is no driving joint with one velocity; {}",
+        if drivers.is_empty() { "no joint drives".to_owned() } else { format!("expected one of {}", drivers.join(", ")) }
+    )]
     NoDriver {
         /// The joint.
         joint: String,
+        /// Joints with one velocity that drive at the pose.
+        drivers: Vec<String>,
     },
     /// No start has a pose with a finite value.
     #[error("no start of the search has a pose with a finite value")]
@@ -47,4 +53,20 @@ pub enum ExtremesError {
     /// The motions of the drivers are not determined.
     #[error(transparent)]
     Rates(#[from] RatesError),
+}
+
+/// Joints whose positions can be chosen at a pose: outside loops, or drivers of loops; neither locked nor mimics.
+pub(super) fn variable_joints(system: &System, pose: &Pose) -> Vec<JointId> {
+    let drivers = pose.assembly().drivers();
+    let is_variable = |joint: &JointId| !system.is_bound(*joint) || drivers.contains(joint);
+    pose.coordinate_joints().into_iter().filter_map(|(joint, _)| joint).filter(is_variable).collect()
+}
+
+/// Error about a joint whose position cannot be chosen, with the joints that can be varied at `pose`.
+pub(super) fn no_driver(pose: Option<&Pose>, system: &System, joint: JointId) -> ExtremesError {
+    let mechanism = system.mechanism();
+    let name = |id: JointId| mechanism.joint(id).name().to_owned();
+    let drivers = pose.map(|pose| variable_joints(system, pose)).unwrap_or_default();
+    let single = drivers.into_iter().filter(|id| mechanism.joint(*id).kind().dofs() == 1);
+    ExtremesError::NoDriver { joint: name(joint), drivers: single.map(name).collect() }
 }

@@ -1,6 +1,9 @@
 //! Results over ranges of joint positions: extreme effective masses, reflected inertia of a driver.
 
+pub(crate) mod extreme_question;
 pub(crate) mod extremes;
 pub(crate) mod extremes_error;
+mod quasi_newton;
 pub(crate) mod reflected;
 pub(crate) mod reflected_range;
+mod search;

@@ -103,7 +103,8 @@ impl ReactionMap {
         self.bound.clear();
         self.bound.resize(self.tree.coordinate_count, false);
         self.groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| self.bound[c] = true);
-        self.sensitivities.iter_mut().for_each(Vec::clear);
+        // The constraints load the same links at every pose.
+        self.sensitivities.iter_mut().flatten().for_each(|(_, wrenches)| wrenches.fill(Wrench::zero()));
         self.collect_sensitivities();
         self.lay_out();
     }
@@ -229,10 +230,12 @@ impl ReactionMap {
                         tree.path_to_root(end).filter(|link| !tree.path_to_root(other).any(|l| l == *link));
                     for link in between {
                         let of_link = &mut sensitivities[link.index()];
-                        if of_link.last().is_none_or(|(last, _)| *last != number) {
+                        let known = of_link.iter().position(|(known, _)| *known == number);
+                        let at = known.unwrap_or(of_link.len());
+                        if known.is_none() {
                             of_link.push((number, vec![Wrench::zero(); count]));
                         }
-                        let Some((_, wrenches)) = of_link.last_mut() else { continue };
+                        let wrenches = &mut of_link[at].1;
                         for (row, wrench) in action.wrenches.iter().enumerate() {
                             // A wrench of the constraint on the subtree reduces the wrench of the parent joint.
                             let in_link = tree.in_link(link, wrench, &action.point);

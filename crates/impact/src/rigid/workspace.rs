@@ -4,7 +4,7 @@ use crate::error::ImpactError;
 use crate::motion::joint_rates::JointRates;
 use crate::reactions::reaction_map::ReactionMap;
 use crate::rigid::impact::{RigidImpact, checked_mass};
-use percuss_dynamics::{Contact, Pose, RemarkFlags, ResponseError, Workspace};
+use percuss_dynamics::{Contact, Pose, RemarkFlags, Workspace};
 
 /// Rigid impacts without friction at the contacts of one system, for many poses, contacts or speeds.
 ///
@@ -12,40 +12,37 @@ use percuss_dynamics::{Contact, Pose, RemarkFlags, ResponseError, Workspace};
 /// additional results of [`Pose::respond`] (contributions of the links, error budget). The constraints are factorised once per pose.
 #[derive(Clone, Debug)]
 pub struct ImpactWorkspace {
-    pose: Pose,
     map: ReactionMap,
     responses: Workspace,
-    /// True if `responses` is at `pose`; otherwise [`Pose::respond`] is used.
-    is_set: bool,
     /// v* of all joints.
     star: Vec<f64>,
 }
 
 impl ImpactWorkspace {
-    /// Workspace at a pose.
+    /// Workspace for the poses of the system of `pose`.
     pub fn new(pose: &Pose) -> Self {
         let responses = pose.assembly().workspace();
-        let map = ReactionMap::new(pose);
-        let mut workspace = Self { pose: pose.clone(), map, responses, is_set: false, star: Vec::new() };
-        workspace.set_responses();
-        workspace
+        Self { map: ReactionMap::new(pose), responses, star: Vec::new() }
     }
 
-    /// Moves the workspace to another pose of the same system.
+    /// Impacts at a pose of the same system.
     ///
     /// # Panics
     /// If the pose belongs to another mechanism.
-    pub fn move_to(&mut self, pose: &Pose) {
+    pub fn at<'a>(&'a mut self, pose: &'a Pose) -> ImpactsAtPose<'a> {
         self.map.update(pose);
-        self.pose.clone_from(pose);
-        self.set_responses();
+        ImpactsAtPose { workspace: self, pose }
     }
+}
 
-    fn set_responses(&mut self) {
-        self.is_set = self.responses.set_positions(self.pose.positions()).is_ok()
-            && self.responses.set_base(self.pose.base()).is_ok();
-    }
+/// Rigid impacts at one pose, for many contacts or speeds: [`ImpactWorkspace::at`].
+#[derive(Debug)]
+pub struct ImpactsAtPose<'a> {
+    workspace: &'a mut ImpactWorkspace,
+    pose: &'a Pose,
+}
 
+impl ImpactsAtPose<'_> {
     /// Impact of a contact with the closing speed `closing_speed` (m/s) and the coefficient of restitution `restitution`.
     ///
     /// # Errors
@@ -56,21 +53,21 @@ impl ImpactWorkspace {
         closing_speed: f64,
         restitution: f64,
     ) -> Result<RigidImpact, ImpactError> {
-        let found = self.responses.respond(contact, &mut self.star)?;
-        if !self.is_set || found.remarks.contains(RemarkFlags::UNDETERMINED_MOTION) {
-            let (pose, map) = (&self.pose, &self.map);
+        let (ImpactWorkspace { map, responses, star }, pose) = (&mut *self.workspace, self.pose);
+        let found = responses.respond_at(pose, contact, star)?;
+        if found.remarks.contains(RemarkFlags::UNDETERMINED_MOTION) {
             let response = pose.respond(contact)?;
             return RigidImpact::with_reaction_map(pose, map, &response, closing_speed, restitution, None);
         }
         let mass = checked_mass(found.effective_mass, closing_speed, restitution)?;
-        let located = self.pose.locate(contact).map_err(ResponseError::from)?;
         let impulse = (1.0 + restitution) * mass * closing_speed;
-        let star = self.star.iter().copied();
         let base = found.base_velocity;
-        let reactions = self.map.reactions_of_motion(&located, found.effective_mass, star, base, impulse)?;
+        let rates = star.iter().copied();
+        let reactions =
+            map.reactions_of_motion(&found.contact, found.effective_mass, rates, base, impulse)?;
         let rates = |factor: f64| {
-            let tree = self.map.tree();
-            let of_joint = |joint| tree.of_joint(joint, &self.star).iter().map(|v| factor * v).collect();
+            let tree = map.tree();
+            let of_joint = |joint| tree.of_joint(joint, star).iter().map(|v| factor * v).collect();
             JointRates { joints: tree.mechanism.joint_ids().map(of_joint).collect(), base: base * factor }
         };
         Ok(RigidImpact {

@@ -2,7 +2,7 @@
 
 use crate::error::ImpactError;
 use crate::numerics::extrapolation::{controlled_step, step};
-use crate::tolerances::{LEAST_ENERGETIC, MOST_STEPS, STEP_ERROR};
+use crate::tolerances::{COMPLEMENTARY, LEAST_ENERGETIC, MOST_ENERGETIC_STEPS, STEP_ERROR};
 use nalgebra::{DMatrix, DVector};
 
 /// Stiffness ratios of the contacts, and exponent of their forces k δ^η.
@@ -17,12 +17,12 @@ pub struct ContactStiffness {
 /// Normal impulses by the energetic law with the stiffness ratios of the contacts.
 ///
 /// The forces are k_i δ_i^η, with δ_i′ = −u_i while the gap closes and −u_i/e_i² while it opens: e_i² of the energy of each contact is
-/// returned. All impulses follow from u′ = W F; the pose is constant. This is the law of Liu, Zhao and Brogliato 2008, with the distribution
+/// returned. With e_i = 0 the force vanishes at the end of compression, the limit e_i → 0 of an expansion without energy. All impulses follow from u′ = W F; the pose is constant. This is the law of Liu, Zhao and Brogliato 2008, with the distribution
 /// dP_i/dP_j = (k_i/k_j)^{1/(η+1)} (E_i/E_j)^{η/(η+1)} of the stored energies E, in time.
 ///
 /// # Errors
-/// [`ImpactError`]: coefficients of restitution below 0.01 (the law has no limit for e → 0 in several contacts), stiffnesses
-/// or an exponent out of range, an impact without an end.
+/// [`ImpactError`]: coefficients of restitution between 0 and 0.01 (expansions too short for the integration), stiffnesses or an
+/// exponent out of range, an impact without an end.
 pub(crate) fn energetic_impulses(
     matrix: &DMatrix<f64>,
     before: &DVector<f64>,
@@ -30,8 +30,8 @@ pub(crate) fn energetic_impulses(
     stiffness: &ContactStiffness,
 ) -> Result<DVector<f64>, ImpactError> {
     for &e in restitution {
-        if e < LEAST_ENERGETIC {
-            let valid = "a number from 0.01 to 1 for the energetic law";
+        if e > 0.0 && e < LEAST_ENERGETIC {
+            let valid = "0, or a number from 0.01 to 1 for the energetic law";
             return Err(ImpactError::OutOfRange { what: "the coefficient of restitution", got: e, valid });
         }
     }
@@ -113,7 +113,11 @@ impl<'a> Contacts<'a> {
     fn next_mode(&self, mode: Mode, y: &[f64], i: usize) -> Option<Mode> {
         let u = self.velocity(y, i);
         match mode {
+            // Contacts with small e close again and again with speeds that decrease geometrically to zero.
+            Mode::Open if y[self.ratios.len() + i] > 0.0 => (u < -COMPLEMENTARY).then_some(Mode::Compression),
             Mode::Open => (u < 0.0).then_some(Mode::Compression),
+            // A plastic contact returns nothing.
+            Mode::Compression if self.restitution[i] == 0.0 => (u >= 0.0).then_some(Mode::Open),
             Mode::Compression => (u > 0.0).then_some(Mode::Expansion),
             Mode::Expansion if y[i] <= 0.0 => Some(Mode::Open),
             Mode::Expansion => (u < 0.0).then_some(Mode::Compression),
@@ -127,7 +131,7 @@ impl<'a> Contacts<'a> {
         let mut y = vec![0.0; 2 * k];
         let largest_step = 0.1 / (k as f64).sqrt();
         let mut h = 1e-3 * largest_step;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MOST_ENERGETIC_STEPS {
             let mut changed = false;
             for i in 0..k {
                 if let Some(next) = self.next_mode(modes[i], &y, i) {

@@ -184,10 +184,18 @@ def _contact(
     toward: tuple[str, tuple[float, float, float]] | None,
     normal_frame: _Any,
     turning: bool,
+    cable: bool,
 ) -> Contact:
     """Rebuilds a pickled contact."""
     return Contact(
-        link, point, normal, against=against, toward=toward, normal_frame=normal_frame, turning=turning
+        link,
+        point,
+        normal,
+        against=against,
+        toward=toward,
+        normal_frame=normal_frame,
+        turning=turning,
+        cable=cable,
     )
 
 

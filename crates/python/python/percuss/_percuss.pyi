@@ -178,7 +178,8 @@ class Contact:
     link: the contact link. point: (3,) m, in its frame. normal: (3,), out of the contact link into the other side; its
     length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
     normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
-    with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod."""
+    with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
+    cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link."""
     def __new__(
         cls,
         link: str,
@@ -189,6 +190,7 @@ class Contact:
         toward: tuple[str, ArrayLike] | None = None,
         normal_frame: _NormalFrame = "link",
         turning: bool = False,
+        cable: bool = False,
     ) -> Contact: ...
     @property
     def link(self) -> str:
@@ -211,6 +213,9 @@ class Contact:
     @property
     def turning(self) -> bool:
         """True if the line of toward may turn: a spring, a damper, a rod."""
+    @property
+    def cable(self) -> bool:
+        """True if the line of toward is a cable, which resists lengthening."""
     def __eq__(self, other: object, /) -> bool: ...
     def __ne__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...

@@ -7,7 +7,7 @@ use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 
-/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=False)
+/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=False, cable=False)
 /// --
 ///
 /// Contact between a point of a link and another link or the ground.
@@ -16,6 +16,7 @@ use pyo3::types::PyAny;
 /// length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
 /// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
 /// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
+/// cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
@@ -35,6 +36,8 @@ enum NormalGiven {
     Toward(String, [f64; 3]),
     /// Toward a point, along a line that may turn.
     TurningToward(String, [f64; 3]),
+    /// Away from a point, along a line that may turn: a cable.
+    TurningAwayFrom(String, [f64; 3]),
 }
 
 /// Parses a frame name.
@@ -59,7 +62,7 @@ fn name(frame: Frame) -> &'static str {
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame=None, turning=None), text_signature = "(link, point, normal=None, *, against=None, toward=None, normal_frame='link', turning=False)")]
+    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame=None, turning=None, cable=None), text_signature = "(link, point, normal=None, *, against=None, toward=None, normal_frame='link', turning=False, cable=False)")]
     fn new(
         link: &Bound<'_, PyAny>,
         point: &Bound<'_, PyAny>,
@@ -68,15 +71,23 @@ impl Contact {
         toward: Option<&Bound<'_, PyAny>>,
         normal_frame: Option<&Bound<'_, PyAny>>,
         turning: Option<&Bound<'_, PyAny>>,
+        cable: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let link = extract(link, "link")?;
-        let against = against.map(|given| extract(given, "against")).transpose()?;
+        let mut against: Option<String> = against.map(|given| extract(given, "against")).transpose()?;
         let toward: Option<(String, Bound<'_, PyAny>)> =
             toward.map(|given| extract(given, "toward")).transpose()?;
         let normal_frame: String =
             normal_frame.map_or_else(|| Ok("link".to_owned()), |given| extract(given, "normal_frame"))?;
         let turning = turning.map_or(Ok(false), |given| extract(given, "turning"))?;
+        let cable = cable.map_or(Ok(false), |given| extract(given, "cable"))?;
+        if cable && turning {
+            return Err(input("give one of cable and turning: the line of a cable always turns"));
+        }
         let normal = match (normal, toward) {
+            (Some(_), None) if cable => {
+                return Err(input("cable needs toward: a given normal is no line to a point"));
+            }
             (Some(_), None) if turning => {
                 return Err(input("turning needs toward: a given normal does not turn with a line"));
             }
@@ -85,7 +96,10 @@ impl Contact {
             }
             (None, Some((link, point))) => {
                 let point = triple(&point, "point of toward")?;
-                if turning {
+                if cable {
+                    against.get_or_insert_with(|| link.clone());
+                    NormalGiven::TurningAwayFrom(link, point)
+                } else if turning {
                     NormalGiven::TurningToward(link, point)
                 } else {
                     NormalGiven::Toward(link, point)
@@ -107,7 +121,9 @@ impl Contact {
     fn normal(&self) -> Option<(f64, f64, f64)> {
         match &self.normal {
             NormalGiven::Along(normal, _) => Some((*normal).into()),
-            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => None,
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) | NormalGiven::TurningAwayFrom(..) => {
+                None
+            }
         }
     }
 
@@ -116,9 +132,9 @@ impl Contact {
     fn toward(&self) -> Option<(String, (f64, f64, f64))> {
         match &self.normal {
             NormalGiven::Along(..) => None,
-            NormalGiven::Toward(link, point) | NormalGiven::TurningToward(link, point) => {
-                Some((link.clone(), (*point).into()))
-            }
+            NormalGiven::Toward(link, point)
+            | NormalGiven::TurningToward(link, point)
+            | NormalGiven::TurningAwayFrom(link, point) => Some((link.clone(), (*point).into())),
         }
     }
 
@@ -128,12 +144,20 @@ impl Contact {
         matches!(self.normal, NormalGiven::TurningToward(..))
     }
 
+    /// True if the line of toward is a cable, which resists lengthening.
+    #[getter]
+    fn cable(&self) -> bool {
+        matches!(self.normal, NormalGiven::TurningAwayFrom(..))
+    }
+
     /// "link", "world" or "against".
     #[getter]
     fn normal_frame(&self) -> &'static str {
         match &self.normal {
             NormalGiven::Along(_, frame) => name(*frame),
-            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => name(Frame::Link),
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) | NormalGiven::TurningAwayFrom(..) => {
+                name(Frame::Link)
+            }
         }
     }
 
@@ -150,6 +174,7 @@ impl Contact {
             contact.toward(),
             contact.normal_frame(),
             contact.turning(),
+            contact.cable(),
         );
         Ok((package.getattr("_contact")?, arguments.into_pyobject(py)?.into_any()))
     }
@@ -164,6 +189,9 @@ impl Contact {
             NormalGiven::TurningToward(link, point) => {
                 format!("toward=(\"{link}\", {point:?}), turning=True")
             }
+            NormalGiven::TurningAwayFrom(link, point) => {
+                format!("toward=(\"{link}\", {point:?}), cable=True")
+            }
         };
         let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
         format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
@@ -177,9 +205,8 @@ impl Contact {
         let normal = match contact.normal {
             Direction::Along(normal, frame) => NormalGiven::Along(normal.into(), frame),
             Direction::Toward(link, point) => NormalGiven::Toward(name(link), point.into()),
-            Direction::TurningToward(link, point) | Direction::TurningAwayFrom(link, point) => {
-                NormalGiven::TurningToward(name(link), point.into())
-            }
+            Direction::TurningToward(link, point) => NormalGiven::TurningToward(name(link), point.into()),
+            Direction::TurningAwayFrom(link, point) => NormalGiven::TurningAwayFrom(name(link), point.into()),
         };
         let (link, against) = (name(contact.link), contact.against.map(name));
         Self { link, against, point: contact.point.into(), normal }
@@ -197,6 +224,9 @@ impl Contact {
             }
             NormalGiven::TurningToward(link, point) => {
                 Direction::TurningToward(find(link, "contact.toward")?, Vector3::from(*point))
+            }
+            NormalGiven::TurningAwayFrom(link, point) => {
+                Direction::TurningAwayFrom(find(link, "contact.toward")?, Vector3::from(*point))
             }
         };
         Ok(Resolved {

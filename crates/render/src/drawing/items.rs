@@ -21,6 +21,21 @@ const BLUE: Colour = Colour(0, 114, 178);
 /// Contact and its normal.
 const CONTACT: Colour = Colour(186, 0, 70);
 
+/// Appearance of the arrows without a label.
+struct ArrowStyle {
+    colour: Colour,
+    thick: f64,
+    /// Length of the longest arrow, page units.
+    longest: f64,
+    /// True if labelled arrows are in proportion too.
+    to_scale: bool,
+}
+
+impl ArrowStyle {
+    const MOTION: Self = Self { colour: BLUE, thick: 1.2, longest: 54.0, to_scale: false };
+    const LOAD: Self = Self { colour: BLUE, thick: 2.0, longest: 80.0, to_scale: true };
+}
+
 /// Viewing direction: axes of the page in space, and title.
 pub(super) struct View {
     pub right: [f64; 3],
@@ -101,22 +116,24 @@ impl Drawing {
             scene.lines(vec![ends.to_vec()], solid(colour, thick));
             scene.dots(ends.to_vec(), 0.5 * thick + 0.8, colour);
         }
-        let longest = self.arrows.iter().map(|arrow| length(&arrow.vector)).fold(0.0, f64::max);
-        for arrow in &self.arrows {
-            let own = length(&arrow.vector);
-            if !(own > 0.0 && own.is_finite()) {
-                continue;
-            }
-            let strong = !arrow.label.is_empty();
-            let of_longest = if strong { 1.0 } else { own / longest };
-            let reach = of_longest * 54.0 / own / units_per_metre;
-            let tip: [f64; 3] = std::array::from_fn(|k| arrow.from[k] + reach * arrow.vector[k]);
-            let (from, to) = (to_page(&arrow.from), to_page(&tip));
-            let (colour, thick) = if strong { (CONTACT, 2.2) } else { (BLUE, 1.2) };
-            scene.lines(vec![vec![from, to]], solid(colour, thick));
-            draw_arrow_head(scene, from, to, colour);
-            if strong {
-                draw_label(scene, &arrow.label, to, sides, colour);
+        for (arrows, style) in [(&self.arrows, ArrowStyle::MOTION), (&self.loads, ArrowStyle::LOAD)] {
+            let longest = arrows.iter().map(|arrow| length(&arrow.vector)).fold(0.0, f64::max);
+            for arrow in arrows {
+                let own = length(&arrow.vector);
+                if !(own > 0.0 && own.is_finite()) {
+                    continue;
+                }
+                let strong = !arrow.label.is_empty();
+                let of_longest = if strong && !style.to_scale { 1.0 } else { own / longest };
+                let reach = of_longest * style.longest / own / units_per_metre;
+                let tip: [f64; 3] = std::array::from_fn(|k| arrow.from[k] + reach * arrow.vector[k]);
+                let (from, to) = (to_page(&arrow.from), to_page(&tip));
+                let (colour, thick) = if strong { (CONTACT, 2.2) } else { (style.colour, style.thick) };
+                scene.lines(vec![vec![from, to]], solid(colour, thick));
+                draw_arrow_head(scene, from, to, colour);
+                if strong {
+                    draw_label(scene, &arrow.label, to, sides, colour);
+                }
             }
         }
         for mark in &self.marks {

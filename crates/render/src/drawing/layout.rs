@@ -97,7 +97,7 @@ fn bounding_points(drawing: &Drawing) -> Vec<[f64; 3]> {
     let facets = drawing.facets.iter().flat_map(|facet| facet.corners);
     let lines = facets.chain(drawing.lines.iter().flat_map(|line| line.ends));
     let circles = drawing.circles.iter().flat_map(circle_polyline);
-    let arrows = drawing.arrows.iter().map(|arrow| arrow.from);
+    let arrows = drawing.arrows.iter().chain(&drawing.loads).map(|arrow| arrow.from);
     let symbols = drawing.symbols.iter().flat_map(|symbol| symbol.ends);
     let marks = drawing.marks.iter().chain(&drawing.points).map(|mark| mark.at);
     let all = lines.chain(circles).chain(arrows).chain(symbols).chain(marks);

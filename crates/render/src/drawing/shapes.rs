@@ -17,6 +17,8 @@ pub struct Drawing {
     pub circles: Vec<DrawnCircle>,
     /// Arrows.
     pub arrows: Vec<DrawnArrow>,
+    /// Arrows of forces or impulses, all in proportion to each other. Labelled arrows have the colour of the contact.
+    pub loads: Vec<DrawnArrow>,
     /// Symbols of springs, dampers, stops and the ground.
     pub symbols: Vec<DrawnSymbol>,
     /// Labelled points.
@@ -63,7 +65,7 @@ pub struct DrawnArrow {
     pub from: [f64; 3],
     /// Direction and relative magnitude; the longest arrow of a drawing has a fixed length on the page.
     pub vector: [f64; 3],
-    /// Label; none if empty. Labelled arrows are drawn thicker and as long as the longest.
+    /// Label; none if empty. Labelled arrows, except loads, are drawn thicker and as long as the longest.
     pub label: String,
 }
 

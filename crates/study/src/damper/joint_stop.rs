@@ -5,10 +5,9 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::values::position::GivenPosition;
-use nalgebra::Vector3;
 use percuss_contact::exports::StopMotion;
-use percuss_dynamics::Frame;
-use percuss_mechanism::{Joint, JointKind, near_names};
+use percuss_dynamics::{Contact, Frame};
+use percuss_mechanism::{Joint, JointId, JointKind, near_names};
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -73,25 +72,25 @@ impl JointStop {
     /// # Errors
     /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom.
     pub fn motion(&self, model: &Model) -> Result<StopMotion, StudyError> {
-        self.find(model).map(|(_, motion)| motion)
+        self.find(model).map(|(_, _, motion)| motion)
     }
 
     /// Joint of the stop, with the kind of its motion. Error: unknown joint, or a joint without a stop.
-    fn find<'a>(&self, model: &'a Model) -> Result<(&'a Joint, StopMotion), StudyError> {
+    fn find<'a>(&self, model: &'a Model) -> Result<(JointId, &'a Joint, StopMotion), StudyError> {
         let mechanism = &model.mechanism;
         let id = mechanism.find_joint(&self.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
         let joint = mechanism.joint(id);
-        let motion = stop_motion(joint).ok_or_else(|| {
-            StudyError::input(Field::Limit, Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
-        })?;
-        Ok((joint, motion))
+        let motion = stop_motion(joint).ok_or_else(|| self.no_stop(joint))?;
+        Ok((id, joint, motion))
     }
 
-    /// Contact question of the stop. The contact is a point of the child link against the parent link. For a
-    /// rotation the point lies 1 m from the axis and the normal along the motion; for a translation any point
-    /// serves, with the normal along the axis. The closing speed then equals the joint rate q̇, so m̄ in kg
-    /// equals 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or mass (kg) at the joint including the loops. All other
-    /// fields of the question come from `conditions`.
+    /// Error about a joint without a stop.
+    fn no_stop(&self, joint: &Joint) -> StudyError {
+        StudyError::input(Field::Limit, Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
+    }
+
+    /// Contact question of the stop, [`Contact::joint_stop`]: m̄ equals 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or mass (kg) at the
+    /// joint including the loops. All other fields of the question come from `conditions`.
     ///
     /// # Errors
     /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom; an end without a limit.
@@ -102,23 +101,15 @@ impl JointStop {
     ) -> Result<(MassQuestion, StopRecord), StudyError> {
         let mechanism = &model.mechanism;
         let refuse = |fault: Fault| StudyError::input(Field::Limit, fault);
-        let (joint, motion) = self.find(model)?;
-        let axis = joint.axis();
-        let (point, mut normal) = match motion {
-            StopMotion::Turn => {
-                let perpendicular = unit_normal_to(axis);
-                (perpendicular, axis.cross(&perpendicular))
-            }
-            StopMotion::Slide => (Vector3::zeros(), *axis),
-        };
-        if self.end == Some(StopEnd::Lower) {
-            normal = -normal;
-        }
+        let (id, joint, motion) = self.find(model)?;
+        let contact = Contact::joint_stop(mechanism, id, self.end != Some(StopEnd::Lower));
+        let contact = contact.ok_or_else(|| self.no_stop(joint))?;
+        let (normal, _) = Normal::of_direction(contact.normal, |id| mechanism.link(id).name().to_owned());
         let link = |id| mechanism.link(id).name().to_owned();
         let mut question = MassQuestion {
             link: link(joint.child()),
-            point: point.into(),
-            normal: Normal::Along(normal.into()),
+            point: contact.point.into(),
+            normal,
             frame: Frame::Link,
             normal_frame: Frame::Link,
             against: Some(link(joint.parent())),
@@ -144,12 +135,4 @@ fn stop_motion(joint: &Joint) -> Option<StopMotion> {
         JointKind::Prismatic => Some(StopMotion::Slide),
         JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => None,
     }
-}
-
-/// Unit vector normal to `axis`.
-fn unit_normal_to(axis: &Vector3<f64>) -> Vector3<f64> {
-    let least = axis.iamin();
-    let mut other = Vector3::zeros();
-    other[least] = 1.0;
-    axis.cross(&other).normalize()
 }

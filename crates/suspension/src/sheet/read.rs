@@ -415,7 +415,6 @@ impl SheetReader<'_> {
                     &mass_key,
                     &format!("the mass of {text}, kg (0 is legal),"),
                 );
-                // The missing mass is the only mistake of this section.
                 for key in [&com_key, &inertia_key] {
                     self.entries.find(key);
                 }

@@ -5,9 +5,8 @@ use crate::commands::impacts::{in_time, simultaneous};
 use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::limits::COMPONENT_ROUNDING;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
     FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionRecord, ReflectedRangeRecord,
@@ -79,7 +78,11 @@ fn text(report: &ImpactReport) -> String {
         out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
     }
     out += &format!("\n{}", rate_table(report));
-    out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
+    let reactions = reaction_table(report);
+    // A free body has no joints.
+    if reactions.rows().len() > 1 {
+        out += &format!("\n{reactions}{}", wrap_lines(&legend(report)));
+    }
     out += &in_time::bearing_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     let friction = if report.friction.is_some() { "" } else { "friction, " };
@@ -148,7 +151,9 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             format!("the limit of {joint} has no effect: the impact does not change the rate of this joint");
         facts.push(("greatest speed", note));
     }
-    facts.extend(report.reflected_inertia.iter().map(|record| ("reflected", reflected(record))));
+    facts.extend(
+        report.reflected_inertia.iter().map(|record| ("reflected", reflected(record, &report.mass.drivers))),
+    );
     facts.extend(report.reflected_over.iter().map(|range| ("armature", armature(range))));
     for centre in &report.percussion {
         let along = if centre.direction.is_some() { "along the line" } else { "in the tangent plane" };
@@ -266,14 +271,14 @@ pub fn law_note(report: &ImpactReport) -> String {
 }
 
 /// Inertias reflected to a joint as text, with the unit: with all other joints free, and with the other drivers held.
-fn reflected(record: &ReflectedRecord) -> String {
+fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
     let value = |status: Status, value: Option<f64>| match (status, value) {
         (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),
         (status, _) => status.name().to_owned(),
     };
     let free = value(record.free_status, record.free);
     let held = record.held_status.map_or_else(
-        || "no driving joint".to_owned(),
+        || format!("no driving joint (the loops are driven by {})", drivers.join(", ")),
         |status| format!("{} with the other drivers held", value(status, record.held)),
     );
     format!("{}: {free} free; {held}", record.joint)
@@ -296,11 +301,6 @@ fn armature(range: &ReflectedRangeRecord) -> String {
         number(constant),
         short_number(100.0 * error),
     )
-}
-
-/// A value that is rounding relative to `size` is shown as 0.
-fn rounded(value: f64, size: f64) -> f64 {
-    if value.abs() < COMPONENT_ROUNDING * size { 0.0 } else { value }
 }
 
 /// Rates of the joints and of a floating base.

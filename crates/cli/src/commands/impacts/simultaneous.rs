@@ -1,7 +1,7 @@
 //! Impact of several contacts at once, as text.
 
 use crate::terminal::escape::line;
-use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::wrap::wrap_lines;
 use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord, TouchingRecord};
 
@@ -146,10 +146,13 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
         "tangential N·s",
         "friction needed, or opening speed",
     ]);
-    let known = |value: Option<f64>| value.map_or_else(|| "?".to_owned(), short_number);
+    let impulses = sticking.normal_impulses.iter().chain(&sticking.tangential_impulses);
+    let largest = impulses.flatten().fold(0.0, |most: f64, p| most.max(p.abs()));
+    let known =
+        |value: Option<f64>| value.map_or_else(|| "?".to_owned(), |p| short_number(rounded(p, largest)));
     for (i, contact) in several.contacts.iter().enumerate() {
         let (after, last) = if sticking.sticks[i] {
-            ("sticks", known(sticking.required_friction[i]))
+            ("sticks", friction_needed(sticking, i))
         } else {
             ("lets go", format!("{} m/s", short_number(sticking.opening_speeds[i])))
         };
@@ -162,6 +165,16 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
         ]);
     }
     table
+}
+
+/// Coefficient of friction that a sticking contact needs. For open impulses the least coefficient of all contacts is an upper bound: it
+/// suffices for the best distribution.
+fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
+    match (sticking.required_friction[contact], sticking.least_friction) {
+        (Some(required), _) => short_number(required),
+        (None, Some(least)) => format!("at most {}", short_number(least)),
+        (None, None) => "none suffices".to_owned(),
+    }
 }
 
 /// Conditions of a plastic impact.

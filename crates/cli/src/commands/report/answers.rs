@@ -1,8 +1,8 @@
-//! Sections of the other questions of a study: variants, damper, map, safe speed.
+//! Sections of the other questions of a study: variants, damper, kinematics, map, safe speed.
 
 use super::bands::{Tolerances, add_band};
 use super::findings::add_warnings;
-use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
+use crate::commands::impacts::safe_speed;
 use crate::commands::suspension::kinematics;
 use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
@@ -14,8 +14,8 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_render::Figure;
 use percuss_study::{
-    ComparisonReport, DampingQuestion, DampingReport, ImpactReport, KinematicsReport, MapAnswer,
-    PointMapReport, SafeSpeedReport, StudyError, StudyFile, impact_history,
+    ComparisonReport, DampingQuestion, DampingReport, KinematicsReport, MapAnswer, PointMapReport,
+    SafeSpeedReport, StudyError, StudyFile, impact_history,
 };
 
 /// Section of the variants.
@@ -184,49 +184,6 @@ pub(super) fn add_damper(
         }
     }
     Ok(())
-}
-
-/// Section of a rigid impact: impulse, rates and reactions.
-pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
-    page.section("Impact");
-    page.facts(rigid_impact::results(report));
-    if let Some(table) = rigid_impact::law_table(report) {
-        page.table(table.rows());
-        page.paragraph("soft", &rigid_impact::law_note(report).replace('\n', " "));
-    }
-    if let Some(several) = &report.simultaneous {
-        page.heading("Several contacts at once");
-        page.table(simultaneous::contact_table(several).rows());
-        page.table(simultaneous::law_table(several).rows());
-        page.paragraph("soft", &simultaneous::law_note(several).replace('\n', " "));
-        if let Some(sticking) = &several.sticking {
-            let friction = report.friction.as_ref().map(|friction| friction.coefficient);
-            page.table(simultaneous::sticking_table(several, sticking).rows());
-            page.paragraph("soft", &simultaneous::sticking_note(sticking, friction).replace('\n', " "));
-        }
-    }
-    page.heading("Rates of the joints");
-    add_rates(report, page);
-    page.heading("Reactions");
-    page.table(rigid_impact::reaction_table(report).rows());
-    page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
-    if let Some(table) = rigid_impact::drive_table(report) {
-        page.table(table.rows());
-    }
-    add_warnings(&report.diagnostics, page);
-}
-
-/// Table of the rates before and after an impact, without the joints at rest, such as those of the other side of a vehicle.
-fn add_rates(report: &ImpactReport, page: &mut Page) {
-    let table = rigid_impact::rate_table(report);
-    let is_at_rest =
-        |row: &[String; 4]| row[1..3].iter().all(|rates| rates.split(',').all(|rate| rate == "0"));
-    let moving: Vec<_> = table.rows().iter().filter(|row| !is_at_rest(row)).cloned().collect();
-    page.table(&moving);
-    let resting = table.rows().len() - moving.len();
-    if resting > 0 {
-        page.paragraph("soft", &format!("{resting} joints without motion are left out."));
-    }
 }
 
 /// Section of a map of surfaces.

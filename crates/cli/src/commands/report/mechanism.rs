@@ -82,7 +82,7 @@ fn symbol(element: &DrawnElement) -> Option<DrawnSymbol> {
 }
 
 /// Drawing of the mechanism; with a contact, also the normal and the velocities of the centres of mass.
-fn drawing(report: Option<&MassReport>, mechanism: &DrawnMechanism) -> Drawing {
+pub(super) fn drawing(report: Option<&MassReport>, mechanism: &DrawnMechanism) -> Drawing {
     let links = &mechanism.links;
     let contact = report.map(|report| &report.contact);
     let lines = links.iter().flat_map(|link| {
@@ -91,7 +91,7 @@ fn drawing(report: Option<&MassReport>, mechanism: &DrawnMechanism) -> Drawing {
             .map(|ends| DrawnLine { ends: *ends, intensity: report.map(|_| link.share.unwrap_or(0.0)) })
     });
     let facets = links.iter().flat_map(|link| {
-        link.facets.iter().map(|corners| DrawnFacet { corners: *corners, intensity: link.share })
+        link.facets.iter().map(|corners| DrawnFacet { corners: *corners, intensity: report.and(link.share) })
     });
     let moving = links.iter().filter_map(|link| {
         Some(DrawnArrow { from: link.com?, vector: link.velocity?, label: String::new() })

@@ -6,6 +6,7 @@ mod bands;
 mod conditions;
 mod contact;
 mod findings;
+mod impact;
 mod mechanism;
 mod outputs;
 mod page;

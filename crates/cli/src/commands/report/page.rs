@@ -1,7 +1,7 @@
 //! Text of the report: head, result, sections.
 
 use super::results::{MapResult, StudyResults};
-use super::{answers, contact, mechanism, sensitivity};
+use super::{answers, contact, impact, mechanism, sensitivity};
 use crate::args::RunArgs;
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
@@ -56,7 +56,7 @@ pub(super) fn text(
         answers::add_damper(damper, &damping.question, &mut page)?;
     }
     if let Some(report) = &results.impact {
-        answers::add_impact(report, &mut page);
+        impact::add_impact(report, &results.mechanism, &mut page);
     }
     match &results.mapped {
         None => {}
@@ -140,10 +140,16 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
         ))
     ));
     page.heading("Validity");
+    let impact = results.impact.as_ref();
+    let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
+    let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
+    let several = if is_several { "" } else { ", several impacts at once" };
     page.paragraph(
         "",
-        "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and \
-         speed have no effect: a finite force does no work in an instantaneous impact.",
+        &format!(
+            "Not included: {friction}compliance of the links{several}. Gravity, springs, dampers and speed have no effect: a finite \
+             force does no work in an instantaneous impact."
+        ),
     );
 }
 

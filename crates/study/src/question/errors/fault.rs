@@ -206,6 +206,14 @@ pub enum Fault {
         /// Kind of the joint.
         kind: JointKind,
     },
+    /// Joint stop among sticking contact points.
+    #[error(
+        "the stop of joint \"{joint}\" has no contact point that can stick; leave it out, or give the stop as a point with its normal"
+    )]
+    StickingStop {
+        /// Joint.
+        joint: String,
+    },
     /// Joint without limits.
     #[error(
         "joint \"{joint}\" has no <limit>; omit the end of the range and set the joint to the position of \

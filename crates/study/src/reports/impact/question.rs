@@ -65,22 +65,54 @@ pub enum FurtherContact {
         /// The normal.
         normal: [f64; 3],
     },
+    /// Cable between points (m, frames of the links) of two links: it resists lengthening.
+    Cable {
+        /// The link.
+        link: String,
+        /// Its end of the cable.
+        point: [f64; 3],
+        /// The other link.
+        other: String,
+        /// Its end of the cable.
+        end: [f64; 3],
+    },
+    /// Stop of a joint with one velocity. Impulses are N·m·s, speeds rad/s and masses kg·m² if the joint turns.
+    JointStop {
+        /// The joint.
+        joint: String,
+        /// True for the upper limit: the stop acts against a positive rate.
+        is_upper: bool,
+    },
 }
 
 impl std::str::FromStr for FurtherContact {
     type Err = String;
-    /// Reads `NAME` or `LINK:X,Y,Z:NX,NY,NZ`.
+    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or `JOINT:upper`.
     fn from_str(text: &str) -> Result<Self, String> {
         if !text.contains(':') {
             return Ok(Self::Named(text.to_owned()));
         }
-        let hold: Hold =
-            text.parse().map_err(|error| format!("the name of a contact is expected, or: {error}"))?;
+        if let Some((joint, end @ ("lower" | "upper"))) = text.rsplit_once(':') {
+            return Ok(Self::JointStop { joint: joint.to_owned(), is_upper: end == "upper" });
+        }
+        let read = |text: &str| {
+            let hold: Result<Hold, String> = text.parse();
+            hold.map_err(|error| format!("the name of a contact is expected, or: {error}"))
+        };
+        if let Some((first, second)) = text.split_once('=') {
+            let (first, second) = (read(first)?, read(second)?);
+            if first.normal.is_some() || second.normal.is_some() {
+                return Err("expected a cable LINK:X,Y,Z=LINK:X,Y,Z, such as hook:0,0,0=frame:0,0,1".into());
+            }
+            let (link, other) = (first.link, second.link);
+            return Ok(Self::Cable { link, point: first.point, other, end: second.point });
+        }
+        let hold = read(text)?;
         match hold.normal {
             Some(normal) => Ok(Self::Point { link: hold.link, point: hold.point, normal }),
-            None => {
-                Err("expected the name of a contact or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into())
-            }
+            None => Err("expected the name of a contact, LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a cable LINK:X,Y,Z=LINK:X,Y,Z, or \
+                         the stop JOINT:lower or JOINT:upper"
+                .into()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Impact of several contacts at once.
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::question::errors::question_error::StudyError;
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::{FurtherContact, ImpactQuestion};
@@ -133,7 +133,7 @@ pub(crate) fn simultaneous(
     let mut names = vec![prepared.question.at.clone().unwrap_or_else(|| prepared.question.link.clone())];
     let mut gaps = vec![None];
     for contact in &question.also {
-        let (name, contact, gap) = further_contact(evaluated, contact)?;
+        let (name, contact, gap) = further_contact(evaluated, question, contact)?;
         names.push(name);
         gaps.push(gap);
         let response = pose.respond(&contact)?;
@@ -251,6 +251,7 @@ fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
 /// Further contact with its name, and its gap at the pose.
 fn further_contact(
     evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
     contact: &FurtherContact,
 ) -> Result<(String, Contact, Option<f64>), StudyError> {
     let pose = &evaluated.pose;
@@ -267,6 +268,23 @@ fn further_contact(
             let normal = Direction::Along(Vector3::from(*normal), Frame::World);
             let contact = Contact { link: id, against: None, point: Vector3::from(*point), normal };
             Ok((link.clone(), contact, None))
+        }
+        FurtherContact::Cable { link, point, other, end } => {
+            let find =
+                |name: &str| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Also, error));
+            let contact = Contact::cable(find(link)?, *point, find(other)?, *end);
+            Ok((format!("cable {link} to {other}"), contact, None))
+        }
+        FurtherContact::JointStop { joint, is_upper } => {
+            let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Also, error))?;
+            let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(|| {
+                let kind = mechanism.joint(id).kind();
+                StudyError::input(Field::Also, Fault::NoStop { joint: joint.clone(), kind })
+            })?;
+            if question.sticking {
+                return Err(StudyError::input(Field::Also, Fault::StickingStop { joint: joint.clone() }));
+            }
+            Ok((format!("stop of {joint}"), contact, None))
         }
     }
 }

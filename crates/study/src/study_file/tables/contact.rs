@@ -128,6 +128,15 @@ pub struct ContactTable {
     /// than a tenth of its length in the design pose is always refused.
     #[cfg_attr(feature = "flags", arg(long, requires = "along_line", help_heading = CONTACT))]
     pub turning_normal: bool,
+    /// The line is a cable: it resists lengthening, and may rotate.
+    ///
+    /// The gap closes while the cable gets longer; the impulse of an impact pulls. Without another link in contact, the other side is the
+    /// link of the line.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, requires = "along_line", conflicts_with = "turning_normal", help_heading = CONTACT)
+    )]
+    pub cable: bool,
     /// Frame of the point and the normal; default: link.
     ///
     /// Applies to both. A point given in another frame is converted to the link frame once, at the set pose with
@@ -283,6 +292,13 @@ impl ContactTable {
             (None, _) if self.turning_normal => {
                 return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
             }
+            (None, _) if self.cable => {
+                return Err(InvalidKey::new("contact.cable", "it requires `along_line`"));
+            }
+            (Some(_), _) if self.cable && self.turning_normal => {
+                return Err(InvalidKey::new("contact", "give either `cable` or `turning_normal`"));
+            }
+            (Some(line), None) if self.cable => Normal::TurningAwayFrom(line.link.clone(), line.point.0),
             (Some(line), None) if self.turning_normal => {
                 Normal::TurningToward(line.link.clone(), line.point.0)
             }
@@ -310,7 +326,9 @@ impl ContactTable {
         question.normal = normal;
         question.frame = frame.into();
         question.normal_frame = self.normal_frame.unwrap_or(frame).into();
-        question.against.clone_from(&self.against);
+        let far_end = self.along_line.iter().filter(|_| self.cable && self.against_mass.is_none());
+        let far_end = far_end.map(|line| line.link.clone()).next();
+        question.against = self.against.clone().or(far_end);
         question.against_mass = self.against_mass.map(|mass| mass.0);
         question.estimate.clone_from(&self.estimate);
         question.ratio_at.clone_from(&self.ratio_at);
@@ -324,12 +342,13 @@ impl ContactTable {
 
     /// True without link, point, normal and frame.
     fn has_no_geometry(&self) -> bool {
-        let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
+        let Self { link, point, normal, along_line, turning_normal, cable, frame, normal_frame, .. } = self;
         link.is_none()
             && point.is_none()
             && normal.is_none()
             && along_line.is_none()
             && !turning_normal
+            && !cable
             && frame.is_none()
             && normal_frame.is_none()
     }

@@ -1,0 +1,99 @@
+//! Input and result of a search for extremes.
+
+use nalgebra::Vector3;
+use percuss_dynamics::{Contact, EffectiveMass, LowestPoint};
+use percuss_mechanism::JointId;
+
+/// Range of a driving joint with one velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointRange {
+    /// The joint.
+    pub joint: JointId,
+    /// Lower end, rad or m.
+    pub lower: f64,
+    /// Upper end, rad or m.
+    pub upper: f64,
+}
+
+/// Extreme to search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExtremeKind {
+    /// Smallest value.
+    Least,
+    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. A bearing
+    /// impulse is `Immovable` if it grows without bound towards a pose with an immovable contact.
+    Most,
+}
+
+/// Normals of the contact among which the extreme is searched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum NormalRange {
+    /// The normal of the contact.
+    #[default]
+    Given,
+    /// All normals.
+    Any,
+    /// All normals across an axis (world axes).
+    Across(Vector3<f64>),
+}
+
+/// Quantity whose extremes are searched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum SearchedQuantity {
+    /// Effective mass of the contact, kg.
+    #[default]
+    EffectiveMass,
+    /// Inertia reflected to a joint with one velocity, kg·m² or kg. With `held` the other drivers are at rest; otherwise they are free.
+    ReflectedInertia {
+        /// The joint.
+        joint: JointId,
+        /// True if the other drivers are at rest.
+        held: bool,
+    },
+    /// Impulse in a bearing per closing speed of a plastic impact at the contact (e = 0): m̄ |R|, kg. R has the determinate components of
+    /// the reaction force in the joint per impulse at the contact, without its moment. An impact with the closing speed c and the
+    /// coefficient of restitution e has (1+e) c times this impulse; a contact of stiffness k has about the peak force m̄ |R| c √(k/m̄).
+    BearingImpulse {
+        /// The joint.
+        joint: JointId,
+    },
+}
+
+/// Contact of a search for extremes.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchedContact<'a> {
+    /// The contact.
+    pub contact: &'a Contact,
+    /// Wheel of a contact patch; the contact point is then its lowest point at every pose.
+    pub wheel: Option<&'a LowestPoint>,
+    /// Range of the normals.
+    pub normals: NormalRange,
+}
+
+impl<'a> From<&'a Contact> for SearchedContact<'a> {
+    fn from(contact: &'a Contact) -> Self {
+        Self { contact, wheel: None, normals: NormalRange::Given }
+    }
+}
+
+/// Extreme of an effective mass, or of another quantity, over ranges of positions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExtremeMass {
+    /// Value of the quantity at the extreme, kg or kg·m²; `Immovable` is a valid largest value of a mass or an inertia. The largest
+    /// impulse of a bearing is `Immovable` if it has no bound; the positions are those that it grows towards.
+    pub effective_mass: EffectiveMass,
+    /// Positions of the varied joints, in the order of the ranges.
+    pub positions: Vec<f64>,
+    /// Normal at the extreme, world axes, up to its sign; `None` for the normal of the contact.
+    pub normal_world: Option<Vector3<f64>>,
+    /// Joints at a limit, true for the upper one.
+    pub active_limits: Vec<(JointId, bool)>,
+    /// Optimality: largest component of the projected gradient, times its range, relative to the value; 0 at an exact stationary point
+    /// of the constrained problem. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared impulse. Zero for an immovable
+    /// contact. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
+    pub residual: f64,
+    /// Number of starts.
+    pub starts: usize,
+    /// Number of starts that reached this value to six digits.
+    pub agreeing: usize,
+}

@@ -1,0 +1,72 @@
+//! Points of a search for extremes, and the quasi-Newton update.
+
+use nalgebra::Vector3;
+
+/// Relative difference of values that is rounding.
+const SAME_TO_ROUNDING: f64 = 1e-13;
+/// Distance from a limit, relative to the range, at which the limit is active.
+pub(super) const AT_LIMIT: f64 = 1e-9;
+
+/// Point of a search.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    /// Positions as parts of their ranges.
+    pub unit: Vec<f64>,
+    /// 1/m̄, 1/kg; for an inertia its reciprocal; for a bearing the square of the impulse per closing speed, kg².
+    pub inverse_mass: f64,
+    /// Function to be minimised: plus or minus `inverse_mass`.
+    pub value: f64,
+    /// Its gradient over the ranges.
+    pub gradient: Vec<f64>,
+    /// Normal, world axes; `None` for that of the contact.
+    pub normal_world: Option<Vector3<f64>>,
+}
+
+impl Point {
+    /// Largest component of the projected gradient.
+    pub fn residual(&self) -> f64 {
+        let component = |k: usize| {
+            let blocked = (self.unit[k] <= AT_LIMIT && self.gradient[k] > 0.0)
+                || (self.unit[k] >= 1.0 - AT_LIMIT && self.gradient[k] < 0.0);
+            if blocked { 0.0 } else { self.gradient[k].abs() }
+        };
+        (0..self.unit.len()).map(component).fold(0.0, f64::max)
+    }
+
+    /// True if another point has the same value to rounding and a smaller residual: values resolve positions to the square root
+    /// of rounding only.
+    pub fn is_equal_but_worse_than(&self, other: &Self) -> bool {
+        (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
+            && other.residual() < self.residual()
+    }
+}
+
+/// Identity matrix.
+pub(super) fn identity(n: usize) -> Vec<Vec<f64>> {
+    (0..n).map(|r| (0..n).map(|c| f64::from(u8::from(r == c))).collect()).collect()
+}
+
+/// BFGS update of the inverse Hessian; left out without positive curvature. `is_first`: the matrix is the identity, and is scaled to the
+/// curvature of this step before the update (Nocedal and Wright 2006, equation 6.20). Returns true if the matrix is updated.
+pub(super) fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point, is_first: bool) -> bool {
+    let n = from.unit.len();
+    let s: Vec<f64> = (0..n).map(|k| to.unit[k] - from.unit[k]).collect();
+    let y: Vec<f64> = (0..n).map(|k| to.gradient[k] - from.gradient[k]).collect();
+    let sy: f64 = s.iter().zip(&y).map(|(a, b)| a * b).sum();
+    let size = s.iter().map(|x| x * x).sum::<f64>().sqrt() * y.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if sy <= 1e-10 * size {
+        return false;
+    }
+    if is_first {
+        let scale = sy / y.iter().map(|x| x * x).sum::<f64>();
+        inverse.iter_mut().flatten().for_each(|entry| *entry *= scale);
+    }
+    let hy: Vec<f64> = (0..n).map(|r| (0..n).map(|c| inverse[r][c] * y[c]).sum()).collect();
+    let yhy: f64 = y.iter().zip(&hy).map(|(a, b)| a * b).sum();
+    for r in 0..n {
+        for c in 0..n {
+            inverse[r][c] += (1.0 + yhy / sy) * s[r] * s[c] / sy - (hy[r] * s[c] + s[r] * hy[c]) / sy;
+        }
+    }
+    true
+}
