@@ -183,7 +183,7 @@ fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift
 /// Impact with varying m̄; `None` unless it ends well before the end of the motion.
 fn impact_before(end: &PenetrationEnd, damping: &DampingQuestion) -> Option<VaryingMassImpact> {
     let is_before = |(depth, _): &&(f64, f64)| *depth <= BEFORE_END * end.depth;
-    let masses: Vec<(f64, f64)> = end.masses.iter().take_while(is_before).copied().collect();
+    let masses: Vec<(f64, f64)> = end.values.iter().take_while(is_before).copied().collect();
     let (stroke, _) = *masses.last()?;
     let impact = impact_over_stroke(damping, &masses).ok()??;
     (impact.max_penetration <= stroke).then_some(impact)

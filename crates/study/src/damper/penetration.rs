@@ -18,13 +18,13 @@ use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, Pose};
 
 /// Reason for an unreachable depth.
 #[derive(Debug)]
-pub(crate) struct PenetrationEnd {
+pub(crate) struct PenetrationEnd<T = f64> {
     /// Depth reached, m.
     pub depth: f64,
     /// Error of the question at this depth; `None` if the motion itself ends.
     pub error: Option<StudyError>,
-    /// m̄ (kg) over the penetration (m) up to this depth.
-    pub masses: Vec<(f64, f64)>,
+    /// Values over the penetration (m) up to this depth, such as m̄ (kg).
+    pub values: Vec<(f64, T)>,
 }
 
 /// Motion of impact from first touch on.
@@ -59,13 +59,13 @@ impl PenetrationPath<'_> {
         pose: &Pose,
         depth: f64,
         value: impl Fn(&PathPoint) -> T,
-    ) -> Result<Vec<(f64, T)>, PenetrationEnd> {
+    ) -> Result<Vec<(f64, T)>, PenetrationEnd<T>> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
         let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd {
             depth: done,
             error,
-            masses: Vec::new(),
+            values: Vec::new(),
         })?;
         let mut error = None;
         let mut values = vec![(0.0, value(&at))];
@@ -88,7 +88,7 @@ impl PenetrationPath<'_> {
                     error = why.or(error);
                     step /= 2.0;
                     if step < LEAST_PENETRATION * depth {
-                        return Err(PenetrationEnd { depth: done, error, masses });
+                        return Err(PenetrationEnd { depth: done, error, values });
                     }
                 }
             }
