@@ -204,6 +204,27 @@ def preload_of_another_unit(rng, car, spelling, text):
     return with_rate and replaced(with_rate, "spring", "preload", f'"{1e3 * value} kN"' if rng.integers(2) else value)
 
 
+def exchanged_ends(rng, car, spelling, text):
+    """The two ends of a lateral rod are exchanged."""
+    if car.template in AXLES:
+        return None  # The links of an axle may converge at the axle.
+    changed = copy.deepcopy(car)
+    rods = []
+    for outer in car.points:
+        rod = outer.removesuffix("_outer")
+        inner = next((name for name in (f"{rod}_inner", f"{rod}_chassis") if name in car.points), None)
+        if rod == outer or rod in ("anti_roll_bar", "arm") or inner is None:
+            continue
+        across = abs(car.points[outer][1]) - abs(car.points[inner][1])
+        if across > 0.6 * np.linalg.norm(car.points[outer] - car.points[inner]):
+            rods.append((outer, inner))
+    if not rods:
+        return None
+    one, other = rods[int(rng.integers(len(rods)))]
+    changed.points[one], changed.points[other] = car.points[other], car.points[one]
+    return changed
+
+
 def curve(text, section, deflections, forces):
     with_forces = replaced(text, section, "forces", forces)
     return with_forces and replaced(with_forces, section, "deflections", deflections)
@@ -238,7 +259,7 @@ def exchanged_seats(rng, car, spelling, text):
 MISTAKES = [
     other_unit, other_inertia_unit, other_sign, other_height, other_side, other_axes, turned, zero_gap, grams, all_grams, tonnes, about_the_origin,
     camber_in_radians, wheel_y, far_ball, gap_in_metres, rate_of_another_unit, preload_of_another_unit, deflections_in_metres,
-    forces_in_kilonewtons, exchanged_seats,
+    forces_in_kilonewtons, exchanged_seats, exchanged_ends,
 ]  # fmt: skip
 
 

@@ -106,6 +106,85 @@ fn contacts_of_a_sheet_are_those_of_the_flags() {
 const AXLES_ON_LINKS: [&str; 4] =
     ["solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"];
 
+/// A motion ratio is per travel of the wheel relative to the chassis, also for a contact against an arm that moves.
+#[test]
+fn ratios_of_contacts_against_moving_links_are_those_of_the_kinematics() {
+    let folder = Scratch::new("moving-links");
+    for slides in ["false", "true"] {
+        let text = done(&folder, &["template", "double-wishbone"])
+            .replace("slides = false", &format!("slides = {slides}"))
+            + "
+[contact.side]
+point = [10.0, 700.0, 250.0]
+on = \"upright\"
+direction = [0.2, 1.0, 0.1]
+against = \"lower_arm\"
+gap = 25.0
+";
+        folder.write("car.toml", &text);
+        let travel = "--travel wheel-travel=20mm";
+        let listed = report(&folder, &format!("mass car.toml --at side {travel}"));
+        let ratio = &listed["motion_ratios"][0];
+        let rows = report(&folder, "kinematics car.toml --wheel-travel 20mm --columns side.motion_ratio");
+        let expected = number(&rows["rows"][0]["motion_ratio_side"]);
+        let found = number(&ratio["contact_per_wheel"]);
+        assert!((found / expected - 1.0).abs() < 1e-9, "{slides}: {found}, {expected}");
+        assert_eq!(ratio["held"].is_string(), slides == "true");
+    }
+}
+
+/// Questions that have a right answer that the user did not mean are refused, and mistakes in a sheet are named.
+#[test]
+fn ambiguous_questions_are_refused() {
+    let folder = Scratch::new("ambiguous");
+    let text = done(&folder, &["template", "double-wishbone"]);
+    folder.write("car.toml", &text);
+    let search = "kinematics car.toml --solve tie_rod_inner.z --within 20mm --for";
+    for (words, message) in [
+        ("mass car.toml --at bump_stop --wheel-travel 30mm --heave 20mm".to_owned(), "both move the wheel"),
+        (format!("{search} toe=0.01"), "write 0.01deg"),
+        (format!("{search} scrub_radius=1"), "write 1mm"),
+        (format!("{search} toe_gradient=-3deg"), "a number in deg/m is expected"),
+        ("kinematics car.toml --solve spring_seat.z --for camber=1deg".to_owned(), "has no influence"),
+        ("mass car.toml --at bump_stop,spring".to_owned(), "percuss compare MODEL --at bump_stop,spring"),
+        ("sweep car.toml --at all --wheel-travel 0:10mm:2".to_owned(), "percuss compare MODEL --at all"),
+    ] {
+        let outcome = run(&folder, &words.split_whitespace().collect::<Vec<_>>());
+        let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(outcome.code == 2 && told.contains(message), "{words}: {told}");
+    }
+    let gradient = report(&folder, &format!("{search} toe_gradient=-3deg/m"));
+    assert!((number(&gradient["targets"][0]["reached"]).to_degrees() + 3.0).abs() < 1e-6, "{gradient}");
+    let swapped = |one: &str, other: &str| {
+        text.replace(&format!("\n{one} ="), "\n_ =")
+            .replace(&format!("\n{other} ="), &format!("\n{one} ="))
+            .replace("\n_ =", &format!("\n{other} ="))
+    };
+    let curve = |forces: &str| {
+        text.replace("[bump_stop]\n", &format!("[bump_stop]\ndeflections = [0, 9, 30]\nforces = {forces}\n"))
+    };
+    for (changed, code, message) in [
+        (swapped("tie_rod_inner", "tie_rod_outer"), 0, "nearer to the middle of the vehicle"),
+        (curve("[0, 900, 800]"), 0, "the force decreases from 900 N to 800 N"),
+        (curve("[0, -90, -800]"), 2, "numbers of 0 or more are expected"),
+        (text.replace("[upright]\nmass = 5.6", "[upright]"), 2, "upright.mass: the key is missing"),
+        (text.clone() + &CONTACTS.replace("contact.skid", "contact.all"), 2, "choose another name"),
+        (text.clone() + &CONTACTS.replace("gap = 40.0", "gap = 0"), 0, "the gap is 0"),
+        (
+            text.clone() + &CONTACTS.replace("[30.0, 600.0, 100.0]", "[30.0, -600.0, 100.0]"),
+            0,
+            "is on the other side of the vehicle than the wheel",
+        ),
+    ] {
+        assert!(changed != text, "{message}");
+        folder.write("wrong.toml", &changed);
+        let outcome = run(&folder, &["check", "wrong.toml"]);
+        let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(outcome.code == code && told.contains(message), "{message}: {told}");
+        assert!(!told.contains("upright.com"), "{told}");
+    }
+}
+
 /// Axes and side that are both wrong turn the car by 180°: masses remain, but caster and anti-dive change their signs.
 #[test]
 fn reversed_axes_are_warned_of() {

@@ -1,7 +1,7 @@
 //! Local searches for an extreme from several starts.
 
 use crate::mobility::delassus::Delassus;
-use crate::motion::driver_rates::{DriverRate, rates_from_drivers};
+use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 use crate::ranges::extreme_question::{ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedQuantity};
 use crate::ranges::extremes_error::{ExtremesError, no_driver};
 use crate::ranges::quasi_newton::{AT_LIMIT, Point, identity, update};
@@ -258,7 +258,12 @@ impl<'a> Search<'a> {
                     _ => {}
                 }
             }
-            let motion = rates_from_drivers(&pose, &rates, Twist::zero())?;
+            let motion = match rates_from_drivers(&pose, &rates, Twist::zero()) {
+                Ok(motion) => motion,
+                // A dead centre of the joint, at which its reach ends.
+                Err(RatesError::Inadmissible { .. }) => return Ok(None),
+                Err(error) => return Err(error.into()),
+            };
             let mut slope = gradient.rate(&motion.joints);
             if let Some(wheel) = self.wheel {
                 slope += wheel.mass_rate(&pose, &contact, &motion.coordinates(&pose))?;

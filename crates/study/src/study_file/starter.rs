@@ -107,7 +107,10 @@ fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
     };
     let mut found = Vec::new();
     let mut named: Vec<&NamedContact> = mechanism.contacts().iter().collect();
-    named.sort_by_key(|contact| contact.kind() != ContactKind::Stop);
+    // The bump stop is the usual question; on the rod of the damper it is the last stop of the model.
+    named.sort_by_key(|contact| {
+        (contact.kind() != ContactKind::Stop, !contact.name().starts_with("bump_stop"))
+    });
     found.extend(named.into_iter().map(|contact| MassQuestion {
         at: Some(contact.name().to_owned()),
         base,

@@ -26,7 +26,11 @@ impl Corner {
         if findings.has_errors() {
             return;
         }
-        let has_warned = self.drawing.check(findings, places);
+        let mut has_warned = self.drawing.check(findings, places);
+        // The links of an axle may converge at the axle.
+        if !AXLES.iter().any(|axle| self.is_shared(axle)) {
+            has_warned |= self.drawing.check_exchanged_ends(findings, places);
+        }
         if self.check_wheel_centre(has_warned, findings, places) {
             return;
         }

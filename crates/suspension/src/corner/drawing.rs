@@ -143,7 +143,6 @@ impl Drawing {
         }
         has_warned |= self.check_heights(wheel, findings, places);
         has_warned |= self.check_exchanged_arms(findings, places);
-        has_warned |= self.check_exchanged_ends(findings, places);
         let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
@@ -225,7 +224,7 @@ impl Drawing {
 
     /// Warns about lateral rods whose outer end is nearer to the vehicle's middle plane than their inner end. Returns true after a
     /// warning.
-    fn check_exchanged_ends(&self, findings: &mut Findings, places: FilePlaces) -> bool {
+    pub fn check_exchanged_ends(&self, findings: &mut Findings, places: FilePlaces) -> bool {
         let of = |name: String| self.points.iter().find(|point| point.name == name);
         let mut has_warned = false;
         for outer in &self.points {

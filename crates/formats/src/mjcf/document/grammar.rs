@@ -123,6 +123,7 @@ const KEY: ElementRule = element(
         ("ctrl", Silent),
         ("mpos", Silent),
         ("mquat", Silent),
+        ("plastic", Silent),
     ],
     NO_CHILDREN,
 );
