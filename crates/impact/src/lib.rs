@@ -6,12 +6,12 @@
 //! loss ½ m̄ (1−e²) c². Trees and loops, redundant constraints, massless links, fixed and floating bases are covered.
 //! Components of a reaction that redundant constraints leave open are reported as [`Component::Indeterminate`].
 //!
-//! [`Friction`] is that of Coulomb at one contact, with the laws of restitution of Stronge, Poisson and Newton. [`Delassus`] is the
-//! mobility of several contact points: [`simultaneous_impact`] has the laws of several contacts without friction, and
-//! [`sticking_impact`] the plastic impact with sticking points.
+//! [`Friction`] describes Coulomb friction at one contact, with the laws of restitution of Stronge, Poisson and Newton. [`Delassus`] is
+//! the mobility of several contact points. [`simultaneous_impact`] applies three laws of restitution to several contacts without
+//! friction; [`sticking_impact`] computes the plastic impact with sticking points.
 //!
-//! The impact is instantaneous: gravity, springs and dampers have no effect. This crate reads no files and contains no
-//! laws of compliant contacts.
+//! A rigid impact is instantaneous: gravity, springs and dampers have no effect. [`impact_in_time`] integrates the motion with a given
+//! contact force, with gravity, springs and dampers. This crate reads no files and contains no laws of compliant contacts.
 
 mod error;
 mod friction;

@@ -59,7 +59,7 @@ pub enum PercussionError {
     },
 }
 
-/// Coordinate in nanometres for messages: without the digits of rounding.
+/// Coordinate rounded to nanometres, for messages.
 fn rounded(coordinate: f64) -> f64 {
     const PER_METRE: f64 = 1e9;
     (coordinate * PER_METRE).round() / PER_METRE + 0.0

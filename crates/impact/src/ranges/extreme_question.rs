@@ -79,8 +79,8 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
 /// Extreme of an effective mass, or of another quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Value of the quantity at the extreme, kg or kg·m²; `Immovable` is a valid largest value of a mass or an inertia. The largest
-    /// impulse of a bearing is `Immovable` if it has no bound; the positions are those that it grows towards.
+    /// Value of the quantity at the extreme, kg or kg·m². `Immovable` is a valid largest value of a mass or an inertia. For a bearing
+    /// impulse, `Immovable` means unbounded; the positions are those of the immovable contact.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
@@ -89,8 +89,8 @@ pub struct ExtremeMass {
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient, times its range, relative to the value; 0 at an exact stationary point
-    /// of the constrained problem. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared impulse. Zero for an immovable
-    /// contact. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
+    /// of the constrained problem, and for an immovable contact. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared
+    /// impulse. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
     pub residual: f64,
     /// Number of starts.
     pub starts: usize,

@@ -13,14 +13,12 @@ const SAME_VALUE: f64 = 1e-6;
 
 /// Largest or smallest effective mass of a contact over ranges of driving joints: local searches from several starts.
 ///
-/// With a range of normals the extreme is that over positions and normals. At each position the extreme normal is an eigenvector of
-/// the mobility of the contact point; the mass does not change to first order with the normal there, so that the gradient over
-/// the positions is that of this normal.
+/// A range of normals extends the search to positions and normals. At each position the extreme normal is an eigenvector of the mobility
+/// of the contact point. There m̄ is stationary with respect to the normal, so the gradient over the positions uses this normal as fixed.
 ///
-/// 1/m̄ is minimised or maximised, since it is smooth where the contact is immovable, by a projected quasi-Newton method with the
-/// gradient in closed form. Each start has two searches, from a point
-/// of a Halton sequence and from the best of eight others; the same call has the same result. No method of this kind
-/// proves a global extreme: the number of agreeing starts shows the confidence.
+/// A projected quasi-Newton method with the gradient in closed form minimises or maximises 1/m̄, which is smooth where the contact is
+/// immovable. Each start has two searches: from one point of a Halton sequence, and from the best of eight points of this sequence. The
+/// method is deterministic and does not prove a global extreme; the number of agreeing starts indicates the confidence.
 ///
 /// # Errors
 /// [`ExtremesError`].
@@ -38,10 +36,9 @@ pub fn extreme_effective_mass(
 
 /// Extreme of a quantity over ranges of driving joints, by the searches of [`extreme_effective_mass`].
 ///
-/// The gradient of an effective mass has a closed form. That of the other quantities, and of an effective mass with held contacts, is a
-/// difference quotient of fourth order, with a
-/// relative error of about 1e-12. A reflected inertia does not depend on the contact. A range of normals applies to effective masses
-/// only.
+/// The gradient of an effective mass has a closed form. The gradients of the other quantities, and of an effective mass with held
+/// contacts, are difference quotients of fourth order with a relative error of about 1e-12. A reflected inertia does not depend on the
+/// contact. A range of normals applies to effective masses only.
 ///
 /// # Errors
 /// [`ExtremesError`].
@@ -69,7 +66,7 @@ pub fn extreme_quantity(
     let mechanism = system.mechanism();
     let start = system.pose(configuration).ok();
     let variable = start.as_ref().map(|start| variable_joints(system, start));
-    // Held contacts belong to the impact, not to the configuration: the gradient along admissible motions does not apply.
+    // Held contacts constrain the impact, not the pose: the pose moves along motions outside ker A, and the closed form does not apply.
     let has_holds = start.iter().flat_map(|start| start.constraint_groups()).any(|group| {
         group.constraints.iter().any(|action| matches!(action.source, ConstraintSource::Hold(_)))
     });
@@ -102,9 +99,9 @@ pub fn extreme_quantity(
     let (found, largest) = search.run_all(starts)?;
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
     let largest = largest.max(search.typical()?);
-    // For the smallest value: immovable everywhere.
+    // A smallest value that is immovable: the contact is immovable at every pose of the search.
     let is_immovable = search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
-    // A squared impulse that is rounding of zero has no relative accuracy: the residual is then relative to the largest one.
+    // A squared impulse that is rounding of zero has no relative accuracy: its residual is relative to the largest squared impulse.
     let vanishes = !search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
     let size = best.inverse_mass.max(IMMOVABLE * largest);
     let close =

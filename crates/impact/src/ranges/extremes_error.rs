@@ -21,7 +21,7 @@ pub enum ExtremesError {
     /// The axis of a range of normals has no direction.
     #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
     NoAxis,
-    /// A range of normals for a quantity that is no effective mass.
+    /// A range of normals for a quantity other than an effective mass.
     #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
     NormalsOfMass,
     /// No joint varies.

@@ -33,8 +33,8 @@ impl Point {
         (0..self.unit.len()).map(component).fold(0.0, f64::max)
     }
 
-    /// True if another point has the same value to rounding and a smaller residual: values resolve positions to the square root
-    /// of rounding only.
+    /// True if another point has the same value to rounding and a smaller residual. Values locate an extreme to the square root of the
+    /// rounding only; residuals locate it to the rounding.
     pub fn is_equal_but_worse_than(&self, other: &Self) -> bool {
         (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
             && other.residual() < self.residual()
@@ -46,8 +46,8 @@ pub(super) fn identity(n: usize) -> Vec<Vec<f64>> {
     (0..n).map(|r| (0..n).map(|c| f64::from(u8::from(r == c))).collect()).collect()
 }
 
-/// BFGS update of the inverse Hessian; left out without positive curvature. `is_first`: the matrix is the identity, and is scaled to the
-/// curvature of this step before the update (Nocedal and Wright 2006, equation 6.20). Returns true if the matrix is updated.
+/// BFGS update of the inverse Hessian. Returns false, without an update, if the curvature is not positive. `is_first`: the matrix is the
+/// identity; the curvature of this step scales it before the update (Nocedal and Wright 2006, equation 6.20).
 pub(super) fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point, is_first: bool) -> bool {
     let n = from.unit.len();
     let s: Vec<f64> = (0..n).map(|k| to.unit[k] - from.unit[k]).collect();

@@ -30,10 +30,9 @@ pub enum ReflectedError {
 /// Inertia of the mechanism reflected to one velocity of a joint, kg·m² or kg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReflectedInertia {
-    /// Inertia with all other joints free: min { vᵀMv : Av = 0, q̇ = 1 }. A stop in a limp mechanism meets it.
+    /// Inertia with all other joints free: min { vᵀMv : Av = 0, q̇ = 1 }, as at a stop of a mechanism without drive torques.
     pub free: EffectiveMass,
-    /// Inertia with the other drivers at rest. A motor of a servo-controlled mechanism meets it. `None` if the joint
-    /// drives nothing.
+    /// Inertia with the other drivers at rest, as at a motor of a servo-controlled mechanism. `None` if the joint is no driver.
     pub held: Option<EffectiveMass>,
 }
 

@@ -51,8 +51,8 @@ pub struct ReflectedRange {
 }
 
 /// Reflected inertia of velocity 0 of a joint with one velocity at `positions` (rad or m), from the other positions of `configuration`.
-/// Loops are followed from position to position. Simulators of trees take a constant armature for a linkage: the best constant and its
-/// error show how good this is.
+/// Each pose is followed from the one before. Simulators of trees approximate a linkage by a constant armature: the best constant and its
+/// error show the quality of this approximation.
 ///
 /// # Errors
 /// [`RangeError`].

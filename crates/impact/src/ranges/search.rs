@@ -21,11 +21,11 @@ const MOST_STEPS: usize = 200;
 const OPTIMAL: f64 = 1e-9;
 /// 1/m̄ relative to its largest value at which a contact is immovable.
 pub(super) const IMMOVABLE: f64 = 1e-12;
-/// Reaction per impulse at the contact that is rounding of zero: the search finds the position of a zero to the square root of the
-/// rounding, about 1e-8, and the reaction changes by a small multiple of it there.
+/// Reaction per impulse at the contact that is rounding of zero. The search locates a zero to the square root of the rounding, about
+/// 1e-8, and the reaction at this distance is a small multiple of 1e-8.
 const NO_REACTION: f64 = 1e-6;
-/// Samples of each start. One search begins at a single point, and one at the best of the samples: the single point alone ended at a
-/// lesser extreme in 8 % of planted cases, and the best sample is often in the widest region instead of that of the extreme.
+/// Samples of each start. One search begins at a single point, the other at the best sample. Searches from single points alone missed
+/// 8 % of the planted extremes; the best sample alone is often in the widest region, which need not contain the extreme.
 const SAMPLES: usize = 8;
 
 /// Search for an extreme: question and ranges.
@@ -43,7 +43,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Ends of the local searches from all starts, and the largest measure that occurs.
+    /// Better end of the two local searches of each start, and the largest measure of all points.
     pub fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64), ExtremesError> {
         let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
         for start in 0..starts.max(1) {
@@ -69,7 +69,7 @@ impl<'a> Search<'a> {
         (0..self.ranges.len()).map(|k| halton(index, PRIMES[k % PRIMES.len()])).collect()
     }
 
-    /// Point of the Halton sequence with its measure; `None` without a finite value.
+    /// Point of the Halton sequence with its measure; `None` if the measure is not finite.
     fn sample(&self, index: usize) -> Option<(Vec<f64>, f64)> {
         let unit = self.halton_point(index);
         let measure = self.measure(&self.pose(&unit, None).ok()?)?;
@@ -82,8 +82,8 @@ impl<'a> Search<'a> {
         if increases { 1.0 } else { -1.0 }
     }
 
-    /// Result of a bearing impulse without bound: m̄ |R| grows without bound towards a pose with an immovable contact and R ≠ 0.
-    /// `None` if no start finds such a pose.
+    /// Result for an unbounded bearing impulse: m̄ |R| grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if
+    /// no start finds such a pose.
     pub fn unbounded_impulse(
         &self,
         joint: JointId,
@@ -108,7 +108,7 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// Reaction force in a joint per impulse at the contact, its determinate components; `None` if all are open.
+    /// Magnitude of the determinate components of the reaction force in a joint, per impulse at the contact; `None` if all are open.
     fn reaction(&self, unit: &[f64], joint: JointId) -> Option<f64> {
         let pose = self.pose(unit, None).ok()?;
         let response = pose.respond(&self.contact_at(&pose)?.0).ok()?;
@@ -189,7 +189,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Contact with the extreme normal at a pose. `None`: a massless motion moves the point.
+    /// Contact with the extreme normal at a pose, and this normal in world axes (`None` for the normal of the contact). No result if a
+    /// massless motion moves the point.
     fn contact_at(&self, pose: &Pose) -> Option<(Contact, Option<Vector3<f64>>)> {
         let base = pose.base();
         let contact = self.wheel.map_or(*self.contact, |wheel| wheel.contact_at(pose, self.contact));
@@ -214,7 +215,7 @@ impl<'a> Search<'a> {
         Some((Contact { normal: Direction::Along(normal, Frame::World), ..contact }, Some(normal)))
     }
 
-    /// 1/m̄ at the middle of the ranges: a size for comparisons.
+    /// Measure at the middle of the ranges, a scale for the thresholds; 0 if it is not finite.
     pub fn typical(&self) -> Result<f64, ExtremesError> {
         let pose = self.pose(&vec![0.5; self.ranges.len()], None)?;
         if self.quantity != SearchedQuantity::EffectiveMass {
@@ -225,7 +226,7 @@ impl<'a> Search<'a> {
         Ok(response.effective_mass.kilograms().map_or(0.0, |mass| 1.0 / mass))
     }
 
-    /// Value and gradient. `None`: a pose that is not reachable, or a massless contact.
+    /// Value and gradient. `None` if the pose is not reachable, or the contact is massless.
     fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
         if self.has_holds || self.quantity != SearchedQuantity::EffectiveMass {
             return Ok(self.point_by_differences(unit, from));
@@ -260,7 +261,7 @@ impl<'a> Search<'a> {
             }
             let motion = match rates_from_drivers(&pose, &rates, Twist::zero()) {
                 Ok(motion) => motion,
-                // A dead centre of the joint, at which its reach ends.
+                // Dead centre: an end of the reachable range of the joint.
                 Err(RatesError::Inadmissible { .. }) => return Ok(None),
                 Err(error) => return Err(error.into()),
             };
@@ -274,15 +275,15 @@ impl<'a> Search<'a> {
         Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
     }
 
-    /// Local search from one start: the point at its end, and `inverse_mass` at the start; `None` if the start has no finite value. `scale`:
-    /// a typical `inverse_mass`.
+    /// Local search from one point: its end, and `inverse_mass` at its beginning; `None` if the value is not finite at the beginning.
+    /// `scale`: a typical `inverse_mass`.
     fn run(&self, unit: Vec<f64>, scale: f64) -> Result<Option<(Point, f64)>, ExtremesError> {
         let n = unit.len();
         let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
         let at_start = at.inverse_mass;
         let scale = scale.max(at_start);
         let mut inverse_hessian = identity(n);
-        // Without a measured curvature the length of the gradient has no meaning: it depends on the size of 1/m̄.
+        // Before the first update of the Hessian the step is a quarter of the range: the gradient alone determines no length.
         let mut has_curvature = false;
         for _ in 0..MOST_STEPS {
             let residual = at.residual();

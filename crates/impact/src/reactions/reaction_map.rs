@@ -203,6 +203,7 @@ impl ReactionMap {
             residual,
         }
     }
+
     /// Sets the forces of springs and dampers at `pose`, with the velocities of all joints.
     pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
         self.tree.apply_springs(pose, springs, velocities);

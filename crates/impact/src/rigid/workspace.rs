@@ -8,8 +8,8 @@ use percuss_dynamics::{Contact, Pose, RemarkFlags, Workspace};
 
 /// Rigid impacts without friction at the contacts of one system, for many poses, contacts or speeds.
 ///
-/// The results are those of [`RigidImpact::new`] for the motion v* c before the impact. The recursion computes m̄ and v* without the
-/// additional results of [`Pose::respond`] (contributions of the links, error budget). The constraints are factorised once per pose.
+/// The results are those of [`RigidImpact::new`] for the motion v* c before the impact. The recursion computes m̄ and v* only, without the
+/// contributions of the links and the error budget of [`Pose::respond`]. The constraints are factorised once per pose.
 #[derive(Clone, Debug)]
 pub struct ImpactWorkspace {
     map: ReactionMap,

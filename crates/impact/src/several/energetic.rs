@@ -16,9 +16,10 @@ pub struct ContactStiffness {
 
 /// Normal impulses by the energetic law with the stiffness ratios of the contacts.
 ///
-/// The forces are k_i δ_i^η, with δ_i′ = −u_i while the gap closes and −u_i/e_i² while it opens: e_i² of the energy of each contact is
-/// returned. With e_i = 0 the force vanishes at the end of compression, the limit e_i → 0 of an expansion without energy. All impulses follow from u′ = W F; the pose is constant. This is the law of Liu, Zhao and Brogliato 2008, with the distribution
-/// dP_i/dP_j = (k_i/k_j)^{1/(η+1)} (E_i/E_j)^{η/(η+1)} of the stored energies E, in time.
+/// The forces are F_i = k_i δ_i^η, with δ_i′ = −u_i while the gap closes and −u_i/e_i² while it opens, so that each contact returns e_i²
+/// of its energy. With e_i = 0 the force vanishes at the end of compression, the limit for e_i → 0. The impulses are the integrals of F
+/// with u′ = W F; the pose is constant. This is the law of Liu, Zhao and Brogliato 2008 in time instead of impulses: dP_i/dP_j =
+/// (k_i/k_j)^{1/(η+1)} (E_i/E_j)^{η/(η+1)} with the stored energies E.
 ///
 /// # Errors
 /// [`ImpactError`]: coefficients of restitution between 0 and 0.01 (expansions too short for the integration), stiffnesses or an
@@ -94,7 +95,7 @@ impl<'a> Contacts<'a> {
         self.before[i] + (0..k).map(|c| self.mobility[(i, c)] * y[k + c]).sum::<f64>()
     }
 
-    /// Rates `r` of the state `y` in given modes. They are smooth beyond the end of a mode, as the integration needs.
+    /// Rates `r` of the state `y` in given modes. They stay smooth beyond the end of a mode, where the integration evaluates them too.
     fn rates(&self, modes: &[Mode], y: &[f64], r: &mut [f64]) {
         let k = modes.len();
         for (i, mode) in modes.iter().enumerate() {
@@ -113,10 +114,10 @@ impl<'a> Contacts<'a> {
     fn next_mode(&self, mode: Mode, y: &[f64], i: usize) -> Option<Mode> {
         let u = self.velocity(y, i);
         match mode {
-            // Contacts with small e close again and again with speeds that decrease geometrically to zero.
+            // Contacts with a small e close repeatedly; their speeds decrease geometrically. Speeds that are rounding end the sequence.
             Mode::Open if y[self.ratios.len() + i] > 0.0 => (u < -COMPLEMENTARY).then_some(Mode::Compression),
             Mode::Open => (u < 0.0).then_some(Mode::Compression),
-            // A plastic contact returns nothing.
+            // A plastic contact has no expansion.
             Mode::Compression if self.restitution[i] == 0.0 => (u >= 0.0).then_some(Mode::Open),
             Mode::Compression => (u > 0.0).then_some(Mode::Expansion),
             Mode::Expansion if y[i] <= 0.0 => Some(Mode::Open),

@@ -51,9 +51,9 @@ pub struct SimultaneousImpact {
 
 /// Frictionless impact of several contacts by one law.
 ///
-/// The rates after several simultaneous impacts are no function of masses, constraints and e: they depend on the ratios of the contact
-/// stiffnesses. The energetic law takes these ratios as input; Newton's and Poisson's law are other members of the family. The
-/// spread of the laws shows how much remains open.
+/// Masses, constraints and e do not determine the rates after several simultaneous impacts: the rates also depend on the ratios of the
+/// contact stiffnesses. The energetic law takes these ratios as input; Newton's and Poisson's laws make other assumptions. The spread of
+/// the laws shows the uncertainty.
 ///
 /// `before`: opening speeds, k; `restitution`: e of each contact.
 ///

@@ -3,8 +3,8 @@
 use crate::tolerances::{MOST_FRICTION, OPEN_IMPULSES, OPEN_PER_IMPULSE, PULLING};
 use nalgebra::{DMatrix, DVector};
 
-/// Least coefficient of friction μ for which impulses P₀ + Z z with |p_t| ≤ μ p_n at all given contacts exist; `None` if in each of them
-/// a contact pulls, or needs more than [`MOST_FRICTION`].
+/// Least coefficient of friction μ for which a z exists with |p_t| ≤ μ p_n at all given contacts, P = P₀ + Z z. `None` if for every z a
+/// contact pulls or needs more than [`MOST_FRICTION`].
 ///
 /// `given`: P₀, 3k: normal component and two tangential ones for each contact. `open`: Z, 3k×d with orthonormal columns.
 ///

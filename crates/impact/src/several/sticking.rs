@@ -26,10 +26,10 @@ pub struct StickingContact {
 ///
 /// The points that stick have the impulses P = −W⁺ u⁻ and the impact map q̇⁺ = Δ q̇⁻ with Δ = 1 − N K⁻¹ (J N)ᵀ W⁺ J. All subsets
 /// of the contacts are examined. A subset is consistent if no contact pulls (p_n ≥ 0; with open impulses, for at least one distribution)
-/// and no other contact closes its gap.
-/// Friction must suffice: [`required_friction`](StickingContact::required_friction). Tangential directions in which a point cannot move
-/// at all, such as those across the plane of a planar linkage, have no impulse. Sources: Hurmuzlu and Marghitu 1994 for the
-/// conditions; Westervelt et al. 2007, §3.4 for the map.
+/// and no other contact closes its gap. Sticking requires a coefficient of friction of at least
+/// [`required_friction`](StickingContact::required_friction). Tangential directions in which a point cannot move, such as those across
+/// the plane of a planar linkage, have no impulse. Sources: Hurmuzlu and Marghitu 1994 for the conditions; Westervelt et al. 2007, §3.4
+/// for the map.
 #[derive(Clone, Debug)]
 pub struct StickingImpact {
     /// Contacts in the order of the Delassus matrix.
