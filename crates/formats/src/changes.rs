@@ -1,4 +1,4 @@
-//! Changes of a conversion: parts of a mechanism that have another form in a written file, or none.
+//! Changes by a conversion: parts of a mechanism that have another form in the written file, or none.
 
 use percuss_mechanism::Mechanism;
 use std::fmt;
@@ -29,14 +29,14 @@ pub struct Change {
     pub effect: Effect,
     /// The part: `link "arm"`.
     pub element: String,
-    /// Form of the part in the file, or what the file does not have.
+    /// Form of the part in the file; for a loss, the property that the file lacks.
     pub what: String,
     /// Reason.
     pub reason: String,
 }
 
 impl Change {
-    /// Part with another form: its kind, its name, its form in the file and the reason.
+    /// Part with another form: kind, name, form in the file, reason.
     pub(crate) fn changed(
         kind: &str,
         name: &str,
@@ -46,7 +46,7 @@ impl Change {
         Self::new(Effect::Changed, kind, name, what, reason)
     }
 
-    /// Part without a form: its kind, its name, what is lost and the reason.
+    /// Part without a form: kind, name, lost property, reason.
     pub(crate) fn lost(kind: &str, name: &str, what: impl Into<String>, reason: impl Into<String>) -> Self {
         Self::new(Effect::Lost, kind, name, what, reason)
     }
@@ -78,7 +78,7 @@ pub struct ModelText {
     pub changes: Vec<Change>,
 }
 
-/// Losses that are common to the formats of simulators: recommended driving joints.
+/// Lost recommendations of driving joints, for which no format of a simulator has an attribute.
 pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     let with_role = mechanism.joints().iter().filter(|joint| joint.independent().is_some());
     let loss = |joint: &percuss_mechanism::Joint| {

@@ -152,7 +152,7 @@ impl ChainBuilder {
         self.add_link(LinkDescription::massless(link), rotor.element, true);
         let mut sum = JointSum { terms: rotor.terms.clone(), ..JointSum::default() };
         relations.take_locked(&mut sum.terms);
-        // The length is 0 as drawn, where the followers of other joints are at their offsets.
+        // The length is 0 as drawn; there the mimics are at their offsets.
         let drawn: f64 = sum
             .terms
             .iter()

@@ -11,7 +11,7 @@ pub(crate) struct Findings<'t> {
     tree: &'t ElementTree,
     /// One report for each file of the tree.
     reports: Vec<Report>,
-    /// True for notes about parts of the files that are no part of a mechanism.
+    /// True to add notes about parts of the files that are no part of a mechanism.
     pub lists_unread: bool,
 }
 
@@ -77,7 +77,7 @@ impl<'t> Findings<'t> {
         self.reports[file].add_once(severity, code, kind.to_owned(), Place::Named(offset, &path), message);
     }
 
-    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`, if `LoadOptions` selects such notes.
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`. No effect unless `lists_unread`.
     pub fn add_unread(&mut self, element: ElementId, kind: impl FnOnce() -> String) {
         if self.lists_unread {
             let kind = kind();

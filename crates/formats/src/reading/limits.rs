@@ -7,7 +7,7 @@
 
 /// Deepest nesting of elements, for the stack of recursive parsers: real files stay below 20.
 pub(crate) const MAX_ELEMENT_DEPTH: usize = 256;
-/// Largest number of positions of joints in all keyframes of a model: 40 MB.
+/// Largest number of joint positions in all keyframes of a model: 40 MB.
 pub(crate) const MAX_POSITIONS: usize = 300_000;
 /// Largest number of elements in a file.
 pub(crate) const MAX_ELEMENTS: usize = 1_000_000;

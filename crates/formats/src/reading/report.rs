@@ -88,7 +88,8 @@ impl Report {
         self.lists_unread = listed;
     }
 
-    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`, if such notes are selected.
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`. No effect unless selected by
+    /// [`list_unread`](Self::list_unread).
     pub(crate) fn add_unread(&mut self, place: Place<'_, '_>, kind: impl FnOnce() -> String) {
         if self.lists_unread {
             let kind = kind();

@@ -25,8 +25,8 @@ pub struct LoadOptions {
     /// Pairs of links that mark a loop of an unknown kind (`closing_NAME_1`, `closing_NAME_2` in a URDF) are a warning instead of an
     /// error: the caller closes the loops.
     pub open_pairs: bool,
-    /// Parts of the file without an effect on the mechanism (`Silent` in the table of the dialect) give notes with the code
-    /// [`NOT_READ`](crate::NOT_READ), one for each kind of element or attribute: a conversion loses them.
+    /// True for notes about parts of the file without an effect on the mechanism (`Silent` in the table of the dialect), which a
+    /// conversion loses: one note with the code [`NOT_READ`](crate::NOT_READ) for each kind of element or attribute.
     pub list_unread: bool,
 }
 
@@ -50,7 +50,8 @@ pub struct Loaded {
 pub struct NamedPose {
     /// Name, unique in the model.
     pub name: String,
-    /// Position of every joint that moves on its own, by name (layouts of [`JointKind`](percuss_mechanism::JointKind)), rad or m.
+    /// Positions of all joints that are neither fixed nor mimics, by name (layouts of [`JointKind`](percuss_mechanism::JointKind)), rad
+    /// or m.
     pub positions: Vec<(String, Vec<f64>)>,
 }
 

@@ -18,7 +18,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let to_stdout = args.output == "-";
     if to_stdout && args.format == CheckFormat::Json {
         return Err(Failure::bad_input(
-            "--format json: the report goes to the standard output, and so does the model of --output -; give a file",
+            "--format json: the report and the model (--output -) would both go to the standard output; write the model to a file",
         ));
     }
     if !to_stdout {
@@ -45,7 +45,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     }
 }
 
-/// Refuses a model with warnings under `strict`, those about parts that are not read included.
+/// Refuses a model with warnings under `strict`, including the warnings about parts that are not read.
 pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure> {
     match strict {
         true => write_diagnostics(&model.diagnostics, true),
@@ -53,7 +53,7 @@ pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure
     }
 }
 
-/// Text of the model with a comment at its head, and the parts that have another form.
+/// Text of the model with a comment at its head, and its changes.
 fn write_model(mechanism: &Mechanism, format: ModelFormat, heading: &str) -> Result<ModelText, Failure> {
     match format {
         ModelFormat::Mjcf => write_mjcf(mechanism, heading)
@@ -64,7 +64,7 @@ fn write_model(mechanism: &Mechanism, format: ModelFormat, heading: &str) -> Res
     }
 }
 
-/// Size of the model, and everything that changes or is lost.
+/// Size of the model, and its changes.
 fn summary(report: &ConversionReport) -> String {
     let mut out = format!(
         "{}: {} links, {} joints, {} loops\n",
@@ -77,12 +77,12 @@ fn summary(report: &ConversionReport) -> String {
     out
 }
 
-/// A line for every part that changes or is lost.
+/// A line for each change.
 pub(super) fn change_lines(changes: &[ChangeRecord]) -> String {
     changes.iter().map(|change| fact_line(change.effect, &line(&change.text()))).collect()
 }
 
-/// Change as a note, for a model that is written to the standard output.
+/// Change as a note on the standard error, if the model is written to the standard output.
 fn note(change: &ChangeRecord) -> DiagnosticRecord {
     DiagnosticRecord {
         severity: Severity::Note,

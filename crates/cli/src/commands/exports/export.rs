@@ -65,8 +65,8 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
 /// Refusal of a format that cannot express the state of an impact.
 fn no_impact(format: &str, ending: &str, tools: &str) -> Failure {
     Failure::bad_input(format!(
-        "--to {ending}: {format} has no positions and velocities of joints, so that an impact has no form in it; use --to mjcf, or write \
-         the mechanism by \"percuss convert MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
+        "--to {ending}: {format} cannot store the positions and velocities of joints at an impact; use --to mjcf, or write the \
+         mechanism by \"percuss convert MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
     ))
 }
 

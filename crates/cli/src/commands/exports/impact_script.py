@@ -16,12 +16,12 @@ STEPS = 2_000_000
 
 model = mujoco.MjModel.from_xml_path(str(MODEL))
 data = mujoco.MjData(model)
-# A sphere on a face, or the only joint with a limit.
+# True if a sphere hits a face; false if the only joint with a limit hits its stop.
 surfaces = any(model.geom(number).name == "impact/point" for number in range(model.ngeom))
 
 
 def closing_speed():
-    """Speed at which the sphere approaches the face, m/s, or the joint its stop, rad/s or m/s."""
+    """Closing speed of the sphere and the face, m/s, or of the joint and its stop, rad/s or m/s."""
     if not surfaces:
         joint = int(np.flatnonzero(model.jnt_limited)[0])
         position, (lower, upper) = data.qpos[model.jnt_qposadr[joint]], model.jnt_range[joint]

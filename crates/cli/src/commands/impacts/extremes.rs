@@ -58,7 +58,7 @@ fn text(report: &ExtremesReport) -> String {
         out += &fact_line("held", &line(&format!("{} (rad or m; give a range to vary it)", held.join(", "))));
     }
     out + &wrap_lines(
-        "\nLocal searches from several starts: no proof of a global extreme. Few agreeing starts suggest more (--starts).\n",
+        "\nLocal searches from several starts: no proof of a global extreme. If few starts agree, increase their number (--starts).\n",
     )
 }
 

@@ -107,8 +107,8 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         "motion before",
         match report.motion_before {
             "given" => "as given".to_owned(),
-            _ => "assumed: the motion of least energy with this closing speed, v* times the speed; another motion has \
-                  the same impulse and reactions, but other rates (--rates)"
+            _ => "assumed: the motion of least energy with this closing speed, v* times the speed; give another motion by \
+                  --rates"
                 .to_owned(),
         },
     ));
@@ -363,7 +363,7 @@ fn is_unloaded(record: &ReactionRecord, force: f64, moment: f64) -> bool {
     none(&record.force, force) && none(&record.moment, moment)
 }
 
-/// Component as text; a value that is rounding relative to `size` is shown as 0, an indeterminate one as ?.
+/// Component as text: 0 for a value that is rounding relative to `size`, ? for an indeterminate component.
 fn component(value: Option<f64>, size: f64) -> String {
     let digits = |v: f64| number(format!("{v:.3e}").parse().unwrap_or(v));
     value.map_or_else(|| "?".to_owned(), |v| digits(rounded(v, size)))
@@ -371,8 +371,9 @@ fn component(value: Option<f64>, size: f64) -> String {
 
 /// Explanation of the table of reactions.
 pub fn legend(report: &ImpactReport) -> String {
-    let mut legend = "Rates of a ball joint are the angular velocity of its child in the axes of the child. Action of the parent on the child, along two transverse axes and the axis of the joint (--format json \
-                      has the axes). Joints without any reaction are left out.\n"
+    let mut legend = "Rates of a ball joint are the angular velocity of its child in the axes of the child. Reactions are the action of the \
+                      parent on the child, along two transverse axes and the axis of the joint (--format json has the axes). Joints \
+                      without any reaction are left out.\n"
         .to_owned();
     let mut open: Vec<&str> =
         report.reactions.iter().flat_map(|r| r.open_by.iter().map(String::as_str)).collect();

@@ -88,7 +88,7 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
         );
     }
     if report.motion_before != "given" {
-        note += " The motion before is the assumed one (v* times the speed); give --rates for another.";
+        note += " The motion before is the assumed one (v* times the speed); give another motion by --rates.";
     }
     note.push('\n');
     note
@@ -167,8 +167,8 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
     table
 }
 
-/// Coefficient of friction that a sticking contact needs. For open impulses the least coefficient of all contacts is an upper bound: it
-/// suffices for the best distribution.
+/// Coefficient of friction that a sticking contact needs. For open impulses, the least coefficient of all contacts is an upper bound: it
+/// suffices for every contact at the best distribution of the open impulses.
 fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
     match (sticking.required_friction[contact], sticking.least_friction) {
         (Some(required), _) => short_number(required),

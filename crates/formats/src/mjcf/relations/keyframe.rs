@@ -13,9 +13,9 @@ use percuss_mechanism::{JointKind, Severity};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;
 
-/// Reads the keyframes of the main model. The position of a joint is MuJoCo's `qpos` minus its reference; that of a free joint is
-/// relative to the drawing. Followers of other joints and locked joints have no position of their own. A keyframe whose `qpos` does not fit
-/// the model is left out with a warning: MuJoCo refuses it.
+/// Reads the keyframes of the main model. The position of a joint is `qpos` minus the attribute `ref`; the pose of a free joint is relative
+/// to the pose as drawn. Mimics and locked joints are left out. A keyframe whose `qpos` does not fit the model is left out with a warning:
+/// MuJoCo refuses it.
 pub(crate) fn read_keyframes(
     tree: &ElementTree,
     bodies: &Bodies,
@@ -23,7 +23,7 @@ pub(crate) fn read_keyframes(
     findings: &mut Findings<'_>,
 ) -> Vec<NamedPose> {
     let keys: Vec<ElementId> = tree.in_sections("keyframe").take(MAX_ELEMENTS_PER_KIND).collect();
-    // MuJoCo moves the frame of an aligned free body to its centre of mass, and its qpos is that of the moved frame.
+    // MuJoCo moves the frame of an aligned free body to its centre of mass; qpos refers to the moved frame.
     let is_true = |element: ElementId, name| tree.attribute(element, name) == Some("true");
     let is_aligned = tree
         .children_named(tree.root(), "compiler")
@@ -61,7 +61,7 @@ pub(crate) fn read_keyframes(
     poses
 }
 
-/// Positions of the joints of a mechanism, by name; without `qpos` the drawing.
+/// Positions of the joints of the mechanism, by name; without `qpos`, the positions as drawn.
 fn positions(
     qpos: Option<&str>,
     bodies: &Bodies,
@@ -110,7 +110,7 @@ fn positions(
             found.push((name.clone(), position));
         }
     }
-    // Lengths of tendons with an armature follow their joints.
+    // The length joint of a tendon with an armature follows the joints of the tendon.
     for (_, relation) in &chains.relations {
         if let [(length, factor), terms @ ..] = &relation.terms[..]
             && relation.curve.is_none()
@@ -143,7 +143,7 @@ fn drawn(kind: JointType) -> Vec<f64> {
     }
 }
 
-/// Position of a joint of the mechanism. `pose`: the body as drawn, in the world for a free joint.
+/// Position of a joint of the mechanism. `pose`: pose of the body as drawn (in the world for a free joint).
 fn position(joint: &BodyJoint, pose: &Transform<f64>, qpos: &[f64]) -> Result<Vec<f64>, String> {
     let unit = |w: f64, x: f64, y: f64, z: f64| {
         UnitQuaternion::try_new(Quaternion::new(w, x, y, z), f64::MIN_POSITIVE)

@@ -44,7 +44,7 @@ pub(super) struct BodyTree {
     halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
     root_is_world: bool,
-    /// The only joint with a limit, and its attributes; `None` for the limits of the mechanism.
+    /// The only joint whose limits are written, with their attributes; `None` for the limits of all joints.
     only_limit: Option<(JointId, String)>,
 }
 
@@ -151,7 +151,7 @@ impl BodyTree {
         self.chains[link.index()].is_some()
     }
 
-    /// Leaves the limit of one joint, with the attributes of an impact.
+    /// Writes the limits of one joint only, with the given attributes. The limits of other joints are lost.
     pub fn limit_only(&mut self, mechanism: &Mechanism, joint: JointId, attributes: String) {
         let lost = mechanism.joint_ids().filter(|id| *id != joint && mechanism.joint(*id).limits().is_some());
         self.changes.extend(lost.map(|id| {

@@ -7,7 +7,7 @@ use crate::xml_text::escape_attribute;
 use percuss_mechanism::{ContactKind, ContactNormal, Mechanism, NamedContact};
 use percuss_spatial::Transform;
 
-/// Adds a site for each contact. The parts that a site cannot express are changes.
+/// Adds a site for each contact, and a change for the data that a site cannot express.
 pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
     for contact in mechanism.contacts() {
         let name = contact.name();

@@ -1,11 +1,11 @@
-//! Changes of links and joints by the form of MJCF.
+//! Changes of links and joints that the structure of MJCF requires.
 
 use super::body_tree::{BodyTree, has_range};
 use super::rotors::Rotor;
 use crate::changes::Change;
 use percuss_mechanism::{JointKind, Mechanism};
 
-/// Changes of links and joints by the form of MJCF: bodies in one another, with several joints.
+/// Changes of links and joints, because bodies of MJCF are nested and can have several joints.
 pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change> {
     let mut changes = Vec::new();
     let root = mechanism.link(mechanism.root()).name();
@@ -49,12 +49,7 @@ pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change
             _ => None,
         };
         if let Some(parts) = parts {
-            changes.push(Change::changed(
-                "joint",
-                name,
-                parts,
-                "MJCF has no such joint of one body in another",
-            ));
+            changes.push(Change::changed("joint", name, parts, "MJCF has no such joint between two bodies"));
         }
         if let Some(limits) = joint.limits().filter(|limits| !has_range(limits)) {
             let what = format!("its limits {} and {}", limits.lower, limits.upper);

@@ -13,9 +13,9 @@ const NAME: &str = "impact";
 
 /// Impact at a contact or at the stop of a joint, in MuJoCo's parameters.
 ///
-/// At a contact, the contact link has a sphere about the contact point. The other side has a face at the distance of the radius along the
-/// normal: a plane on the ground, a box on a link. The gap of the two is n·(p_face − p) − radius, so its closing speed is that of
-/// the contact point along the normal, and the normal moves with the other side.
+/// At a contact, the contact link gets a sphere about the contact point, and the other side a face at a distance of one radius along the
+/// normal: a plane on the ground, a box on a link. The gap is n·(p_face − p) − radius, so its closing speed is that of the contact point
+/// along the normal. The normal moves with the other side.
 #[derive(Clone, Debug)]
 pub struct MjcfImpact {
     /// Pose and velocity at the touch.
@@ -182,8 +182,8 @@ impl MjcfImpact {
     }
 }
 
-/// Link to which a link is attached by fixed joints: MuJoCo's estimate of the inverse mass at a contact is that of the body of the
-/// geom, which differs between welded bodies.
+/// First link of the chain of fixed joints to a link. MuJoCo estimates the inverse mass at a contact from the body of the geom, and the
+/// estimates of welded bodies differ.
 fn moving_link(mechanism: &Mechanism, tree: &BodyTree, mut link: LinkId) -> LinkId {
     while let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
         && joint.kind() == JointKind::Fixed
@@ -194,7 +194,7 @@ fn moving_link(mechanism: &Mechanism, tree: &BodyTree, mut link: LinkId) -> Link
     link
 }
 
-/// Numbers with spaces between.
+/// Numbers separated by spaces.
 fn list(values: &[f64]) -> String {
     values.iter().map(|x| format_number(*x)).collect::<Vec<_>>().join(" ")
 }

@@ -21,7 +21,8 @@ pub use keyframe::MechanismState;
 use percuss_mechanism::Mechanism;
 
 /// Writes MJCF for MuJoCo 3.2.3 and later: bodies with inertias, joints with limits and armatures, and all loops as equality
-/// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read back as the same bits.
+/// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals
+/// that read back as the same bits.
 ///
 /// | mechanism | MJCF |
 /// |---|---|
@@ -34,8 +35,8 @@ use percuss_mechanism::Mechanism;
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
 /// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
 ///
-/// The halves have half the mass and inertia each, so that the mechanism is the same. Moments of 0, of thin rods and point masses, become
-/// 1e-13 of m·(size of the mechanism)², with a note: MuJoCo refuses 0.
+/// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
+/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0.
 ///
 /// # Errors
 /// [`MjcfError`] for a massless link that moves and is no part of such a chain, for a moving body with moments A + B < C (MuJoCo

@@ -134,7 +134,7 @@ impl Bodies {
         }
     }
 
-    /// Changes of links and joints by the form of SDFormat: frames, joints with a pose, joints of two axes.
+    /// Changes of links and joints, because SDFormat has frames, and joints with a pose and two axes.
     fn form_changes(&self, mechanism: &Mechanism) -> Vec<Change> {
         let mut changes = Vec::new();
         if self.forms[mechanism.root().index()] == Form::Link {
@@ -187,7 +187,7 @@ impl Bodies {
                     "joint",
                     name,
                     form,
-                    "SDFormat has joints with a pose and two axes",
+                    "a joint of SDFormat has a pose and up to two axes",
                 ));
             }
         }

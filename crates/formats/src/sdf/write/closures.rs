@@ -49,12 +49,12 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
             bodies.changes.push(Change::changed(
                 "loop",
                 closure.name(),
-                "a joint that closes no loop, if it is the first to a floating link",
-                "SDFormat has no floating joint beside it",
+                "a joint, which closes no loop if it is the first joint to a floating link",
+                "SDFormat has no floating joints: a link floats if it has no joint",
             ));
         }
         append_ends(bodies, closure, &drawn, &mut out);
-        // Readers that grow a tree cut the loop here, as in the mechanism.
+        // Readers that build a tree open the loop at this joint, as the mechanism does.
         out.push_str(
             "      <physics><simbody><must_be_loop_joint>true</must_be_loop_joint></simbody></physics>\n",
         );
