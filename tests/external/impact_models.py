@@ -21,7 +21,7 @@ from mjcf import RandomModel
 
 # The accuracy for which percuss selects the time step.
 TOLERANCE = 1e-3
-# Roundings of positions of a few metres or radians, and of velocities relative to the fastest joint.
+# Rounding of positions of a few metres or radians, and of velocities relative to the fastest joint.
 RESIDUAL = 1e-10
 WORKERS = 2
 # Trees and linkages: contact, restitution, further flags.
@@ -48,10 +48,10 @@ MORE = {
     "floating_body": ("--base floating --link body --point 0.3,0,0 --normal 0,0,-1", "1e5", "0.1"),
 }
 RESTITUTIONS = [0.1, 0.3, 0.6, 0.9]
-# Random models, and what they give.
+# Number of random models, and the expected numbers of outcomes.
 RANDOM = 40
 EXPECTED = {"reached": 34, "refused": 6}
-# Faster impacts, in which the mass changes: what they give.
+# Faster impacts, in which the mass changes, and the expected numbers of outcomes.
 FAST = ["300mm/s"]
 EXPECTED_FAST = {"reached": 51, "warned": 11, "unknown": 2, "refused": 6}
 
@@ -73,7 +73,7 @@ class Case:
         return self
 
     def outcome(self, percuss, folder):
-        """(kind, difference of the restitution or message)."""
+        """Outcome: (kind, difference of the restitution or message)."""
         path = os.path.join(folder, f"{self.name}.xml")
         exported = run(percuss, "export", self.source, *self.contact, *self.flags, "--format", "json", "-o", path)
         if exported.returncode:
@@ -137,8 +137,8 @@ def cases(percuss, folder):
 
 
 def random_cases(folder, speed="0.1mm/s"):
-    """Random models of MJCF: several joints of a body, balls, free joints, equalities, rods. The impacts are slow, since a contact near
-    an axis turns its link fast."""
+    """Random models of MJCF: several joints of a body, ball joints, free joints, equalities, rods. The impacts are slow, because a contact
+    near an axis rotates its link fast."""
     for seed in range(RANDOM):
         path = os.path.join(folder, f"{seed}.xml")
         model = RandomModel(seed)

@@ -1,4 +1,4 @@
-"""Models of MJCF that other people wrote, compared with MuJoCo as in mjcf.py: those of the packages gymnasium and mujoco, or of folders.
+"""Published MJCF models, compared with MuJoCo as in mjcf.py: models of the packages gymnasium and mujoco, or of given folders.
 
     mjcf_models.py --percuss PATH                    the models of the packages; prints `N passed, N failed`
     mjcf_models.py --percuss PATH --folder FOLDER... all .xml files below, for example a checkout of mujoco, of menagerie or the wheels of
@@ -18,12 +18,12 @@ from mjcf import MESH_TOLERANCE, TOLERANCE, Peer, compare_file, run
 CONTACTS = 4
 # MuJoCo's own models with more coordinates than this take minutes.
 MOST_COORDINATES = 120
-# Models whose difference or refusal is known, by the end of their path, with the reason.
+# Known differences and refusals: end of the path of the model, and reason.
 KNOWN = {
     "user/testdata/dzhanibekov.xml": "align: MuJoCo moves the frame of the free body to its centre of mass",
     "user/testdata/freejoint.xml": "alignfree: MuJoCo moves the frame of the free body to its centre of mass",
 }
-# Words of refusals with a reason: no rigid mechanism, or no inertia without MuJoCo's own code.
+# Words in the messages of expected refusals, and reasons: no rigid mechanism, or an inertia that only MuJoCo's code can compute.
 REFUSALS = {
     "deformable bodies": "flex",
     "armature of a spatial tendon": "armature of a spatial tendon",
@@ -34,7 +34,7 @@ REFUSALS = {
     "radius of gyration": "inertia that no body of this size has",
     "A + B": "inertia that no body has",
 }
-# What the models of the packages give.
+# Expected numbers of outcomes of the models of the packages.
 EXPECTED = {"compared": 15, "no motion": 1}
 
 
@@ -44,7 +44,7 @@ def package_folders():
 
 
 def outcome(percuss, path):
-    """(kind, text)."""
+    """Outcome: (kind, text)."""
     head = path.read_text(errors="replace")
     if "<mujoco" not in head or "<mujocoinclude" in head:
         return "no model", ""

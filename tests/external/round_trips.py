@@ -1,5 +1,5 @@
-"""Round trips of random models of mjcf.py: MJCF to URDF+, URDF+ to MJCF, and MJCF to SDFormat, by `percuss convert`. The effective mass of the
-written file is that of the source, or the refusal names an element.
+"""Round trips of random models of mjcf.py: MJCF to URDF+, URDF+ to MJCF, and MJCF to SDFormat, by `percuss convert`. The effective mass
+of the written file is that of the source, or the error names an element.
 
     round_trips.py --percuss PATH [--count N]    prints `N passed, N failed`
 """
@@ -16,11 +16,12 @@ import numpy as np
 
 from mjcf import RandomModel, run
 
-# Roundings of rotations as roll, pitch and yaw, and of fullinertia.
+# Rounding of rotations as roll, pitch and yaw, and of fullinertia.
 TOLERANCE = 1e-12
-# A linkage that is open as drawn is closed by the joints that the reader chooses; positions that differ by more are other poses.
+# Difference of positions, rad or m, below which two poses are equal. A linkage that is open as drawn is closed by moving joints that the
+# reader selects, so the poses of two files can differ.
 SAME_POSE = 1e-9
-# Random models of the default run, and what they give.
+# Number of random models of the default run, and the expected numbers of outcomes.
 COUNT = 200
 EXPECTED = {
     "urdf compared": 179,
@@ -46,7 +47,7 @@ def same_pose(first, second):
 
 
 def compare(source, written):
-    """(kind, deviation) of a written file."""
+    """Outcome of a written file: (kind, deviation)."""
     if written is None:
         return "not read", 1.0
     if not same_pose(source, written):

@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 const STEPS: f64 = 4000.0;
 /// Greatest number of steps: an impact that takes longer has no end.
 const MOST_STEPS: usize = 100_000;
-/// Step of the difference for m̄′, relative to the depth of the profile: the mass is smooth over a sixteenth of it, and rounding is 1e-10
-/// of the change of the mass.
+/// Step of the difference quotient for m̄′, relative to the depth of the profile. m̄ is smooth over a sixteenth of the depth, and the
+/// rounding of the quotient is 1e-10 of the change of m̄ over the depth.
 const DERIVATIVE_STEP: f64 = 1e-6;
 
 /// Key figures of an impact with an effective mass that changes over the penetration.
@@ -125,9 +125,9 @@ fn integrate(
 /// Restitution of a contact that prescribes accelerations of the joints, as MuJoCo's contacts do: j q̈ = −(ω² δ + 2ζω δ̇) while the
 /// force pushes. ω = √(k/m̄) with m̄ at the touch, and ζ is that of the required restitution for a constant mass.
 ///
-/// The gap has the acceleration δ̈ = j q̈ + β δ̇². Without a force m̄ δ̈ + ½ m̄′ δ̇² = 0, so j q̈ = −(p + β) δ̇² with p = m̄′/(2 m̄), and with
-/// a force δ̈ = β δ̇² − max(ω² δ + 2ζω δ̇, (p + β) δ̇²). The contact ends at δ = 0. β is the acceleration of the gap at constant joint
-/// rates and a closing speed of 1 m/s, 1/m; MuJoCo leaves this term out of the acceleration that a contact prescribes.
+/// The penetration has the acceleration δ̈ = j q̈ + β δ̇²; β (1/m) is its acceleration at constant joint rates and a closing speed of 1 m/s.
+/// MuJoCo's contacts prescribe j q̈ without the term β δ̇². Without a force m̄ δ̈ + ½ m̄′ δ̇² = 0, so j q̈ = −(p + β) δ̇² with p = m̄′/(2 m̄).
+/// A contact cannot pull, so in general δ̈ = β δ̇² − max(ω² δ + 2ζω δ̇, (p + β) δ̇²). The contact ends at δ = 0.
 ///
 /// `masses` and `accelerations`: pairs of penetration (m, increasing from 0) and m̄ (kg) or β (1/m), interpolated as for
 /// [`impact_with_varying_mass`]. Returns the restitution and the largest penetration, m. `None`: the contact does not end.
@@ -158,7 +158,7 @@ pub fn restitution_with_prescribed_acceleration(
         let wanted = frequency * (frequency * x + 2.0 * ratio * v);
         beta * v * v - wanted.max((mass_slope(x) + beta) * v * v)
     };
-    // The period of the contact without damping is more than twice an impact with a constant mass.
+    // A fraction of the period without damping. An impact with a constant mass lasts about half of this period.
     let step = TAU / frequency / STEPS;
     let along = |(x, v): (f64, f64), (dx, dv): (f64, f64), h: f64| (x + h * dx, v + h * dv);
     let rates = |state: (f64, f64)| (state.1, acceleration(state));

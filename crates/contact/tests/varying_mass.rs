@@ -132,9 +132,9 @@ fn the_history_agrees_with_the_key_figures() {
     }
 }
 
-/// A bar on a hinge, whose contact prescribes the acceleration of the joint, as MuJoCo's do: the gap δ = L (sin q − sin q₀) has
-/// δ̈ = L cos q q̈ − L sin q q̇², and L cos q q̈ = −(ω² δ + 2ζω δ̇) as long as the force pushes. With the term −L sin q q̇² in the prescribed
-/// acceleration too (`full`), that of the gap is −(ω² δ + 2ζω δ̇). Near a dead centre the restitution differs from the required one.
+/// A bar on a hinge whose contact prescribes the acceleration of the joint, as MuJoCo's contacts do. The penetration δ = L (sin q − sin q₀)
+/// has δ̈ = L cos q q̈ − L sin q q̇², with L cos q q̈ = −(ω² δ + 2ζω δ̇) while the force pushes. `full`: the prescribed acceleration contains
+/// the term −L sin q q̇² too, so δ̈ = −(ω² δ + 2ζω δ̇). Near a dead centre the restitution differs from the required one.
 #[test]
 fn prescribed_accelerations_of_a_bar_on_a_hinge() {
     let (inertia, length, speed) = (0.23f64, 0.5, 0.5);

@@ -236,15 +236,16 @@ pub const SLOW_IMPACT: f64 = 0.01;
 pub const IMPACT_RADIUS: f64 = 0.01;
 /// Least radius of that sphere over the greatest penetration: the centre remains outside the other geom.
 pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;
-/// Shift of the restitution of an exported impact, over the permitted error, that needs no shorter time step: the bound of the error of
-/// a time step is 1.1 times the largest error that was measured.
+/// Shift of the restitution of an exported impact, relative to the permitted error, up to which the time step is not shortened. The bound
+/// of the error of a time step contains a margin of 10 % of the largest measured error.
 pub(crate) const NEGLIGIBLE_SHIFT: f64 = 0.01;
 /// Distance of the other limit of a joint with an exported stop and without another limit, rad or m: more than any motion of the impact.
 pub(crate) const FAR_LIMIT: f64 = 10.0;
-/// Uncertainty of the shift of the restitution of an exported impact, relative: the error of the time step is bounded for a constant
-/// mass. MuJoCo 4.0.0 differs by 3 % of a shift of 0.035.
+/// Relative uncertainty of the shift of the restitution of an exported impact, because the error of the time step is bounded for a constant
+/// mass only. MuJoCo 4.0.0 differs by 3 % of a shift of 0.035.
 pub(crate) const SHIFT_UNCERTAINTY: f64 = 0.05;
-/// Least error of the time step of an exported impact over the permitted error: ten times as many steps.
+/// Least error of the time step of an exported impact, relative to the permitted error: at most ten times
+/// as many steps.
 pub(crate) const LEAST_ACCURACY: f64 = 0.1;
 
 /// Positions of the pads of stops on the rod of a damper in a drawing, as fractions of its length from the contact point. At these

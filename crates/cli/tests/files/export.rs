@@ -72,7 +72,7 @@ fn conditions_without_a_form_are_refused() {
         ("--against-mass 2", "--against-mass"),
         ("--for mujoco", "--for"),
         ("--to sdf", "percuss convert model -o file.sdf"),
-        ("--to urdf", "no positions and velocities of joints"),
+        ("--to urdf", "cannot store the positions and velocities of joints"),
         ("--limit crank_hinge", "--limit"),
         ("--exponent 1.5", "mujoco"),
     ] {

@@ -272,7 +272,7 @@ impl RouteInput<'_> {
         Ok((mass, error, self.recursive_flags(workspace, mass)))
     }
 
-    /// m̄ and v* as by [`respond_into`](Self::respond_into), without the error if the rounding is negligible.
+    /// m̄, and v* in `velocities`, as by [`respond_into`](Self::respond_into). The error is not computed if the rounding is negligible.
     pub fn move_into(
         &self,
         workspace: &mut RecursionWorkspace,

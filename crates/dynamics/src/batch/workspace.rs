@@ -288,8 +288,8 @@ impl Workspace {
         Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
     }
 
-    /// m̄ and v* as by [`respond`](Self::respond), at a pose of the same system: its frames and its closed loops are used as they are.
-    /// `velocities`: v* of all joints.
+    /// m̄ and v* as by [`respond`](Self::respond), at a pose of the same system, whose frames and closed loops are reused. `velocities`: v*
+    /// of all joints.
     ///
     /// # Errors
     /// [`ResponseError`]: an invalid contact; a mechanism that the recursion refuses. `velocities` is then empty.

@@ -83,7 +83,8 @@ impl Contact {
         }
     }
 
-    /// Cable between a point of a link and a point of another link (m, frames of the links). The gap closes while the cable gets longer.
+    /// Cable between a point of a link and a point of another link (m, frames of the links). A motion that lengthens the cable closes the
+    /// gap.
     pub fn cable(
         link: LinkId,
         point: impl Into<Vector3<f64>>,
@@ -94,9 +95,9 @@ impl Contact {
         Self { link, against: Some(other), point: point.into(), normal }
     }
 
-    /// Stop of a joint with one velocity: a point of the child against the parent whose closing speed is the rate of the joint. For a hinge
-    /// the point is 1 m from the axis, and m̄ is an inertia in kg·m². `is_upper`: the stop acts against a positive rate. `None` for joints with
-    /// several velocities or none.
+    /// Stop of a joint with one velocity: a contact of child and parent whose closing speed is the rate of the joint, or minus this rate if
+    /// not `is_upper`. For a hinge the contact point is 1 m from the axis, so m̄ is the inertia at the joint in kg·m². `None` unless the joint
+    /// has one velocity.
     pub fn joint_stop(mechanism: &Mechanism, joint: JointId, is_upper: bool) -> Option<Self> {
         let joint = mechanism.joint(joint);
         let axis = joint.axis();

@@ -25,9 +25,10 @@ pub(crate) fn motion_curvature(evaluated: &EvaluatedQuestion) -> Option<f64> {
     curvature.is_finite().then_some(curvature)
 }
 
-/// β: acceleration of the gap at constant joint rates and a closing speed of 1 m/s, 1/m. The rates are those of MuJoCo: the linear
-/// velocity of a floating joint has the axes of its parent. Loops open by the second order, so that the accelerations of the joints are 0.
-/// Second difference of the contact point in the frame of the other side. `None` if the response does not fit the pose.
+/// β: acceleration of the penetration at constant joint rates and a closing speed of 1 m/s, 1/m. It is the second difference of the contact
+/// point in the frame of the other side. The constant rates are those of MuJoCo: the linear velocity of a floating joint is along axes of
+/// its parent. Loops are not closed after the steps, because closing them would change the rates. `None` if the response does not fit the
+/// pose.
 pub(crate) fn gap_acceleration(pose: &Pose, response: &ContactResponse, contact: &Contact) -> Option<f64> {
     let normal = response.contact.normal_world;
     let point = |pose: &Pose| {

@@ -135,7 +135,7 @@ fn export(
     let predicted = predicted_restitution(&evaluated, &damping, report.effective_mass);
     let shift = predicted.map_or(0.0, |predicted| predicted.shift(damping.restitution));
     if shift > NEGLIGIBLE_SHIFT * accuracy && damping.options.time_step.is_none() {
-        // The shift and the error of the time step together are within the accuracy, if possible.
+        // The sum of the shift and the error of the time step is within the accuracy, if possible.
         damping.options.accuracy = (accuracy - shift).max(LEAST_ACCURACY * accuracy);
         report = damping_report(&evaluated, &damping)?;
     }
@@ -189,7 +189,7 @@ fn export(
 #[derive(Clone, Copy, Debug)]
 struct Prediction {
     restitution: f64,
-    /// Bound of the error of `restitution` by motions across the path of v*.
+    /// Bound of the error of `restitution`: motions off the path of v*, and the uncertainty of the time step.
     uncertainty: f64,
 }
 
@@ -200,8 +200,8 @@ impl Prediction {
     }
 }
 
-/// Restitution of MuJoCo's contact with m̄ as it changes over the penetration. The normal moves with the other side, as the face in
-/// the file does. `None` if the mechanism cannot follow the impact to its end. `mass`: m̄ at the touch, kg.
+/// Restitution of MuJoCo's contact with the changes of m̄ and β over the penetration. The normal moves with the other side, like the face in
+/// the file. `None` if the mechanism cannot follow the impact to its end. `mass`: m̄ at the touch, kg.
 fn predicted_restitution(
     evaluated: &EvaluatedQuestion<'_>,
     damping: &DampingQuestion,
@@ -248,7 +248,7 @@ fn predicted_restitution(
                 .ok()??;
         let change = |mass: &f64| (mass / law.mass() - 1.0).abs();
         let largest = masses.iter().map(|(_, mass)| change(mass)).fold(0.0, f64::max);
-        // A mechanism with several degrees of freedom leaves the path of v* by the square of the change.
+        // With several degrees of freedom the motion deviates from the path of v*, by an effect of the order of the squared change of m̄.
         let across = if pose.degrees_of_freedom() > 1 { largest * largest } else { 0.0 };
         let uncertainty = across + SHIFT_UNCERTAINTY * (restitution - required).abs();
         (deepest <= stroke).then_some(Prediction { restitution, uncertainty })
@@ -267,7 +267,7 @@ fn unreached_finding(
                        impact or a stiffer contact";
         return Some(Finding::about_result(FindingKind::RestitutionNotReached, message));
     };
-    // Rounding of the accuracy less the shift.
+    // The factor covers the rounding of the accuracy minus the shift.
     (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
         let message = format!(
             "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the effective mass changes \

@@ -50,7 +50,7 @@ impl PenetrationPath<'_> {
         self.values_to(pose, depth, |point| point.mass)
     }
 
-    /// A value of the points of the path over the penetration (m), as [`masses_to`](Self::masses_to).
+    /// Pairs of penetration (m) and a value of the point of the path, as by [`masses_to`](Self::masses_to).
     ///
     /// # Errors
     /// As for [`masses_to`](Self::masses_to).

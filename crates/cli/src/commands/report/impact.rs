@@ -82,7 +82,7 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
         impulse.iter_mut().zip(friction.tangential_impulse_world).for_each(|(p, t)| *p += t);
     }
     let of_contact = DrawnArrow { from: contact.point_world, vector: impulse, label: "p".into() };
-    // The ground would repeat the joints of the root link, and a fixed joint is no bearing.
+    // The reaction of the ground repeats those of the joints of the root link. A fixed joint is no bearing.
     let bearings = report.reactions.iter().filter(|record| match record.place {
         ReactionPlace::Ground => false,
         ReactionPlace::Joint => !record.gear.is_empty(),
