@@ -31,7 +31,8 @@ pub enum ImpactError {
     },
     /// The law of restitution has no solution, or the integration found no end.
     #[error(
-        "the impact with friction has no end by the {law} law of restitution; expected another law, or less friction"
+        "the impact has no end by the {law} law of restitution; expected another law, or other coefficients of restitution or \
+         friction"
     )]
     NoEnd {
         /// Name of the law.
@@ -66,7 +67,7 @@ pub enum ImpactError {
         valid: &'static str,
     },
     /// No subset of sticking contacts satisfies the conditions.
-    #[error("no subset of sticking contacts is free of pulling and closing contacts")]
+    #[error("for every subset of sticking contacts, a contact pulls or closes its gap")]
     NoConsistentSubset,
     /// The contact of an impact in time does not end.
     #[error(
@@ -84,12 +85,12 @@ pub enum ImpactError {
     )]
     GroundedBase,
     /// A spring at a joint without exactly one velocity.
-    #[error("joint \"{joint}\" has not exactly one velocity; a spring requires a hinge or a slide")]
+    #[error("joint \"{joint}\" does not have exactly one velocity; a spring requires a hinge or a slide")]
     SpringJoint {
         /// The joint.
         joint: String,
     },
-    /// Numbers of a spring out of range.
+    /// A number of a spring is out of range.
     #[error(
         "joint \"{joint}\": a spring with the stiffness {stiffness} (N·m/rad or N/m), the damping {damping} (N·m·s/rad or \
          N·s/m) and the free position {free_position} (rad or m); expected finite numbers, the first two of at least 0"

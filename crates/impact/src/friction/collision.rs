@@ -52,8 +52,8 @@ pub fn frictional_collision(
     found.ok_or(ImpactError::NoEnd { law: law.name() })
 }
 
-/// Smallest coefficient of friction at which the contact can stick, |A_tt⁻¹ a_tn|; `None` if it cannot slide in every tangential
-/// direction and the coupling has a part there.
+/// Smallest coefficient of friction at which the contact can stick, |A_tt⁻¹ a_tn|; `None` if a_tn has a component in a tangential
+/// direction in which the contact cannot move.
 pub fn sticking_threshold(mobility: &Matrix3<f64>) -> Option<f64> {
     let coupling = Vector2::new(mobility[(1, 0)], mobility[(2, 0)]);
     let tangential: Matrix2<f64> = mobility.fixed_view::<2, 2>(1, 1).into_owned();
@@ -78,7 +78,7 @@ pub fn jamming_threshold(mobility: &Matrix3<f64>) -> Option<f64> {
     (coupling > MASSLESS_RESPONSE * mobility.norm()).then(|| mobility[(0, 0)] / coupling)
 }
 
-/// Tangent of the plane in which the contact moves; `None` if its motion leaves every plane.
+/// Tangent of the plane in which the contact moves; `None` if the motion is not planar.
 fn plane(mobility: &Matrix3<f64>, before: &Vector3<f64>) -> Option<Vector2<f64>> {
     let coupling = Vector2::new(mobility[(1, 0)], mobility[(2, 0)]);
     let sliding = Vector2::new(before[1], before[2]);
@@ -128,8 +128,8 @@ fn planar(
     })
 }
 
-/// Algebraic form of Newton's law: no sliding after the impact if the friction suffices, else full friction against the
-/// first sliding direction.
+/// Algebraic form of Newton's law: no sliding after the impact if the friction suffices, otherwise full friction against the initial
+/// sliding.
 fn algebraic(
     mobility: &Matrix3<f64>,
     before: &Vector3<f64>,

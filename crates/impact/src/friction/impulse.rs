@@ -12,8 +12,8 @@ use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame
 
 /// Coulomb friction of an impact.
 ///
-/// A contact of one relative motion, such as the stop of a suspension, moves along one direction only: at unit closing speed it
-/// slides with t = |J_t v*|, and it sticks only by stopping. Then, with the energetic restitution e:
+/// At a contact of one relative motion, such as the stop of a suspension, the point moves along one direction only: at unit closing speed
+/// it slides with t = |J_t v*|, and it sticks only if it stops. Then, with the energetic restitution e:
 ///
 /// | quantity               | equation                                        | unit |
 /// |------------------------|-------------------------------------------------|------|

@@ -50,8 +50,7 @@ impl OneMotion {
         Some(Self { mass, slope, direction })
     }
 
-    /// Impact at the closing speed `speed`, m/s. The point slides in compression and back in expansion, and sticks only by
-    /// stopping.
+    /// Impact at the closing speed `speed`, m/s. The point slides in compression and slides back in expansion; it sticks only if it stops.
     pub fn impact(
         &self,
         speed: f64,

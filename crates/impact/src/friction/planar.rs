@@ -33,7 +33,7 @@ fn direction_from_rest(mobility: &PlanarMobility, friction: f64) -> f64 {
     if sticks { 0.0 } else { mobility.coupling.signum() }
 }
 
-/// Impact with the normal impulse as independent variable: each phase is linear in the velocities and quadratic in the works.
+/// Impact with the normal impulse p as independent variable. In each phase the velocities are linear in p, and the works quadratic.
 ///
 /// | phase  | tangential per normal impulse | ends if                        |
 /// |--------|-------------------------------|--------------------------------|
@@ -43,7 +43,7 @@ fn direction_from_rest(mobility: &PlanarMobility, friction: f64) -> f64 {
 /// From rest the contact sticks if |a_nt| ≤ µ a_tt, and slides with the sign of a_nt otherwise. The impact ends by the law
 /// of restitution. Sources: Routh 1905; Stronge 1990; Wang and Mason 1992.
 ///
-/// `before`: normal velocity (negative) and tangential velocity. None: no end is reached.
+/// `before`: normal velocity (negative) and tangential velocity. `None` if the impact has no end.
 pub(crate) fn planar_collision(
     mobility: &PlanarMobility,
     before: [f64; 2],

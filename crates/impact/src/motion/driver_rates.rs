@@ -129,7 +129,7 @@ pub fn rates_from_drivers(
         (0..n).map(|c| (0..freedoms).map(|k| kernel[(c, k)] * weights[k]).sum::<f64>()).collect()
     };
     let scaled_rates = moved(&solution.weights);
-    // The reason of a disagreement is clearer than the list of missing joints, so it is reported first.
+    // Rates that disagree are reported before missing rates, because the residual explains the error better.
     let largest = wanted.iter().fold(0.0, |most: f64, w| most.max(w.abs()));
     let floor = groups.iter().map(|g| OPEN_PER_FLOOR * g.relative_error()).fold(0.0, f64::max);
     let value = |i: usize| entries[i].map_or(0.0, |(c, f)| scaled_rates[c] * if i < first { 1.0 } else { f });

@@ -3,7 +3,7 @@
 /// Largest number of midpoint sequences: 2, 4, …, 2 · SEQUENCES substeps.
 const SEQUENCES: usize = 8;
 
-/// Smallest step, relative to one, that is tried.
+/// Smallest step, relative to one.
 const LEAST_STEP: f64 = 1e-14;
 
 /// One step of y′ = f(y) of length `h`. Returns the state and the estimated error of its components, relative to

@@ -11,7 +11,7 @@ pub(crate) struct Complementary {
     pub is_open: Vec<bool>,
 }
 
-/// Solves W z + q ≥ 0 ⊥ z ≥ 0 by the examination of all subsets of positive components.
+/// Solves W z + q ≥ 0 ⊥ z ≥ 0: tests all subsets of positive components.
 ///
 /// A solution exists if q is in the range of W or not negative; for a semi-definite W, W z is unique (Cottle, Pang and Stone
 /// 1992, §3.1). `None`: no subset satisfies the conditions.

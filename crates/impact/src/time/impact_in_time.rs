@@ -333,7 +333,8 @@ impl<'a> Motion<'a> {
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
             let Some(next) = next else {
-                // The contact ends within one step after y. The state by the polynomial is checked against a step of extrapolation.
+                // The contact ends within one step after y. The polynomial is compared with an extrapolation step, which replaces it if
+                // the states differ.
                 let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
                 let dense = |h: f64| integrator.state_after(&y, h);
                 let locate = |states: &dyn Fn(f64) -> Vec<f64>, pose: &mut Pose| {

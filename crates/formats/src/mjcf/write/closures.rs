@@ -7,8 +7,8 @@ use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3, plane_basis};
 
-/// Largest error of the drawing at a closure that is written as joints to a second half: rotation, rad, and the same relative to the
-/// size of the mechanism.
+/// Largest error as drawn of a closure that is written as joints to a second half: rotation, rad, and translation relative to the size of
+/// the mechanism.
 pub(crate) const DRAWING_TOLERANCE: f64 = 1e-9;
 
 /// Lines of the sections of constraints.
@@ -115,7 +115,7 @@ fn add_connect(
     );
 }
 
-/// Rod: the length of a tendon between two sites is kept. The constraint counts from the length as drawn.
+/// Adds a distance closure as a tendon of constant length between two sites. MuJoCo's constraint is relative to the length as drawn.
 fn add_rod(
     mechanism: &Mechanism,
     tree: &mut BodyTree,
@@ -281,7 +281,7 @@ fn add_half(
     Ok(())
 }
 
-/// Refuses a closure that is open as drawn: the joints of the half would keep the error.
+/// Refuses a closure that is open as drawn, because the joints of the half would keep this error.
 fn check_drawing(
     mechanism: &Mechanism,
     closure: &Closure,

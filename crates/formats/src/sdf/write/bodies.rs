@@ -227,7 +227,7 @@ impl Bodies {
         &self.names[link.index()]
     }
 
-    /// Name for a joint: its own, unless it is in use in the model.
+    /// Reserves a name for a joint: its own, or with a number if the own name is in use in the model.
     pub fn joint_name(&mut self, name: &str) -> String {
         let own = self.used_names.take(name.replace("::", "_"));
         if own != name {
@@ -363,7 +363,7 @@ fn held_links(mechanism: &Mechanism) -> Vec<bool> {
     held
 }
 
-/// Per link: true if it is fixed to the root.
+/// For each link: true if it is fixed to the root.
 fn immovable_links(mechanism: &Mechanism) -> Vec<bool> {
     let mut fixed = vec![false; mechanism.links().len()];
     for &link in mechanism.order() {

@@ -8,7 +8,7 @@ use crate::xml_text::{append, escape_attribute, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
-/// Writes all closures. SDFormat places a joint on its child; the side of the parent is as drawn.
+/// Writes all closures. SDFormat defines the frame of a joint in its child; the frame in the parent follows from the poses as drawn.
 ///
 /// # Errors
 /// [`SdfError`] for kinds without a joint in SDFormat, and for closures that are open as drawn.
@@ -63,8 +63,8 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
     Ok(out)
 }
 
-/// Pose, ends and axes. The child is the successor, unless that is the world. `drawn`: loop frame of the successor in that of the
-/// predecessor.
+/// Appends pose, ends and axes. The child is the successor, or the predecessor if the successor is the world. `drawn`: loop frame of the
+/// successor in that of the predecessor.
 fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
     let is_world = |end: &LoopFrame| end.link.is_none_or(|link| bodies.forms[link.index()] == Form::World);
     let is_swapped = is_world(closure.successor());

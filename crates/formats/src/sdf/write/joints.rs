@@ -145,7 +145,7 @@ impl Axes {
             (ChainKind::Revolute2, _) => "revolute2",
             (ChainKind::Screw, _) => "screw",
             (_, JointKind::Fixed) => "fixed",
-            // Not continuous: versions of Gazebo fix these joints.
+            // Not continuous, because some versions of Gazebo fix continuous joints.
             (_, JointKind::Revolute | JointKind::Continuous) => "revolute",
             (_, JointKind::Prismatic) => "prismatic",
             (_, JointKind::Spherical) => "ball",

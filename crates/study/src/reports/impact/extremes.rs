@@ -312,7 +312,7 @@ fn range_findings<'a>(
             return many_turns_finding(mechanism, range.joint, end, 1.0, "has a range to");
         };
         let message = format!(
-            "joint \"{}\": the range {} to {} leaves the limits {} to {} of the joint; the extremes may lie where the joint cannot be",
+            "joint \"{}\": the range {} to {} leaves the limits {} to {} of the joint; the extremes may be outside these limits",
             joint.name(),
             range.lower,
             range.upper,
