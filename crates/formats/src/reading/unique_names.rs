@@ -16,7 +16,7 @@ impl UniqueNames {
         self.used.extend(names.map(str::to_owned));
     }
 
-    /// The wanted name, or, if used, the first free one with a number behind it.
+    /// Reserves and returns the wanted name, or, if it is in use, the first free name with an appended number.
     pub fn take(&mut self, wanted: String) -> String {
         if self.used.insert(wanted.clone()) {
             return wanted;

@@ -261,7 +261,7 @@ fn no_armature(joint: &Joint) -> SdfError {
     )
 }
 
-/// Name of the joint of the file: of a universal joint that was read from a file, the name there.
+/// Name of the joint in the file. A universal joint that was read from a file keeps the name from that file.
 fn chain_name(mechanism: &Mechanism, chain: &Chain) -> String {
     let name = |position: usize| mechanism.joint(chain.joints[position]).name();
     match chain.kind {

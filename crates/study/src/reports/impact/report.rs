@@ -290,7 +290,7 @@ fn without_friction_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuesti
         (!impact.percussion.is_empty(), "the centre of percussion"),
     ];
     let parts: Vec<&str> =
-        parts.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, part)| part).collect();
+        parts.into_iter().filter(|(is_requested, _)| *is_requested).map(|(_, part)| part).collect();
     let is_affected = impact.friction.is_some() && !parts.is_empty();
     is_affected.then(|| {
         let message = format!(
