@@ -63,6 +63,7 @@ fn name(frame: Frame) -> &'static str {
 impl Contact {
     #[new]
     #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame=None, turning=None, cable=None), text_signature = "(link, point, normal=None, *, against=None, toward=None, normal_frame='link', turning=False, cable=False)")]
+    #[allow(clippy::too_many_arguments, reason = "the description of a contact")]
     fn new(
         link: &Bound<'_, PyAny>,
         point: &Bound<'_, PyAny>,
