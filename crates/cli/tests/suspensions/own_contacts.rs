@@ -185,6 +185,46 @@ fn ambiguous_questions_are_refused() {
     }
 }
 
+/// A stop that touches only after the wheel has passed a dead centre is warned of.
+#[test]
+fn stops_behind_a_dead_centre_are_warned_of() {
+    let folder = Scratch::new("behind-dead-centre");
+    let text = done(&folder, &["template", "pushrod-rocker"]);
+    let contact = |gap: f64| {
+        let of_rocker =
+            "on = \"rocker\"\nagainst = \"lower_arm\"\npoint = [0, 266.7, 482.6]\ndirection = [0, 0.2, -1]";
+        folder.write("car.toml", &format!("{text}\n[contact.rk]\n{of_rocker}\ngap = {gap}\n"));
+        let ratio = report(&folder, "mass car.toml --at rk")["motion_ratios"][0]["contact_per_wheel"].clone();
+        (number(&ratio), told(&folder, "mass car.toml --at rk").contains("passed a dead centre"))
+    };
+    let (before, behind) = (contact(5.0), contact(45.0));
+    assert!(before.0 > 0.0 && !before.1, "{before:?}");
+    assert!(behind.0 < 0.0 && behind.1, "{behind:?}");
+}
+
+/// The kinematics of a study begin at its pose; a wheel does not spin while it travels.
+#[test]
+fn kinematics_of_a_study_have_its_pose() {
+    let folder = Scratch::new("kinematics-pose");
+    let kerb = "[contact.kerb]\npoint = [150, 760, 40]\non = \"spindle\"\ndirection = [-0.5, 0, -1]\nagainst = \"ground\"\n";
+    folder.write("car.toml", &(done(&folder, &["template", "double-wishbone"]) + kerb));
+    let study = "[model]\npath = \"car.toml\"\n[contact]\nat = \"spring\"\n[pose]\ntravel = [\"wheel-travel=20mm\"]\n\
+                 [kinematics]\nvary = \"steer=-5mm:5mm:3\"\noutput = \"rows.csv\"\n";
+    folder.write("study.toml", study);
+    done(&folder, &["run", "study.toml", "--force"]);
+    let words = ["kinematics", "car.toml", "--wheel-travel", "20mm", "--steer=-5mm:5mm:3", "--format", "csv"];
+    let rows = std::fs::read_to_string(folder.path("rows.csv")).expect("rows");
+    assert_eq!(rows, done(&folder, &words));
+    // With the spin locked, the motion of the wheel is the only one.
+    let locked = report(&folder, "mass car.toml --at kerb --lock spin");
+    let expected = number(&locked["motion_ratios"][0]["contact_per_wheel"]);
+    told(&folder, "sweep car.toml --at kerb --wheel-travel 0:10mm:2 --output kerb.json");
+    let swept = std::fs::read_to_string(folder.path("kerb.json")).expect("a report");
+    let swept: Value = serde_json::from_str(&swept).expect("JSON");
+    let found = number(&swept["rows"][0]["motion_ratio"]);
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
+}
+
 /// Axes and side that are both wrong turn the car by 180°: masses remain, but caster and anti-dive change their signs.
 #[test]
 fn reversed_axes_are_warned_of() {

@@ -55,6 +55,7 @@ finding_kinds! {
     AlwaysTouching = "always-touching", Warning, Report;
     BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
+    BehindDeadCentre = "behind-dead-centre", Warning, Report;
     DefaultDistance = "default-distance", Note, Report;
     DrawnOpen = "drawn-open", Warning, Model;
     DriverOffZero = "driver-off-zero", Warning, Branch;

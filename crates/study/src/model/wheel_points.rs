@@ -19,6 +19,14 @@ pub(crate) fn wheel_of_patch(mechanism: &Mechanism, contact: &NamedContact) -> O
     Some(LowestPoint { centre, spin, patch: contact.link() })
 }
 
+/// True for a link that turns with a wheel of an imported suspension.
+pub(crate) fn is_on_wheel(mechanism: &Mechanism, link: LinkId) -> bool {
+    let parent = |link: LinkId| mechanism.parent_joint(link).map(|joint| mechanism.joint(joint));
+    std::iter::successors(parent(link), |joint| parent(joint.parent())).any(|joint| {
+        joint.name().strip_prefix("spin").is_some_and(|side| side.is_empty() || SIDES.contains(&side))
+    })
+}
+
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.
 pub(crate) fn wheel_points(mechanism: &Mechanism, contact_link: &str) -> Vec<LinkId> {
     WHEEL_POINTS.iter().flat_map(|point| links_of_side(mechanism, point, contact_link)).collect()

@@ -1,7 +1,7 @@
 //! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
 //! unreachable row.
 
-use crate::model::wheel_points::{sliding_rack, wheel_centres};
+use crate::model::wheel_points::{is_on_wheel, sliding_rack, wheel_centres};
 use crate::pose::driver::Driver;
 use crate::pose::joined_motion::closing_speed;
 use crate::pose::joined_travels::JoinedTravels;
@@ -330,6 +330,10 @@ impl PointTravel {
         let is_wheel = wheel_centres(mechanism, "").contains(&self.travel.link());
         if is_wheel && !wheels.contains(&self.travel.link()) {
             return None;
+        }
+        // The wheel does not spin while it travels.
+        if is_wheel && is_on_wheel(mechanism, contact.link) {
+            return closing_speed(pose, &[(&self.travel, 1.0)], &self.set, contact);
         }
         if sliding_rack(pose.mechanism()).is_some_and(|rack| self.set.contains(&rack)) {
             return closing_speed(pose, &[(&self.travel, 1.0)], &self.set, contact);

@@ -30,9 +30,10 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
     let named_contact = named_contact(evaluated)?;
     let mut report = MassReport::of(evaluated);
-    let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact));
-    let found =
-        found.chain(named_contact.iter().filter_map(|contact| extension_finding(contact, &motion_ratios)));
+    let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact, &motion_ratios));
+    // At another pose a rocker may have passed its dead centre.
+    let drawn = named_contact.iter().filter(|_| !evaluated.prepared.question.gives_pose());
+    let found = found.chain(drawn.filter_map(|contact| extension_finding(contact, &motion_ratios)));
     report.diagnostics.extend(found.map(Into::into));
     let prepared = &evaluated.prepared;
     if let Some(stops) =
@@ -117,11 +118,26 @@ fn extension_finding(contact: &NamedContactRecord, ratios: &[MotionRatioRecord])
 
 /// Findings about the path to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
 /// up; a long travel; a pad that hardly moves along the direction of the stop. Each has a common cause in the sheet.
-fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) -> Vec<Finding> {
+fn stop_findings(
+    evaluated: &EvaluatedQuestion,
+    contact: &NamedContactRecord,
+    ratios: &[MotionRatioRecord],
+) -> Vec<Finding> {
     let mut found = Vec::new();
     let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
     let (name, travel) = (&contact.name, contact.unit.text(wheel.travel.abs()));
     let mut warn = |kind, message| found.push(Finding::about_result(kind, message));
+    // The gap closes on the whole path; a wheel that moves back at its end has passed a dead centre.
+    let ratio =
+        ratios.iter().find(|ratio| ratio.link == wheel.link).and_then(|ratio| ratio.contact_per_wheel);
+    if ratio.is_some_and(|ratio| ratio * wheel.travel < 0.0) && wheel.travel.abs() > TOUCH_WRONG_WAY {
+        let sense = if wheel.travel > 0.0 { "up" } else { "down" };
+        let message = format!(
+            "{name} touches {travel} {sense} while the wheel moves back: it has passed a dead centre before, and would have to fold \
+             further; check the gap, the points and the direction of the stop"
+        );
+        warn(FindingKind::BehindDeadCentre, message);
+    }
     let stops = [("bump_stop", "rebound_stop", 1.0, "down"), ("rebound_stop", "bump_stop", -1.0, "up")];
     for (stop, other, sign, sense) in stops {
         if name.starts_with(stop) && sign * wheel.travel < -TOUCH_WRONG_WAY {

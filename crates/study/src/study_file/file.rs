@@ -336,7 +336,8 @@ impl StudyReader<'_> {
         let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
         let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
         let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
-        let kinematics = kinematics.transpose().map_err(refused)?;
+        let mut kinematics = kinematics.transpose().map_err(refused)?;
+        kinematics.iter_mut().for_each(|kinematics| kinematics.add_pose(&question));
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {

@@ -154,10 +154,13 @@ fn check_gap(
     }
 }
 
+/// Names of the ground as the other side of a contact.
+const IS_GROUND: [&str; 2] = [GROUND, "ground"];
+
 /// Adds the contacts that the file names itself.
 fn add_own_contacts(design: &Design, corner: &mut Corner, findings: &mut Findings) {
     for contact in &design.contacts {
-        let against = contact.against.as_ref().filter(|(link, _)| link != GROUND);
+        let against = contact.against.as_ref().filter(|(link, _)| !IS_GROUND.contains(&link.as_str()));
         let mut links = [Some(&contact.link), against].into_iter().flatten();
         if let Some((link, spot)) = links.find(|(link, _)| !corner.has_link(link)) {
             let near = near_names(link, corner.link_names()).into_iter().next();
@@ -176,7 +179,7 @@ fn add_own_contacts(design: &Design, corner: &mut Corner, findings: &mut Finding
             let stop = Stop { gap: Some(gap), direction: None, spot: contact.spot.clone() };
             check_gap(&format!("contact.{}", contact.name), &stop, gap, None, design.unit, findings);
         }
-        let against = contact.against.as_ref().map_or(GROUND, |(link, _)| link);
+        let against = against.map_or(GROUND, |(link, _)| link);
         let kind = if contact.gap.is_some() { ContactKind::Stop } else { ContactKind::Other };
         let of = [contact.link.0.as_str(), against];
         corner.add_contact_at(

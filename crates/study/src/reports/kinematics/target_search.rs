@@ -454,6 +454,11 @@ pub fn search_targets(
     let evaluations = first.evaluations;
     let names: Vec<String> = values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
     search.targets.iter_mut().for_each(|target| target.quantity = target_column(&target.quantity, &names));
+    let unknown =
+        search.unknowns.iter().enumerate().find(|(i, unknown)| search.unknowns[..*i].contains(unknown));
+    if let Some((_, twice)) = unknown {
+        return Err(refuse(format!("--solve {} is given twice", twice.name())));
+    }
     let names = search.targets.iter().map(|target| &target.quantity);
     if let Some(twice) =
         names.clone().enumerate().find(|(i, name)| names.clone().take(*i).any(|other| other == *name))

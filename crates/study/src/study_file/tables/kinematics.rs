@@ -1,8 +1,10 @@
 //! Kinematics table of a study file: wheel angles, motion ratios and rates of a suspension over a travel.
 
 use crate::model::loading::Model;
+use crate::model::wheel_points::RACK;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::travel::moved::WheelMotion;
+use crate::question::mass_question::MassQuestion;
+use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::reports::kinematics::question::{
     AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
 };
@@ -10,6 +12,7 @@ use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 #[cfg(feature = "flags")]
 use crate::study_file::tables::headings::VEHICLE;
 use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
+use percuss_mechanism::JointKind;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
@@ -132,6 +135,26 @@ impl KinematicsTable {
 }
 
 impl StudyKinematics {
+    /// Adds the travels of the wheels and the position of the rack of a pose, apart from the motion that the rows vary.
+    pub(crate) fn add_pose(&mut self, pose: &MassQuestion) {
+        let varied = self.question.range.as_ref().map(|(variable, _)| *variable);
+        for travel in &pose.travel {
+            let Moved::Wheels(motion) = travel.moved else { continue };
+            let is_beside = match varied {
+                Some(KinematicVariable::Wheels(varied)) => travel.moved.is_beside(&Moved::Wheels(varied)),
+                Some(KinematicVariable::Steer) | None => true,
+            };
+            if is_beside {
+                self.question.state.push((KinematicVariable::Wheels(motion), travel.distance));
+            }
+        }
+        let rack = pose.set.iter().find(|(joint, _)| joint == RACK);
+        let at = rack.and_then(|(_, position)| position.values_for_joint(JointKind::Prismatic).ok());
+        if let Some(&[at]) = at.as_deref().filter(|_| varied != Some(KinematicVariable::Steer)) {
+            self.question.state.push((KinematicVariable::Steer, at));
+        }
+    }
+
     /// Evaluates the quantities of the table.
     ///
     /// # Errors
