@@ -195,7 +195,7 @@ fn stops_behind_a_dead_centre_are_warned_of() {
             "on = \"rocker\"\nagainst = \"lower_arm\"\npoint = [0, 266.7, 482.6]\ndirection = [0, 0.2, -1]";
         folder.write("car.toml", &format!("{text}\n[contact.rk]\n{of_rocker}\ngap = {gap}\n"));
         let ratio = report(&folder, "mass car.toml --at rk")["motion_ratios"][0]["contact_per_wheel"].clone();
-        (number(&ratio), told(&folder, "mass car.toml --at rk").contains("passed a dead centre"))
+        (number(&ratio), told(&folder, "mass car.toml --at rk").contains("passes a dead centre"))
     };
     let (before, behind) = (contact(5.0), contact(45.0));
     assert!(before.0 > 0.0 && !before.1, "{before:?}");

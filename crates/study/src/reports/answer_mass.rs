@@ -131,10 +131,9 @@ fn stop_findings(
     let ratio =
         ratios.iter().find(|ratio| ratio.link == wheel.link).and_then(|ratio| ratio.contact_per_wheel);
     if ratio.is_some_and(|ratio| ratio * wheel.travel < 0.0) && wheel.travel.abs() > TOUCH_WRONG_WAY {
-        let sense = if wheel.travel > 0.0 { "up" } else { "down" };
         let message = format!(
-            "{name} touches {travel} {sense} while the wheel moves back: it has passed a dead centre before, and would have to fold \
-             further; check the gap, the points and the direction of the stop"
+            "{name} touches after {travel} of wheel travel, while the wheel moves back: the suspension passes a dead centre before the \
+             touch; check the gap, the points and the direction of the stop"
         );
         warn(FindingKind::BehindDeadCentre, message);
     }
