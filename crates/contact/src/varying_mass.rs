@@ -81,7 +81,6 @@ fn integrate(
         (w / root, -force(x, w / root) / root)
     };
     let rate = |(x, w): (f64, f64)| w / mass(x).sqrt();
-    let along = |(x, w): (f64, f64), (dx, dw): (f64, f64), h: f64| (x + h * dx, w + h * dw);
     let mut state = (0.0, mass(0.0).sqrt() * speed);
     let (mut deepest, mut peak_force) = (0.0f64, force(0.0, speed));
     let sample = |time: f64, state: (f64, f64)| Sample {
@@ -93,12 +92,7 @@ fn integrate(
     record(sample(0.0, state));
     for number in 0..MOST_STEPS {
         let time = number as f64 * step;
-        let a = rates(state);
-        let b = rates(along(state, a, 0.5 * step));
-        let c = rates(along(state, b, 0.5 * step));
-        let d = rates(along(state, c, step));
-        let mean = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * b + 2.0 * c + d) / 6.0;
-        let next = along(state, (mean(a.0, b.0, c.0, d.0), mean(a.1, b.1, c.1, d.1)), step);
+        let next = runge_kutta_step(state, step, &rates);
         // The contact ends where this quantity falls below zero during the expansion.
         let remaining =
             |state: (f64, f64)| if ends_at_zero_force { force(state.0, rate(state)) } else { state.0 };
@@ -160,17 +154,11 @@ pub fn restitution_with_prescribed_acceleration(
     };
     // A fraction of the period without damping. An impact with a constant mass lasts about half of this period.
     let step = TAU / frequency / STEPS;
-    let along = |(x, v): (f64, f64), (dx, dv): (f64, f64), h: f64| (x + h * dx, v + h * dv);
     let rates = |state: (f64, f64)| (state.1, acceleration(state));
     let mut state = (0.0, speed);
     let mut deepest = 0.0f64;
     for _ in 0..MOST_STEPS {
-        let a = rates(state);
-        let b = rates(along(state, a, 0.5 * step));
-        let c = rates(along(state, b, 0.5 * step));
-        let d = rates(along(state, c, step));
-        let mean = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * b + 2.0 * c + d) / 6.0;
-        let next = along(state, (mean(a.0, b.0, c.0, d.0), mean(a.1, b.1, c.1, d.1)), step);
+        let next = runge_kutta_step(state, step, &rates);
         if next.0 <= 0.0 && next.1 < 0.0 {
             let fraction = state.0 / (state.0 - next.0);
             return Ok(Some((-(state.1 + fraction * (next.1 - state.1)) / speed, deepest)));
@@ -179,6 +167,17 @@ pub fn restitution_with_prescribed_acceleration(
         deepest = deepest.max(state.0);
     }
     Ok(None)
+}
+
+/// State after a step of the classical Runge–Kutta method of fourth order; `rates`: derivatives of a state with respect to time.
+fn runge_kutta_step(state: (f64, f64), step: f64, rates: &dyn Fn((f64, f64)) -> (f64, f64)) -> (f64, f64) {
+    let along = |(x, v): (f64, f64), (dx, dv): (f64, f64), h: f64| (x + h * dx, v + h * dv);
+    let a = rates(state);
+    let b = rates(along(state, a, 0.5 * step));
+    let c = rates(along(state, b, 0.5 * step));
+    let d = rates(along(state, c, step));
+    let mean = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * b + 2.0 * c + d) / 6.0;
+    along(state, (mean(a.0, b.0, c.0, d.0), mean(a.1, b.1, c.1, d.1)), step)
 }
 
 /// Depth of the last point of a profile, m.

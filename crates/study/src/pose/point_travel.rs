@@ -313,9 +313,9 @@ impl PointTravel {
     }
 
     /// Closing speed of the contact per speed of the point along its direction; negative if the contact closes while the point
-    /// moves against its direction. Travels that are solved together and a suspension with a held rack define the motion; a
-    /// single point has the motion of the impact. In a roll, the ratio is per upward travel of the wheel on the side of the contact;
-    /// a contact on the other side than the single moved wheel has no ratio.
+    /// moves against its direction. Travels that are solved together and a suspension with a held rack define the motion; a single point
+    /// has the motion of the impact. A wheel with the contact on it does not spin. In a roll, the ratio is per upward travel of the wheel on
+    /// the side of the contact. A contact on the other side than the single moved wheel has no ratio.
     pub fn motion_ratio(&self, pose: &Pose, contact: &Contact, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
         let mechanism = pose.mechanism();

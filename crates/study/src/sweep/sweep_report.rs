@@ -43,8 +43,9 @@ pub struct SweepHeading {
     #[serde(skip)]
     pub contact: Option<String>,
     /// Travel of the motion ratio: the name of the varied travel, or `estimate` for the point of the estimate. The ratio of one point
-    /// holds for the motion of the impact (with a sliding rack held). The ratio of `heave` or `roll` holds for this motion of the wheels,
-    /// per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio.
+    /// holds for the motion of the impact (with a sliding rack held, and without spin of a wheel with the contact on it). The ratio of
+    /// `heave` or `roll` holds for this motion of the wheels, per upward travel of the wheel on the side of the contact. The key is
+    /// absent without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_ratio_of: Option<String>,
     /// Joints of the pose of each row.

@@ -76,8 +76,9 @@ class SweepReport(Record):
     """Contact link."""
     motion_ratio_of: str | None
     """Travel of the motion ratio: the name of the varied travel, or "estimate" for the point of the estimate. The ratio of one
-    point holds for the motion of the impact (with a sliding rack held). The ratio of "heave" or "roll" holds for this motion
-    of the wheels, per upward travel of the wheel on the side of the contact. The key is absent without a motion ratio."""
+    point holds for the motion of the impact (with a sliding rack held, and without spin of a wheel with the contact on it).
+    The ratio of "heave" or "roll" holds for this motion of the wheels, per upward travel of the wheel on the side of the
+    contact. The key is absent without a motion ratio."""
     rows: list[SweepRow]
     """All rows."""
     diagnostics: list[DiagnosticRecord]

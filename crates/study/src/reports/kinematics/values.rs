@@ -5,7 +5,7 @@ use percuss_units::LengthUnit;
 /// Unit of a quantity, in SI and in tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KinematicUnit {
-    /// m; mm or in in tables.
+    /// m; in tables mm, or inches for a sheet in inches.
     Length,
     /// rad; deg in tables.
     Angle,
