@@ -10,6 +10,7 @@ mod identities {
     mod derivatives;
     mod energies;
     mod fallbacks;
+    mod held_points;
     mod invariances;
     mod maps;
     mod matrices;

@@ -64,7 +64,7 @@ pub const QUICK_COORDINATES: usize = 64;
 /// smallest Markowitz count comes first (Markowitz 1957).
 pub const PIVOT_CHOICE: f64 = 0.5;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
-pub const LINKAGE_FREEDOMS: usize = 16;
+pub const LINKAGE_FREEDOMS: usize = 64;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
 /// leaves no doubt.
 pub const REDUNDANT_ROW: f64 = 0.25;

@@ -9,7 +9,9 @@
 //! inertias. For few degrees of freedom this is cheaper than a recursion over clusters. A test compares the two.
 
 use super::frames::{direction, direction_of, fill_frames, frame, point, point_of};
-use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
+use super::layout::{
+    FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, store, times,
+};
 use super::plan::{LoopBody, LoopMotion, LoopPlan};
 use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_rows, fill_steps};
 use crate::columns::{LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess};
@@ -220,9 +222,11 @@ fn solve_response<T: Lanes>(
 ) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
-    let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
+    let mut sizes = [T::zero(); MOST];
+    let energy_entries = plan.layout.energy..plan.layout.energy_entry(f, 0);
+    scratch[energy_entries.start * T::WIDTH..energy_entries.end * T::WIDTH].fill(0.0);
     for (i, body) in plan.bodies.iter().enumerate() {
-        add_energy(plan, i, body, scratch, &mut d, &mut sizes);
+        add_energy(plan, i, body, scratch, &mut sizes);
     }
     let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
     let at: [T; 3] = match of_rows {
@@ -281,7 +285,7 @@ fn solve_response<T: Lanes>(
         }
         tests[k] = turned * entry_error.mul_add(speeds, tests[k] * roundings);
         let off = entry_error * energy;
-        let cross = off * d[k][k].abs().sqrt();
+        let cross = off * get::<T>(scratch, plan.layout.energy_entry(k, k)).abs().sqrt();
         let second = off * off * T::from_f64(f64::EPSILON);
         sizes[k] = sizes[k].mul_add(T::from_f64(ROUTE_ROUNDINGS), cross + cross + second);
         k += 1;
@@ -289,17 +293,19 @@ fn solve_response<T: Lanes>(
     let mut answer = LoopResponse { response: T::zero(), error: T::zero() };
     k = 0;
     while k < f {
-        let over = T::one() / d[k][k];
+        let over = T::one() / get::<T>(scratch, plan.layout.energy_entry(k, k));
         let rate = t[k] * over;
         let part = rate.abs();
         answer.response = t[k].mul_add(rate, answer.response);
         answer.error = part.mul_add(part.mul_add(sizes[k], tests[k] + tests[k]), answer.error);
         let mut j = k + 1;
         while j < f {
-            let factor = -(d[j][k] * over);
+            let factor = -(get::<T>(scratch, plan.layout.energy_entry(j, k)) * over);
             let mut c = k + 1;
             while c <= j {
-                d[j][c] = d[c][k].mul_add(factor, d[j][c]);
+                let pivot_column = get::<T>(scratch, plan.layout.energy_entry(c, k));
+                let entry = plan.layout.energy_entry(j, c);
+                store(scratch, entry, pivot_column.mul_add(factor, get(scratch, entry)));
                 c += 1;
             }
             t[j] = t[k].mul_add(factor, t[j]);
@@ -387,7 +393,6 @@ fn add_energy<T: Lanes>(
     i: usize,
     body: &LoopBody,
     scratch: &mut [f64],
-    d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
     sizes: &mut [T; LINKAGE_FREEDOMS],
 ) {
     let f = plan.freedoms;
@@ -401,7 +406,9 @@ fn add_energy<T: Lanes>(
             let own = get::<T>(scratch, plan.layout.rates + velocity.column * f + y) * armature;
             let mut z = 0;
             while z <= y {
-                d[y][z] = own.mul_add(get(scratch, plan.layout.rates + velocity.column * f + z), d[y][z]);
+                let rate = get(scratch, plan.layout.rates + velocity.column * f + z);
+                let entry = plan.layout.energy_entry(y, z);
+                store(scratch, entry, own.mul_add(rate, get(scratch, entry)));
                 z += 1;
             }
             sizes[y] = own.mul_add(get(scratch, plan.layout.rates + velocity.column * f + y), sizes[y]);
@@ -437,8 +444,10 @@ fn add_energy<T: Lanes>(
             while z <= y {
                 if body.moved_by[z] {
                     let known = plan.layout.known + 6 * z;
-                    d[y][z] += dot(&get_vector(scratch, known), &about)
+                    let energy = dot(&get_vector(scratch, known), &about)
                         + dot(&get_vector(scratch, known + 3), &momentum);
+                    let entry = plan.layout.energy_entry(y, z);
+                    store(scratch, entry, get::<T>(scratch, entry) + energy);
                 }
                 z += 1;
             }

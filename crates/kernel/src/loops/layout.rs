@@ -24,6 +24,8 @@ pub(super) struct Layout {
     pub rate_errors: usize,
     /// Twists of one body in its own axes: freedoms × 6.
     pub known: usize,
+    /// D on and below the diagonal, row by row.
+    pub energy: usize,
     /// Number of values per lane.
     pub total: usize,
     /// Number of pivot rows, and of dependent coordinates.
@@ -47,6 +49,7 @@ impl Layout {
         let growth = steps + columns;
         let rate_errors = growth + all;
         let known = rate_errors + columns * freedoms;
+        let energy = known + 6 * freedoms;
         Self {
             entries,
             inverse_pivots: over,
@@ -57,9 +60,16 @@ impl Layout {
             growth,
             rate_errors,
             known,
-            total: known + 6 * freedoms,
+            energy,
+            total: energy + freedoms * (freedoms + 1) / 2,
             count,
         }
+    }
+
+    /// Offset of the entry of D in row `y` and column `z`, z ≤ y.
+    #[inline(always)]
+    pub fn energy_entry(&self, y: usize, z: usize) -> usize {
+        self.energy + y * (y + 1) / 2 + z
     }
 }
 
