@@ -1214,17 +1214,19 @@ const char *percuss_error_message(void);
 const char *percuss_version(void);
 
 /*
- Reads a URDF file, closed loops and couplings included. path: UTF-8. Free the model with percuss_model_free.
+ Reads a file of a model: URDF (closed loops and couplings included), MJCF or SDFormat, recognised by its content. path: UTF-8. Free
+ the model with percuss_model_free.
 
  Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
 
  Pointers:
  path ends with a zero byte; model is null or points to storage for a pointer.
  */
-percuss_status percuss_model_load_file(const char *path, struct percuss_model **model);
+percuss_status percuss_model_load_file(const char *path,
+                                       struct percuss_model **model);
 
 /*
- Reads URDF from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
+ Reads a model from memory, as percuss_model_load_file: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
  messages.
 
  Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
@@ -1288,6 +1290,36 @@ percuss_status percuss_model_find_joint(const struct percuss_model *model, const
  joint is null or points to storage for a percuss_joint.
  */
 percuss_status percuss_model_joint(const struct percuss_model *model, size_t index, struct percuss_joint *joint);
+
+/*
+ Number of named poses of the file: keyframes of MJCF.
+
+ Pointers:
+ count is null or points to storage for a number.
+ */
+percuss_status percuss_model_pose_count(const struct percuss_model *model, size_t *count);
+
+/*
+ The name of named pose number index, from 0. Valid as long as the model; null if the call fails.
+
+ Pointers:
+ name is null or points to storage for a pointer.
+ */
+percuss_status percuss_model_pose_name(const struct percuss_model *model, size_t index, const char **name);
+
+/*
+ Positions of all joints, concatenated in joint order, at the named pose of this name: for percuss_configuration_set_positions,
+ which closes the loops from there. count: the positions of percuss_model_counts; those of mimics are 0.
+
+ Errors: PERCUSS_ERROR_NAME, with the names of the model's poses; PERCUSS_ERROR_LENGTH.
+
+ Pointers:
+ name ends with a zero byte; positions has space for count numbers.
+ */
+percuss_status percuss_model_pose_positions(const struct percuss_model *model,
+                                            const char *name,
+                                            double *positions,
+                                            size_t count);
 
 /*
  Number of notes and warnings about the file.

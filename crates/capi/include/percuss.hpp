@@ -57,7 +57,7 @@ using Damper = percuss_damper;
 using Impact = percuss_impact;
 using Vector3 = std::array<double, 3>;
 
-/// A mechanism read from URDF.
+/// A mechanism read from URDF, MJCF or SDFormat.
 class Model {
  public:
   /// Reads a file.
@@ -66,7 +66,7 @@ class Model {
     check(percuss_model_load_file(path.c_str(), &handle));
     return Model(handle);
   }
-  /// Reads URDF text; name replaces the file name in messages.
+  /// Reads the text of a model file; name replaces the file name in messages.
   static Model load_text(std::string_view text, const std::string &name = "text.urdf") {
     percuss_model *handle = nullptr;
     check(percuss_model_load_memory(name.c_str(), text.data(), text.size(), &handle));
@@ -110,6 +110,24 @@ class Model {
     std::vector<percuss_diagnostic> all(count);
     for (std::size_t i = 0; i < count; i++) check(percuss_model_diagnostic(get(), i, &all[i]));
     return all;
+  }
+  /// Names of the named poses (keyframes of MJCF).
+  std::vector<std::string> pose_names() const {
+    std::size_t count = 0;
+    check(percuss_model_pose_count(get(), &count));
+    std::vector<std::string> names(count);
+    for (std::size_t i = 0; i < count; i++) {
+      const char *name = nullptr;
+      check(percuss_model_pose_name(get(), i, &name));
+      names[i] = name;
+    }
+    return names;
+  }
+  /// Positions of all joints at a named pose, for Configuration::set_positions.
+  std::vector<double> pose_positions(const std::string &name) const {
+    std::vector<double> positions(counts().positions);
+    check(percuss_model_pose_positions(get(), name.c_str(), positions.data(), positions.size()));
+    return positions;
   }
   /// A contact of a point (m) of a link with the ground, along a normal out of the link, both in the link's frame.
   Contact contact(const std::string &link, const Vector3 &point, const Vector3 &normal) const {

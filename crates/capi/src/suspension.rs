@@ -43,7 +43,7 @@ impl Suspension {
             return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
         }
         let findings = model.diagnostics.iter().map(DiagnosticTexts::from_record).collect();
-        let mechanism = Model::new(Arc::clone(&model.mechanism), findings);
+        let mechanism = Model::new(Arc::clone(&model.mechanism), &model.poses, findings);
         Ok(Self { model, mechanism })
     }
 }

@@ -1,6 +1,6 @@
-//! Models: mechanisms read from URDF, the names of their links and joints, and findings about the file.
+//! Models: mechanisms read from files, the names of their links and joints, their named poses, and findings about the file.
 
-use crate::boundary::arrays::{input_slice, input_text};
+use crate::boundary::arrays::{copy_to_caller, input_slice, input_text};
 use crate::boundary::handle::{Handle, argument_mut, clear_handle, free_handle, object_of, write_handle};
 use crate::boundary::names::{c_string, element_at};
 use crate::boundary::status::{
@@ -9,8 +9,8 @@ use crate::boundary::status::{
 #[cfg(feature = "suspensions")]
 use percuss::study::DiagnosticRecord;
 use percuss::{
-    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Problem, Severity,
-    Source, Subject, load,
+    Configuration, DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism,
+    NamedPose, Problem, Severity, Source, Subject, load,
 };
 use std::ffi::{CString, c_char};
 use std::ptr::null;
@@ -32,6 +32,8 @@ pub(crate) struct Model {
     pub velocities: usize,
     link_names: Vec<CString>,
     joint_names: Vec<CString>,
+    /// Named poses: name, and positions of all joints.
+    poses: Vec<(CString, Vec<f64>)>,
     diagnostics: Vec<DiagnosticTexts>,
 }
 
@@ -94,6 +96,9 @@ pub struct percuss_joint {
     /// See parent.
     pub child: usize,
 }
+
+/// Largest number of named poses in a message.
+const LISTED_POSES: usize = 10;
 
 /// Information; nothing is wrong.
 pub const PERCUSS_NOTE: i32 = 0;
@@ -166,16 +171,20 @@ impl DiagnosticTexts {
 }
 
 impl Model {
-    /// Reads a URDF and prepares its names and texts for C.
+    /// Reads a model file and prepares its names and texts for C.
     fn load(source: &Source) -> Result<Arc<Self>, Failure> {
         let loaded =
             load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
         let diagnostics = loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect();
-        Ok(Self::new(Arc::new(loaded.mechanism), diagnostics))
+        Ok(Self::new(Arc::new(loaded.mechanism), &loaded.poses, diagnostics))
     }
 
     /// A mechanism with its names for C.
-    pub fn new(mechanism: Arc<Mechanism>, diagnostics: Vec<DiagnosticTexts>) -> Arc<Self> {
+    pub fn new(
+        mechanism: Arc<Mechanism>,
+        poses: &[NamedPose],
+        diagnostics: Vec<DiagnosticTexts>,
+    ) -> Arc<Self> {
         let (mut first, mut at) = (Vec::new(), (0, 0));
         for joint in mechanism.joints() {
             first.push(at);
@@ -189,6 +198,7 @@ impl Model {
             velocities: at.1,
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
+            poses: poses.iter().map(|pose| (c_string(&pose.name), all_positions(&mechanism, pose))).collect(),
             diagnostics,
             mechanism,
         })
@@ -200,7 +210,19 @@ impl Model {
     }
 }
 
-/// Reads a URDF file, closed loops and couplings included. path: UTF-8. Free the model with percuss_model_free.
+/// Positions of all joints in joint order at a named pose; those of mimics, which are not read, are 0.
+fn all_positions(mechanism: &Arc<Mechanism>, pose: &NamedPose) -> Vec<f64> {
+    let zero = Configuration::zero(mechanism);
+    let of = |joint: JointId| {
+        let name = mechanism.joints()[joint.index()].name();
+        let given = pose.positions.iter().find(|(own, _)| own == name);
+        given.map_or(zero.get(joint), |(_, values)| values)
+    };
+    mechanism.joint_ids().flat_map(of).copied().collect()
+}
+
+/// Reads a file of a model: URDF (closed loops and couplings included), MJCF or SDFormat, recognised by its content. path: UTF-8. Free
+/// the model with percuss_model_free.
 ///
 /// Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
 ///
@@ -223,7 +245,7 @@ pub unsafe extern "C" fn percuss_model_load_file(
     })
 }
 
-/// Reads URDF from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
+/// Reads a model from memory, as percuss_model_load_file: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
 /// messages.
 ///
 /// Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
@@ -384,6 +406,71 @@ pub unsafe extern "C" fn percuss_model_joint(
             child: found.child().index(),
         };
         Ok(())
+    })
+}
+
+/// Number of named poses of the file: keyframes of MJCF.
+///
+/// # Safety
+/// count is null or points to storage for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_pose_count(
+    model: *const percuss_model,
+    count: *mut usize,
+) -> percuss_status {
+    guard_call(|| {
+        *argument_mut(count, "count")? = object_of(model)?.poses.len();
+        Ok(())
+    })
+}
+
+/// The name of named pose number index, from 0. Valid as long as the model; null if the call fails.
+///
+/// # Safety
+/// name is null or points to storage for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_pose_name(
+    model: *const percuss_model,
+    index: usize,
+    name: *mut *const c_char,
+) -> percuss_status {
+    guard_call(|| {
+        let name = argument_mut(name, "name")?;
+        *name = null();
+        *name = element_at(&object_of(model)?.poses, index, "named pose")?.0.as_ptr();
+        Ok(())
+    })
+}
+
+/// Positions of all joints, concatenated in joint order, at the named pose of this name: for percuss_configuration_set_positions,
+/// which closes the loops from there. count: the positions of percuss_model_counts; those of mimics are 0.
+///
+/// Errors: PERCUSS_ERROR_NAME, with the names of the model's poses; PERCUSS_ERROR_LENGTH.
+///
+/// # Safety
+/// name ends with a zero byte; positions has space for count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_pose_positions(
+    model: *const percuss_model,
+    name: *const c_char,
+    positions: *mut f64,
+    count: usize,
+) -> percuss_status {
+    guard_call(|| {
+        let (poses, name) = (&object_of(model)?.poses, input_text(name, "name")?);
+        match poses.iter().find(|(own, _)| own.to_bytes() == name.as_bytes()) {
+            Some((_, values)) => copy_to_caller(values, positions, count, "positions"),
+            None => {
+                let known: Vec<_> =
+                    poses.iter().take(LISTED_POSES).map(|(own, _)| own.to_string_lossy()).collect();
+                let message = format_args!(
+                    "the model has no pose \"{name}\"; it has {} named poses: {}",
+                    poses.len(),
+                    known.join(", ")
+                );
+                Err(Failure::new(PERCUSS_ERROR_NAME, message))
+            }
+        }
     })
 }
 

@@ -43,6 +43,25 @@ static void the_model(void)
   OK(percuss_model_find_contact(model, "door_stop", &contact, NULL));
   FAILS(percuss_model_find_contact(model, "doorstop", &contact, &gap), PERCUSS_ERROR_NAME, "door_stop");
   OK(percuss_model_free(&model));
+  /* Named poses, in a model of another format. */
+  const char keyed[] = "<mujoco><compiler angle=\"radian\"/><worldbody><body name=\"bar\"><joint name=\"hinge\" axis=\"0 0 1\"/>"
+                       "<joint name=\"slide\" type=\"slide\" axis=\"1 0 0\"/><inertial pos=\"1 0 0\" mass=\"2\" "
+                       "diaginertia=\"1 1 1\"/></body></worldbody><keyframe><key name=\"home\" qpos=\"0.3 -0.2\"/>"
+                       "<key name=\"away\" qpos=\"1 2\"/></keyframe></mujoco>";
+  model = loaded(keyed);
+  size_t poses;
+  const char *pose_name;
+  double at_home[2] = {9.0, 9.0};
+  OK(percuss_model_pose_count(model, &poses));
+  OK(percuss_model_pose_name(model, 0, &pose_name));
+  CHECK(poses == 2 && strcmp(pose_name, "home") == 0);
+  OK(percuss_model_pose_positions(model, "home", at_home, 2));
+  CHECK(at_home[0] == 0.3 && at_home[1] == -0.2);
+  FAILS(percuss_model_pose_positions(model, "house", at_home, 2), PERCUSS_ERROR_NAME, "home, away");
+  FAILS(percuss_model_pose_positions(model, "home", at_home, 1), PERCUSS_ERROR_LENGTH, "positions");
+  FAILS(percuss_model_pose_name(model, 2, &pose_name), PERCUSS_ERROR_NAME, "named pose");
+  CHECK(pose_name == NULL);
+  OK(percuss_model_free(&model));
   /* Findings about a file. */
   const char odd[] = "<robot name=\"odd\"><link name=\"a\"/><unknown_thing/></robot>";
   model = loaded(odd);
