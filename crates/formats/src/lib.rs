@@ -32,20 +32,18 @@
 
 pub mod reading;
 
-mod changes;
 mod load;
 mod meshes;
 mod mjcf;
 #[cfg(feature = "sdf")]
 mod sdf;
 mod urdf;
-mod xml_text;
-pub use changes::{Change, Effect, ModelText};
+mod writing;
 pub use load::{load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{
-    ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact,
+    ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact,
 };
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::report::NOT_READ;
@@ -56,3 +54,6 @@ pub use sdf::write::{SdfError, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
+pub use writing::changes::{Change, Effect, ModelText};
+pub use writing::parts::{FindMesh, MeshFile, ModelParts};
+pub use writing::state::MechanismState;

@@ -13,3 +13,4 @@ mod round_trip;
 mod sdf;
 mod support;
 mod surfaces;
+mod written_shapes;

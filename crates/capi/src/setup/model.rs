@@ -198,7 +198,7 @@ impl Model {
             velocities: at.1,
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
-            poses: poses.iter().map(|pose| (c_string(&pose.name), all_positions(&mechanism, pose))).collect(),
+            poses: poses.iter().map(|pose| (c_string(&pose.name), pose.all_positions(&mechanism))).collect(),
             diagnostics,
             mechanism,
         })
@@ -208,17 +208,6 @@ impl Model {
     pub fn link_id(&self, index: usize) -> Result<LinkId, Failure> {
         element_at(&self.links, index, "link").copied()
     }
-}
-
-/// Positions of all joints in joint order at a named pose; those of mimics, which are not read, are 0.
-fn all_positions(mechanism: &Arc<Mechanism>, pose: &NamedPose) -> Vec<f64> {
-    let zero = Configuration::zero(mechanism);
-    let of = |joint: JointId| {
-        let name = mechanism.joints()[joint.index()].name();
-        let given = pose.positions.iter().find(|(own, _)| own == name);
-        given.map_or(zero.get(joint), |(_, values)| values)
-    };
-    mechanism.joint_ids().flat_map(of).copied().collect()
 }
 
 /// Reads a file of a model: URDF (closed loops and couplings included), MJCF or SDFormat, recognised by its content. path: UTF-8. Free

@@ -126,6 +126,20 @@ impl ModelFormat {
             Self::Sdf => "sdf",
         }
     }
+
+    /// The given format, else that of the ending of a file name.
+    pub fn of_output(given: Option<Self>, output: &str) -> Result<Self, Failure> {
+        let ending = output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+        match (given, ending.as_str()) {
+            (Some(format), _) => Ok(format),
+            (None, "xml" | "mjcf") => Ok(Self::Mjcf),
+            (None, "urdf") => Ok(Self::Urdf),
+            (None, "sdf") => Ok(Self::Sdf),
+            _ => Err(Failure::bad_input(format!(
+                "--output {output}: the ending names no format; use .xml, .mjcf, .urdf or .sdf, or give --to mjcf, urdf or sdf"
+            ))),
+        }
+    }
 }
 
 /// Flags of `percuss convert`.
@@ -144,34 +158,6 @@ pub struct ConvertArgs {
     pub format: CheckFormat,
     #[command(flatten)]
     pub writing: WritingArgs,
-}
-
-impl ConvertArgs {
-    /// Format of the flag, else of the file name.
-    pub fn model_format(&self) -> Result<ModelFormat, Failure> {
-        let ending = self.output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
-        match (self.to, ending.as_str()) {
-            (Some(format), _) => Ok(format),
-            (None, "xml" | "mjcf") => Ok(ModelFormat::Mjcf),
-            (None, "urdf") => Ok(ModelFormat::Urdf),
-            (None, "sdf") => Ok(ModelFormat::Sdf),
-            _ => Err(Failure::bad_input(format!(
-                "--output {}: the ending names no format; use .xml, .mjcf, .urdf or .sdf, or give --to mjcf, urdf or sdf",
-                self.output
-            ))),
-        }
-    }
-}
-
-/// Format of an exported impact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ImpactFormat {
-    /// MuJoCo's format.
-    Mjcf,
-    /// Refused: SDFormat has no velocities and no positions of joints.
-    Sdf,
-    /// Refused: URDF has no velocities, no positions of joints and no contact parameters.
-    Urdf,
 }
 
 /// Flags of `percuss export`.
@@ -193,12 +179,12 @@ pub struct ExportArgs {
         conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
     )]
     pub limit: Option<JointStop>,
-    /// Model file to write; the script has the same name with .py.
-    #[arg(long, short, value_name = "FILE.xml", help_heading = OUTPUT)]
+    /// Model file to write; the script of an impact has the same name with .py.
+    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: String,
-    /// Format.
-    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = ImpactFormat::Mjcf, help_heading = OUTPUT)]
-    pub to: ImpactFormat,
+    /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf. Only MJCF can have an impact.
+    #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
+    pub to: Option<ModelFormat>,
     /// Format of the report: the impact, and everything changed or lost.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,

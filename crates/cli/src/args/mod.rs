@@ -19,7 +19,7 @@ pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
 pub use exports::{
-    ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, ImpactFormat, LanguageName, ModelFormat,
+    ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, LanguageName, ModelFormat,
 };
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};

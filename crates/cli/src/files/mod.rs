@@ -4,6 +4,7 @@ pub(crate) mod csv;
 pub(crate) mod html;
 #[cfg(not(feature = "tables"))]
 mod no_tables;
+pub(crate) mod mesh_names;
 pub(crate) mod output;
 pub(crate) mod own_files;
 #[cfg(feature = "tables")]

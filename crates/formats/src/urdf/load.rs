@@ -12,7 +12,7 @@ use crate::urdf::elements::shapes::shape::{Shape, link_shapes};
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
 use crate::{Diagnostic, LoadError};
-use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
+use percuss_mechanism::{Accept, Built, Joint, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node};
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -53,6 +53,17 @@ pub struct NamedPose {
     /// Positions of all joints that are neither fixed nor mimics, by name (layouts of [`JointKind`](percuss_mechanism::JointKind)), rad
     /// or m.
     pub positions: Vec<(String, Vec<f64>)>,
+}
+
+impl NamedPose {
+    /// Positions of all joints one after another, in joint order; those of mimics, which no pose has, are 0.
+    pub fn all_positions(&self, mechanism: &Mechanism) -> Vec<f64> {
+        let of = |joint: &Joint| {
+            let given = self.positions.iter().find(|(name, _)| name == joint.name());
+            given.map_or_else(|| vec![0.0; joint.kind().positions()], |(_, values)| values.clone())
+        };
+        mechanism.joints().iter().flat_map(of).collect()
+    }
 }
 
 /// Reads the text of a URDF, closed loops and couplings included; `report` contains findings about its bytes.

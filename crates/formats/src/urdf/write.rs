@@ -1,9 +1,11 @@
 //! Writer of mechanisms as URDF+.
 
-use crate::changes::{ModelText, changed_names};
-use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
+use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::writing::changes::{Change, ModelText, changed_names, lost_poses};
+use crate::writing::parts::ModelParts;
+use crate::writing::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
-    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
+    Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
     Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
@@ -29,7 +31,7 @@ pub struct Comments {
 /// couplings and named contacts. The result is plain URDF if the mechanism has no loops and couplings.
 ///
 /// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
-/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes and meshes are not written.
+/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes are written by [`write_urdf_model`].
 /// Characters of a name that XML forbids become U+FFFD. A chain of mimics is written as mimics of the last master,
 /// and a joint to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data,
 /// but readers require them.
@@ -39,6 +41,11 @@ pub fn write_urdf(mechanism: &Mechanism) -> String {
 
 /// As [`write_urdf`], with comments. Comments for unknown names are left out.
 pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
+    write_robot(mechanism, &[], comments)
+}
+
+/// Writes URDF+. `shapes`: lines of the shapes of each link.
+fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Some parsers accept processing instructions only before the first comment. A name that does not fit into an
     // instruction gets its warning again at loading.
@@ -51,9 +58,9 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
         append(&mut out, format_args!("<!-- {} -->\n", escape_comment(line)));
     }
     append(&mut out, format_args!("<robot name=\"{}\">\n", escape_attribute(mechanism.name())));
-    for link in mechanism.links() {
+    for (index, link) in mechanism.links().iter().enumerate() {
         write_comment(&mut out, &comments.links, link.name());
-        write_link(&mut out, link);
+        write_link(&mut out, link, shapes.get(index).map_or("", String::as_str));
     }
     for joint in mechanism.joints() {
         write_comment(&mut out, &comments.joints, joint.name());
@@ -74,10 +81,58 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     out
 }
 
-/// [`write_urdf`] with a comment at the head of the file, and the parts of the mechanism that have another form.
-pub fn write_urdf_model(mechanism: &Mechanism, heading: &str) -> ModelText {
+/// [`write_urdf`] with the shapes of the links, with a comment at the head of the file, and with the parts of the model that have another
+/// form or none.
+pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> ModelText {
+    let parts = model.into();
+    let mechanism = parts.mechanism;
     let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
-    ModelText { text: write_urdf_with(mechanism, &comments), changes: changed_names(mechanism) }
+    let mut changes = changed_names(mechanism);
+    changes.extend(lost_poses(&parts, "URDF"));
+    let mut shapes = Vec::with_capacity(parts.shapes.len());
+    for (link, own) in mechanism.links().iter().zip(parts.shapes) {
+        let mut lines = String::new();
+        for shape in own {
+            match shape_element(&parts, shape) {
+                Ok(element) => lines.push_str(&element),
+                Err(reason) => {
+                    let what = format!("a shape ({})", shape.purpose.name());
+                    changes.push(Change::lost("link", link.name(), what, reason));
+                }
+            }
+        }
+        shapes.push(lines);
+    }
+    ModelText { text: write_robot(mechanism, &shapes, &comments), changes }
+}
+
+/// `<visual>` or `<collision>`; the error is the reason for the loss of the shape.
+fn shape_element(parts: &ModelParts<'_>, shape: &Shape) -> Result<String, String> {
+    let number = |x: &f64| format_number(*x);
+    let geometry = match &shape.solid {
+        Solid::Box { size } => format!("<box size=\"{}\"/>", format_vector(&Vector3::from(*size))),
+        Solid::Sphere { radius } => format!("<sphere radius=\"{}\"/>", number(radius)),
+        Solid::Cylinder { radius, length } => {
+            format!("<cylinder radius=\"{}\" length=\"{}\"/>", number(radius), number(length))
+        }
+        Solid::Capsule { radius, length } => {
+            format!("<capsule radius=\"{}\" length=\"{}\"/>", number(radius), number(length))
+        }
+        Solid::Mesh { file, scale } => {
+            let scale = match scale {
+                [1.0, 1.0, 1.0] => String::new(),
+                factors => format!(" scale=\"{}\"", format_vector(&Vector3::from(*factors))),
+            };
+            let name = (parts.find_mesh)(file)?.name;
+            format!("<mesh filename=\"{}\"{scale}/>", escape_attribute(&name))
+        }
+    };
+    let tag = shape.purpose.name();
+    let origin = match shape.frame == Transform::identity() {
+        true => String::new(),
+        false => origin_element(&shape.frame),
+    };
+    Ok(format!("    <{tag}>{origin}<geometry>{geometry}</geometry></{tag}>\n"))
 }
 
 fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
@@ -86,21 +141,29 @@ fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &st
     }
 }
 
-fn write_link(out: &mut String, link: &Link) {
+fn write_link(out: &mut String, link: &Link, shapes: &str) {
     let name = escape_attribute(link.name());
-    let Some(inertial) = link.inertial() else {
+    if link.inertial().is_none() && shapes.is_empty() {
         append(out, format_args!("  <link name=\"{name}\"/>\n"));
         return;
-    };
-    append(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
-    append(out, format_args!("      <origin xyz=\"{}\"/>\n", format_vector(&inertial.com)));
+    }
+    append(out, format_args!("  <link name=\"{name}\">\n"));
+    if let Some(inertial) = link.inertial() {
+        write_inertial(out, inertial);
+    }
+    out.push_str(shapes);
+    out.push_str("  </link>\n");
+}
+
+fn write_inertial(out: &mut String, inertial: &Inertial) {
+    append(out, format_args!("    <inertial>\n      <origin xyz=\"{}\"/>\n", format_vector(&inertial.com)));
     append(out, format_args!("      <mass value=\"{}\"/>\n", format_number(inertial.mass)));
     let entries = [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)];
     out.push_str("      <inertia");
     for (name, row, column) in entries {
         append(out, format_args!(" {name}=\"{}\"", format_number(inertial.about_com[(row, column)])));
     }
-    out.push_str("/>\n    </inertial>\n  </link>\n");
+    out.push_str("/>\n    </inertial>\n");
 }
 
 fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {

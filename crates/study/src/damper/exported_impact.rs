@@ -23,7 +23,8 @@ use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{
-    ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact,
+    Change, Effect, FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelParts,
+    ModelText, write_mjcf_impact,
 };
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
@@ -64,6 +65,15 @@ pub enum ImpactExportError {
     },
 }
 
+/// What the file of an impact has beside the mechanism and the impact.
+#[derive(Clone, Copy)]
+pub struct ImpactFile<'a> {
+    /// Comment at the head of the file; none if empty.
+    pub heading: &'a str,
+    /// Names of mesh files in the file.
+    pub find_mesh: FindMesh<'a>,
+}
+
 /// An impact as a file of MuJoCo.
 #[derive(Clone, Debug)]
 pub struct ExportedImpact {
@@ -82,8 +92,7 @@ pub struct ExportedImpact {
     pub error_bound: Option<f64>,
 }
 
-/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s. `heading`: comment at the head
-/// of the file.
+/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s.
 ///
 /// # Errors
 /// [`ImpactExportError`]: an invalid question, a contact without a finite mass, a condition or a mechanism without a form in MJCF.
@@ -91,9 +100,9 @@ pub fn export_impact(
     model: &Model,
     question: &MassQuestion,
     damping: &DampingQuestion,
-    heading: &str,
+    file: &ImpactFile<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
-    export(model, question, damping, None, heading)
+    export(model, question, damping, None, file)
 }
 
 /// Writes the impact of a joint on its stop as MJCF. `conditions` supplies the pose and the held parts; its contact is ignored. Without a
@@ -106,12 +115,12 @@ pub fn export_stop(
     stop: &JointStop,
     conditions: MassQuestion,
     damping: &DampingQuestion,
-    heading: &str,
+    file: &ImpactFile<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     let (question, record) = stop.question(model, conditions)?;
     let mut damping = damping.clone();
     damping.options.stop = Some(record.motion);
-    let mut exported = export(model, &question, &damping, Some(stop), heading)?;
+    let mut exported = export(model, &question, &damping, Some(stop), file)?;
     exported.damping.stop = Some(record);
     Ok(exported)
 }
@@ -122,7 +131,7 @@ fn export(
     question: &MassQuestion,
     damping: &DampingQuestion,
     stop: Option<&JointStop>,
-    heading: &str,
+    file: &ImpactFile<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed.unwrap_or(SLOW_IMPACT);
@@ -181,8 +190,21 @@ fn export(
         time_step,
         restitution: damping.restitution,
     };
-    let model = write_mjcf_impact(floating.as_ref().unwrap_or(mechanism), &impact, heading)?;
-    Ok(ExportedImpact { model, speed, time_step, predicted, error_bound, damping: report })
+    // Links keep their numbers in the floating mechanism.
+    let parts = ModelParts {
+        mechanism: floating.as_ref().unwrap_or(mechanism),
+        shapes: &model.shapes,
+        find_mesh: file.find_mesh,
+        poses: &[],
+    };
+    let mut written = write_mjcf_impact(parts, &impact, file.heading)?;
+    written.changes.extend(model.poses.iter().map(|pose| Change {
+        effect: Effect::Lost,
+        element: format!("pose \"{}\"", pose.name),
+        what: "the named pose".to_owned(),
+        reason: "the only keyframe of the file is the impact".to_owned(),
+    }));
+    Ok(ExportedImpact { model: written, speed, time_step, predicted, error_bound, damping: report })
 }
 
 /// Restitution of an impact with the mass as it changes over the penetration.

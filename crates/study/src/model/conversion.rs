@@ -97,7 +97,7 @@ impl ConversionReport {
     }
 }
 
-/// Changes by the reader and by the writer, and the other findings about the file. Shapes of links are not written.
+/// Changes by the reader and by the writer, and the other findings about the file.
 pub fn changes(model: &Model, written: Vec<Change>) -> (Vec<ChangeRecord>, Vec<DiagnosticRecord>) {
     let is_unread =
         |finding: &DiagnosticRecord| finding.severity != Severity::Error && UNREAD.contains(&finding.code);
@@ -122,16 +122,7 @@ pub fn changes(model: &Model, written: Vec<Change>) -> (Vec<ChangeRecord>, Vec<D
         let what = "springs, dampers, and data of the wheels and the vehicle".to_owned();
         lost("the sheet".to_owned(), what, "no part of a mechanism")
     });
-    let with_shapes =
-        model.mechanism.links().iter().zip(model.shapes.iter()).filter(|(_, own)| !own.is_empty());
-    let shapes = with_shapes.map(|(link, own)| {
-        let what = if own.len() == 1 { "1 shape".to_owned() } else { format!("{} shapes", own.len()) };
-        lost(format!("link \"{}\"", link.name()), what, "shapes and meshes are not written")
-    });
-    let poses = model.poses.iter().map(|pose| {
-        lost(format!("pose \"{}\"", pose.name), "the named pose".to_owned(), "keyframes are not written")
-    });
     let changes =
-        of_reader.chain(forces).chain(poses).chain(shapes).chain(written.into_iter().map(Into::into));
+        of_reader.chain(forces).chain(written.into_iter().map(Into::into));
     (changes.collect(), diagnostics)
 }

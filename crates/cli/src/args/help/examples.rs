@@ -209,7 +209,7 @@ Examples:
   percuss convert robot.urdf -o robot.sdf
   percuss convert my.toml --to mjcf -o - > suspension.xml
 
-Loops, mimics and armatures are kept; shapes and meshes are not written.";
+Loops, mimics, armatures and shapes are kept; meshes are referenced, not copied.";
 
 pub const EXPORT: &str = "\
 Examples:
@@ -219,6 +219,8 @@ Examples:
   python impact.py
   percuss export front.toml --at bump_stop_left --restitution 0.2 \\
       --stiffness 400N/mm --speed 0.1 -o front.xml
+  The mechanism alone, as by percuss convert:
+    percuss export front.toml -o front.sdf
 
 The script needs the package mujoco. It exits with 1 if the restitution differs
 by more than 0.001.";

@@ -1,45 +1,57 @@
 //! Command `percuss convert`.
 
-use crate::args::{CheckFormat, ConvertArgs, ModelFormat};
+use crate::args::{CheckFormat, ConvertArgs, ModelArgs, ModelFormat};
+use crate::files::mesh_names::MeshNames;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out, write_unescaped};
 use crate::terminal::wrap::fact_line;
-use percuss_formats::{ModelText, write_mjcf, write_sdf, write_urdf_model};
-use percuss_mechanism::{Mechanism, Severity};
-use percuss_study::{ChangeRecord, ConversionReport, DiagnosticRecord, Model};
+use percuss_formats::{ModelParts, ModelText, write_mjcf, write_sdf, write_urdf_model};
+use percuss_mechanism::Severity;
+use percuss_study::{ChangeRecord, ConversionReport, DiagnosticRecord, Model, named_states};
 
 /// Runs the command.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     args.writing.apply();
-    let format = args.model_format()?;
-    let to_stdout = args.output == "-";
-    if to_stdout && args.format == CheckFormat::Json {
+    let format = ModelFormat::of_output(args.to, &args.output)?;
+    convert(&args.model, format, &args.output, args.format)
+}
+
+/// Writes a model without an impact, and the report in a format.
+pub(super) fn convert(
+    model_args: &ModelArgs,
+    format: ModelFormat,
+    output: &str,
+    report_format: CheckFormat,
+) -> Result<(), Failure> {
+    let to_stdout = output == "-";
+    if to_stdout && report_format == CheckFormat::Json {
         return Err(Failure::bad_input(
             "--format json: the report and the model (--output -) would both go to the standard output; write the model to a file",
         ));
     }
     if !to_stdout {
-        check_writable(&args.output)?;
+        check_writable(output)?;
     }
-    let model = args.model.load_for_conversion()?;
+    let model = model_args.load_for_conversion()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
-    refuse_warnings(&model, args.model.reading.strict)?;
+    refuse_warnings(&model, model_args.reading.strict)?;
     // The mark by which percuss recognises its own files.
-    let heading = format!("imported by percuss from {}", args.model.model);
-    let ModelText { text, changes } = write_model(&model.mechanism, format, &heading)?;
-    let report = ConversionReport::new(&model, changes, format.name(), &args.output);
-    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    let heading = format!("imported by percuss from {}", model_args.model);
+    let meshes = MeshNames::new(&model_args.model, output, format);
+    let ModelText { text, changes } = write_model(&model, format, &meshes, &heading)?;
+    let report = ConversionReport::new(&model, changes, format.name(), output);
+    write_diagnostics(&report.diagnostics, model_args.reading.strict)?;
     let text = append_hash(text);
     if to_stdout {
         let notes: Vec<DiagnosticRecord> = report.changes.iter().map(note).collect();
         write_diagnostics(&notes, false)?;
         return write_unescaped(text.as_bytes());
     }
-    write_file(&args.output, text.as_bytes())?;
-    match args.format {
+    write_file(output, text.as_bytes())?;
+    match report_format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&summary(&report)),
     }
@@ -54,14 +66,34 @@ pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure
 }
 
 /// Text of the model with a comment at its head, and its changes.
-fn write_model(mechanism: &Mechanism, format: ModelFormat, heading: &str) -> Result<ModelText, Failure> {
-    match format {
-        ModelFormat::Mjcf => write_mjcf(mechanism, heading)
-            .map_err(|error| Failure::bad_input(format!("the model cannot be written as MJCF: {error}"))),
-        ModelFormat::Sdf => write_sdf(mechanism, heading)
-            .map_err(|error| Failure::bad_input(format!("the model cannot be written as SDFormat: {error}"))),
-        ModelFormat::Urdf => Ok(write_urdf_model(mechanism, heading)),
-    }
+fn write_model(
+    model: &Model,
+    format: ModelFormat,
+    meshes: &MeshNames,
+    heading: &str,
+) -> Result<ModelText, Failure> {
+    let (poses, lost) = named_states(model);
+    let find_mesh = |name: &str| meshes.find(name);
+    let parts = ModelParts {
+        mechanism: &model.mechanism,
+        shapes: &model.shapes,
+        find_mesh: &find_mesh,
+        poses: &poses,
+    };
+    let refuse = |format: &str, error: String| {
+        Failure::bad_input(format!("the model cannot be written as {format}: {error}"))
+    };
+    let mut written = match format {
+        ModelFormat::Mjcf => {
+            write_mjcf(parts, heading).map_err(|error| refuse("MJCF", error.to_string()))?
+        }
+        ModelFormat::Sdf => {
+            write_sdf(parts, heading).map_err(|error| refuse("SDFormat", error.to_string()))?
+        }
+        ModelFormat::Urdf => write_urdf_model(parts, heading),
+    };
+    written.changes.extend(lost);
+    Ok(written)
 }
 
 /// Size of the model, and its changes.

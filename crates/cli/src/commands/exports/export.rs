@@ -1,7 +1,8 @@
 //! Command `percuss export`.
 
-use super::convert::{change_lines, refuse_warnings};
-use crate::args::{CheckFormat, ExportArgs, ImpactFormat};
+use super::convert::{change_lines, convert, refuse_warnings};
+use crate::args::{CheckFormat, ExportArgs, ModelFormat};
+use crate::files::mesh_names::MeshNames;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
@@ -10,7 +11,7 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, shell_quoted};
 use crate::terminal::wrap::fact_line;
 use percuss_study::contact::exports::StopMotion;
-use percuss_study::{ExportReport, ImpactExportError, export_impact, export_stop};
+use percuss_study::{ExportReport, ImpactExportError, ImpactFile, export_impact, export_stop};
 use std::path::Path;
 
 /// Script that runs an exported impact. It finds the model by its own name.
@@ -21,6 +22,16 @@ const ENDING: &str = "xml";
 /// Runs the command.
 pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     args.writing.apply();
+    let format = ModelFormat::of_output(args.to, &args.output)?;
+    let has_damping = args.damping.restitution.is_some() || !args.damping.tools.is_empty();
+    if !args.contact.is_given() && args.limit.is_none() && !has_damping {
+        return convert(&args.model, format, &args.output, args.format);
+    }
+    match format {
+        ModelFormat::Mjcf => {}
+        ModelFormat::Sdf => return Err(no_impact("SDFormat", "sdf", "gazebo-classic or --for drake")),
+        ModelFormat::Urdf => return Err(no_impact("URDF", "urdf", "drake or --for bullet")),
+    }
     let script = script_path(&args.output)?;
     let contact = match &args.limit {
         Some(_) => args.contact.conditions()?,
@@ -31,7 +42,8 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     }
     let Some(damping) = args.damping.question()? else {
         return Err(Failure::bad_input(
-            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
+            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required for an impact; without a contact \
+             the mechanism alone is written",
         ));
     };
     for path in [&args.output, &script] {
@@ -44,13 +56,12 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     args.damping.check_units(&damping, turns)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);
-    let exported = match args.to {
-        ImpactFormat::Mjcf => match &args.limit {
-            Some(stop) => export_stop(&model, stop, contact, &damping, &heading)?,
-            None => export_impact(&model, &contact, &damping, &heading)?,
-        },
-        ImpactFormat::Sdf => return Err(no_impact("SDFormat", "sdf", "gazebo-classic or --for drake")),
-        ImpactFormat::Urdf => return Err(no_impact("URDF", "urdf", "drake or --for bullet")),
+    let meshes = MeshNames::new(&args.model.model, &args.output, format);
+    let find_mesh = |name: &str| meshes.find(name);
+    let file = ImpactFile { heading: &heading, find_mesh: &find_mesh };
+    let exported = match &args.limit {
+        Some(stop) => export_stop(&model, stop, contact, &damping, &file)?,
+        None => export_impact(&model, &contact, &damping, &file)?,
     };
     let report = ExportReport::new(&model, &exported, "mjcf", [&args.output, &script]);
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
@@ -66,7 +77,7 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
 fn no_impact(format: &str, ending: &str, tools: &str) -> Failure {
     Failure::bad_input(format!(
         "--to {ending}: {format} cannot store the positions and velocities of joints at an impact; use --to mjcf, or write the \
-         mechanism by \"percuss convert MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
+         mechanism alone by \"percuss export MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
     ))
 }
 

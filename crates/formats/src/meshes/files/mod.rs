@@ -13,6 +13,7 @@ mod triangles;
 
 pub use error::MeshError;
 pub use path::MeshFolders;
+pub(crate) use stl::binary_stl_facets;
 pub use triangles::Triangles;
 
 use std::fs::File;

@@ -2,6 +2,9 @@
 
 use super::error::excerpt;
 use super::triangles::{Triangles, check_triangle_count};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
 
 /// Bytes before the first facet of a binary file.
 const HEADER_SIZE: usize = 84;
@@ -27,6 +30,16 @@ pub(super) fn read_stl(bytes: &[u8]) -> Result<Triangles, String> {
         )),
         None => Err(format!("{} bytes are no STL", bytes.len())),
     }
+}
+
+/// Number of facets of a binary file, if the length of the file agrees; `None` for other files.
+pub fn binary_stl_facets(path: &Path) -> Option<usize> {
+    let mut file = File::open(path).ok()?;
+    let mut header = [0; HEADER_SIZE];
+    file.read_exact(&mut header).ok()?;
+    let count = stated_facet_count(&header)?;
+    let length = u64::try_from(HEADER_SIZE.checked_add(FACET_SIZE.checked_mul(count)?)?).ok()?;
+    (file.metadata().ok()?.len() == length).then_some(count)
 }
 
 /// Number of facets stated in the header of a binary file; `None` for a shorter file.

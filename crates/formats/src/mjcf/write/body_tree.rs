@@ -2,9 +2,9 @@
 
 use super::error::MjcfError;
 use super::rotors::{Rotor, rotor_inertial};
-use crate::changes::Change;
-use crate::xml_text::drawn_poses;
-use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use crate::writing::changes::Change;
+use crate::writing::xml_text::drawn_poses;
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};

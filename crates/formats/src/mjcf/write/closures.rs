@@ -2,8 +2,8 @@
 
 use super::body_tree::{BodyTree, inertial_element, pose_attributes};
 use super::error::MjcfError;
-use crate::changes::Change;
-use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use crate::writing::changes::Change;
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3, plane_basis};
 

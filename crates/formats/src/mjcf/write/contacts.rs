@@ -1,9 +1,9 @@
 //! Named contacts as sites: the z-axis of a site is the normal with all joints at 0.
 
 use super::body_tree::{BodyTree, pose_attributes};
-use crate::changes::Change;
+use crate::writing::changes::Change;
 use crate::mjcf::values::orientation::rotation_to_z;
-use crate::xml_text::escape_attribute;
+use crate::writing::xml_text::escape_attribute;
 use percuss_mechanism::{ContactKind, ContactNormal, Mechanism, NamedContact};
 use percuss_spatial::Transform;
 

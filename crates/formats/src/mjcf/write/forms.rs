@@ -2,7 +2,7 @@
 
 use super::body_tree::{BodyTree, has_range};
 use super::rotors::Rotor;
-use crate::changes::Change;
+use crate::writing::changes::Change;
 use percuss_mechanism::{JointKind, Mechanism};
 
 /// Changes of links and joints, because bodies of MJCF are nested and can have several joints.

@@ -2,14 +2,14 @@
 
 use super::body_tree::{BodyTree, pose_attributes};
 use super::error::MjcfError;
-use super::keyframe::MechanismState;
 use crate::mjcf::values::orientation::rotation_to_z;
-use crate::xml_text::{append, format_number, format_vector};
+use crate::writing::state::MechanismState;
+use crate::writing::xml_text::{append, format_number, format_vector};
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
 /// Name of the keyframe and of the contact pair.
-const NAME: &str = "impact";
+pub(super) const NAME: &str = "impact";
 
 /// Impact at a contact or at the stop of a joint, in MuJoCo's parameters.
 ///
@@ -167,9 +167,9 @@ impl MjcfImpact {
         out
     }
 
-    /// Elements after the bodies: contact pair and keyframe.
-    pub(super) fn tail(&self, key: &super::keyframe::Keyframe) -> String {
-        let pair = match self.contact {
+    /// Contact pair; empty for a limit.
+    pub(super) fn pair(&self) -> String {
+        match self.contact {
             ImpactContact::Surfaces(_) => format!(
                 "  <contact>\n    <pair name=\"{NAME}\" geom1=\"{NAME}/point\" geom2=\"{NAME}/face\" condim=\"1\" solref=\"{}\" \
                  solimp=\"{}\"/>\n  </contact>\n",
@@ -177,8 +177,7 @@ impl MjcfImpact {
                 list(&self.solimp)
             ),
             ImpactContact::Limit { .. } => String::new(),
-        };
-        format!("{pair}  <keyframe>\n    {}\n  </keyframe>\n", key.element(NAME))
+        }
     }
 }
 

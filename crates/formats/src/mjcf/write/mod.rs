@@ -9,16 +9,16 @@ mod impact;
 mod keyframe;
 mod relations;
 mod rotors;
+mod shapes;
 
-use crate::changes::{ModelText, changed_names, lost_roles};
-use crate::xml_text::{append, escape_attribute, xml_head};
+use crate::writing::changes::{ModelText, changed_names, lost_roles};
+use crate::writing::parts::ModelParts;
+use crate::writing::xml_text::{append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
 use forms::form_changes;
 pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
-pub use keyframe::MechanismState;
-use percuss_mechanism::Mechanism;
 
 /// Writes MJCF for MuJoCo 3.2.3 and later: bodies with inertias, joints with limits and armatures, and all loops as equality
 /// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals
@@ -34,6 +34,8 @@ use percuss_mechanism::Mechanism;
 /// | revolute closure | two connects on the axis |
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
 /// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
+/// | shapes | geoms without mass in the classes `visual` and `collision`; pairs of joined bodies do not touch |
+/// | named poses | keyframes |
 ///
 /// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
 /// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0.
@@ -41,61 +43,73 @@ use percuss_mechanism::Mechanism;
 /// # Errors
 /// [`MjcfError`] for a massless link that moves and is no part of such a chain, for a moving body with moments A + B < C (MuJoCo
 /// refuses both), for armatures that differ within a ball or free joint, and for names that MuJoCo reserves.
-pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, MjcfError> {
-    write_file(mechanism, None, heading)
+pub fn write_mjcf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<ModelText, MjcfError> {
+    write_file(&model.into(), None, heading)
 }
 
 /// Writes MJCF of a mechanism and of an impact at one contact: the file of [`write_mjcf`], two geoms with a contact pair, and the
-/// keyframe `impact` with the pose and the velocity at the touch. Gravity is 0 and limits of joints are disabled, as in an effective
-/// mass; the number `restitution` has the expected result.
+/// keyframe `impact` with the pose and the velocity at the touch. Gravity is 0, limits of joints are disabled, and no other shapes touch,
+/// as in an effective mass; the number `restitution` has the expected result.
 ///
 /// # Errors
 /// As for [`write_mjcf`]; a contact at a link without a body in the file.
-pub fn write_mjcf_impact(
-    mechanism: &Mechanism,
+pub fn write_mjcf_impact<'a>(
+    model: impl Into<ModelParts<'a>>,
     impact: &MjcfImpact,
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
-    write_file(mechanism, Some(impact), heading)
+    write_file(&model.into(), Some(impact), heading)
 }
 
 /// Writes a file, with an impact or without.
 fn write_file(
-    mechanism: &Mechanism,
+    parts: &ModelParts<'_>,
     impact: Option<&MjcfImpact>,
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
+    let mechanism = parts.mechanism;
     let mut tree = BodyTree::new(mechanism)?;
     let forms = form_changes(mechanism, &tree);
     tree.changes.extend(forms);
     let closures = closures::write_closures(mechanism, &mut tree)?;
     let relations = relations::write_relations(mechanism, &mut tree);
     contacts::add_contacts(mechanism, &mut tree);
+    let shapes = shapes::add_shapes(parts, &mut tree, impact.is_none());
     impact.map_or(Ok(()), |impact| impact.add_contact(mechanism, &mut tree))?;
-    let mut out = xml_head(heading, mechanism, "MJCF");
+    let mut out = xml_head(heading);
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
         "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\"/>\n",
     );
     out.push_str(&impact.map_or_else(String::new, MjcfImpact::head));
+    out.push_str(shapes.classes);
+    append_section(&mut out, "asset", &shapes.assets);
     out.push_str("  <worldbody>\n");
     let coordinates = tree.append_bodies(mechanism, &mut out)?;
     out.push_str("  </worldbody>\n");
-    for (section, lines) in [
-        ("tendon", [closures.tendons, relations.tendons].concat()),
-        ("equality", [closures.equalities, relations.equalities].concat()),
-    ] {
-        if !lines.is_empty() {
-            append(&mut out, format_args!("  <{section}>\n{lines}  </{section}>\n"));
-        }
+    append_section(&mut out, "contact", &shapes.excludes);
+    append_section(&mut out, "tendon", &[closures.tendons, relations.tendons].concat());
+    append_section(&mut out, "equality", &[closures.equalities, relations.equalities].concat());
+    let key = |state| Keyframe::new(mechanism, &tree, &coordinates, state);
+    let mut keys = String::new();
+    for (name, state) in parts.poses {
+        append(&mut keys, format_args!("    {}\n", key(state)?.element(&escape_attribute(name))));
     }
     if let Some(impact) = impact {
-        let key = Keyframe::new(mechanism, &tree, &coordinates, &impact.state)?;
-        out.push_str(&impact.tail(&key));
+        out.push_str(&impact.pair());
+        append(&mut keys, format_args!("    {}\n", key(&impact.state)?.element(impact::NAME)));
     }
+    append_section(&mut out, "keyframe", &keys);
     out.push_str("</mujoco>\n");
     let mut changes = tree.changes;
     changes.extend(lost_roles(mechanism, "MJCF"));
     changes.extend(changed_names(mechanism));
     Ok(ModelText { text: out, changes })
+}
+
+/// Appends a section of the file, if it has lines.
+fn append_section(out: &mut String, section: &str, lines: &str) {
+    if !lines.is_empty() {
+        append(out, format_args!("  <{section}>\n{lines}  </{section}>\n"));
+    }
 }

@@ -3,8 +3,8 @@
 use super::body_tree::BodyTree;
 use super::closures::Sections;
 use super::rotors::{Rotor, armature, tendon_name, tendon_terms};
-use crate::changes::Change;
-use crate::xml_text::{append, escape_attribute, format_number};
+use crate::writing::changes::Change;
+use crate::writing::xml_text::{append, escape_attribute, format_number};
 use percuss_mechanism::{JointId, Mechanism};
 
 /// Writes all mimics and couplings.

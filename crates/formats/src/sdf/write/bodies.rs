@@ -1,10 +1,10 @@
 //! Links of the file: links with a body, frames, and links that are a part of a joint.
 
 use super::error::SdfError;
-use crate::changes::Change;
+use crate::writing::changes::Change;
 use crate::reading::unique_names::UniqueNames;
-use crate::xml_text::drawn_poses;
-use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use crate::writing::xml_text::drawn_poses;
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 
@@ -238,8 +238,8 @@ impl Bodies {
         own
     }
 
-    /// Writes all links and frames.
-    pub fn append_links(&mut self, mechanism: &Mechanism, out: &mut String) {
+    /// Writes all links and frames. `shapes`: lines of the shapes of each link.
+    pub fn append_links(&mut self, mechanism: &Mechanism, shapes: &[String], out: &mut String) {
         let fixed = immovable_links(mechanism);
         for id in mechanism.link_ids() {
             let form = self.forms[id.index()].clone();
@@ -267,6 +267,7 @@ impl Bodies {
             }
             let inertial = self.inertial_of(mechanism, id, fixed[id.index()]);
             append_inertial(out, &inertial);
+            out.push_str(&shapes[id.index()]);
             out.push_str("    </link>\n");
         }
     }

@@ -2,8 +2,8 @@
 
 use super::bodies::{Bodies, Chain, ChainKind, Form, path_pose, pose_text};
 use super::error::SdfError;
-use crate::changes::Change;
-use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use crate::writing::changes::Change;
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;

@@ -4,15 +4,17 @@ mod bodies;
 mod closures;
 mod error;
 mod joints;
+mod shapes;
 
-use crate::changes::{Change, ModelText, changed_names, lost_roles};
-use crate::xml_text::{append, escape_attribute, xml_head};
+use crate::writing::changes::{Change, ModelText, changed_names, lost_poses, lost_roles};
+use crate::writing::parts::ModelParts;
+use crate::writing::xml_text::{append, escape_attribute, xml_head};
 use bodies::Bodies;
 pub use error::SdfError;
 use joints::Axes;
-use percuss_mechanism::{Joint, Mechanism};
+use percuss_mechanism::Joint;
 
-/// Writes SDFormat 1.7, or 1.11 if a joint follows another: links with inertias, joints with limits, and the joints that close loops.
+/// Writes SDFormat 1.7, 1.8 if a shape is a capsule, or 1.11 if a joint follows another: links with inertias, joints with limits, and the joints that close loops.
 /// `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read
 /// back as the same bits, and rotations are converted to roll, pitch and yaw, which are accurate to a few roundings.
 ///
@@ -24,25 +26,33 @@ use percuss_mechanism::{Joint, Mechanism};
 /// | floating joint | none: a link without a joint floats |
 /// | mimic, coupling of two joints | mimic |
 /// | fixed, revolute, prismatic, spherical, universal closure | a joint, placed as drawn |
+/// | shapes | visuals and collisions; those of a frame belong to the link that supports it |
 /// | armature of a joint with one degree of freedom | `drake:rotor_inertia`, which only Drake reads |
 ///
 /// # Errors
 /// [`SdfError`] for planar joints, cylindrical, planar and distance closures, closures that are open as drawn, couplings of more than two
 /// joints, armatures of other joints, and names that SDFormat reserves.
-pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, SdfError> {
+pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<ModelText, SdfError> {
+    let parts = model.into();
+    let mechanism = parts.mechanism;
     let mut bodies = Bodies::new(mechanism)?;
     let axes = Axes::new(mechanism, &mut bodies)?;
     let joints = axes.write_joints(mechanism, &mut bodies)?;
     let closures = closures::write_closures(mechanism, &mut bodies)?;
-    let mut out = xml_head(heading, mechanism, "SDFormat");
-    let version = if axes.has_mimics() { "1.11" } else { "1.7" };
+    let mut out = xml_head(heading);
+    let shapes = shapes::write_shapes(&parts, &mut bodies);
+    let version = match (axes.has_mimics(), shapes.has_capsules) {
+        (true, _) => "1.11",
+        (false, true) => "1.8",
+        (false, false) => "1.7",
+    };
     let drake = if axes.has_rotors() { " xmlns:drake=\"http://drake.mit.edu\"" } else { "" };
     append(&mut out, format_args!("<sdf version=\"{version}\"{drake}>\n"));
     append(
         &mut out,
         format_args!("  <model name=\"{}\">\n", escape_attribute(&bodies::model_name(mechanism))),
     );
-    bodies.append_links(mechanism, &mut out);
+    bodies.append_links(mechanism, &shapes.lines, &mut out);
     out.push_str(&joints);
     out.push_str(&closures);
     out.push_str("  </model>\n</sdf>\n");
@@ -63,6 +73,7 @@ pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, SdfE
         Change::lost("contact", contact.name(), "the contact", "SDFormat has no named contacts")
     }));
     changes.extend(lost_roles(mechanism, "SDFormat"));
+    changes.extend(lost_poses(&parts, "SDFormat"));
     changes.extend(changed_names(mechanism));
     Ok(ModelText { text: out, changes })
 }

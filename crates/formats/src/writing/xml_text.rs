@@ -5,16 +5,11 @@ use percuss_mechanism::Mechanism;
 use percuss_spatial::{Transform, Vector3};
 use std::fmt::Write;
 
-/// First lines of a file: the heading as a comment, none if empty, and a comment for each named contact, which the format
-/// cannot express.
-pub(crate) fn xml_head(heading: &str, mechanism: &Mechanism, format: &str) -> String {
+/// First lines of a file, with the heading as a comment, none if empty.
+pub(crate) fn xml_head(heading: &str) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     if !heading.is_empty() {
         append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
-    }
-    for contact in mechanism.contacts() {
-        let name = escape_comment(contact.name());
-        append(&mut out, format_args!("<!-- contact {name}: not expressed in {format} -->\n"));
     }
     out
 }

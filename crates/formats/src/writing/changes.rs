@@ -1,5 +1,6 @@
 //! Changes by a conversion: parts of a mechanism that have another form in the written file, or none.
 
+use crate::writing::parts::ModelParts;
 use percuss_mechanism::Mechanism;
 use std::fmt;
 
@@ -92,6 +93,12 @@ pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     with_role.map(loss).collect()
 }
 
+/// Lost named poses of a format without poses.
+pub(crate) fn lost_poses<'a>(parts: &'a ModelParts<'_>, format: &'a str) -> impl Iterator<Item = Change> + 'a {
+    let reason = move || format!("{format} has no named poses");
+    parts.poses.iter().map(move |(name, _)| Change::lost("pose", name, "the named pose", reason()))
+}
+
 /// Changes of names with characters that XML forbids.
 pub(crate) fn changed_names(mechanism: &Mechanism) -> Vec<Change> {
     let links = mechanism.links().iter().map(|link| ("link", link.name()));
@@ -100,7 +107,7 @@ pub(crate) fn changed_names(mechanism: &Mechanism) -> Vec<Change> {
     let couplings = mechanism.couplings().iter().map(|coupling| ("coupling", coupling.name()));
     let contacts = mechanism.contacts().iter().map(|contact| ("contact", contact.name()));
     let names = links.chain(joints).chain(closures).chain(couplings).chain(contacts);
-    let is_changed = |(_, name): &(&str, &str)| name.chars().any(crate::xml_text::is_forbidden);
+    let is_changed = |(_, name): &(&str, &str)| name.chars().any(crate::writing::xml_text::is_forbidden);
     let change = |(kind, name)| {
         Change::changed(kind, name, "characters of its name become U+FFFD", "XML forbids control characters")
     };

@@ -1,0 +1,94 @@
+//! Shapes of links as visuals and collisions.
+
+use super::bodies::{Bodies, Form, path_pose, pose_text};
+use crate::reading::unique_names::UniqueNames;
+use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::writing::changes::Change;
+use crate::writing::parts::{ModelParts, has_extent};
+use crate::writing::xml_text::{escape_attribute, format_number, format_vector};
+use percuss_mechanism::{LinkId, Mechanism};
+use percuss_spatial::{Transform, Vector3};
+
+/// Shapes as lines of the file.
+pub(super) struct ShapeLines {
+    /// Lines within each link.
+    pub lines: Vec<String>,
+    /// True if a shape is a capsule, which SDFormat has from version 1.8 on.
+    pub has_capsules: bool,
+}
+
+/// Writes the shapes of all links; those of a frame belong to the link that supports it.
+pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> ShapeLines {
+    let mechanism = parts.mechanism;
+    let mut written = ShapeLines { lines: vec![String::new(); mechanism.links().len()], has_capsules: false };
+    let mut names: Vec<UniqueNames> = Vec::new();
+    names.resize_with(mechanism.links().len(), UniqueNames::default);
+    for (link, shapes) in mechanism.link_ids().zip(parts.shapes) {
+        for shape in shapes {
+            let line = holder(mechanism, bodies, link).and_then(|holder| {
+                let name = names[holder.index()].take(shape.purpose.name().to_owned());
+                let frame = path_pose(mechanism, holder, link) * shape.frame;
+                Ok((holder, shape_element(parts, shape, &name, &frame)?))
+            });
+            match line {
+                Ok((holder, line)) => {
+                    written.lines[holder.index()].push_str(&line);
+                    written.has_capsules |= matches!(shape.solid, Solid::Capsule { .. });
+                }
+                Err(reason) => {
+                    let what = format!("a shape ({})", shape.purpose.name());
+                    bodies.changes.push(Change::lost("link", mechanism.link(link).name(), what, reason));
+                }
+            }
+        }
+    }
+    written
+}
+
+/// Link of the file for the shapes of a link; the error is the reason for their loss.
+fn holder(mechanism: &Mechanism, bodies: &Bodies, mut link: LinkId) -> Result<LinkId, String> {
+    loop {
+        match (&bodies.forms[link.index()], mechanism.parent_joint(link)) {
+            (Form::Link, _) => return Ok(link),
+            (Form::Frame, Some(joint)) => link = mechanism.joint(joint).parent(),
+            (Form::Merged, _) => return Err("its link is within a joint".to_owned()),
+            (Form::World | Form::Frame, _) => return Err("the world of SDFormat has no shapes".to_owned()),
+        }
+    }
+}
+
+/// `<visual>` or `<collision>`; the error is the reason for the loss of the shape.
+fn shape_element(
+    parts: &ModelParts<'_>,
+    shape: &Shape,
+    name: &str,
+    frame: &Transform<f64>,
+) -> Result<String, String> {
+    if !has_extent(&shape.solid) {
+        return Err("SDFormat has no shapes with a length of 0".to_owned());
+    }
+    let round = |tag: &str, radius: f64, length: f64| {
+        let (radius, length) = (format_number(radius), format_number(length));
+        format!("<{tag}><radius>{radius}</radius><length>{length}</length></{tag}>")
+    };
+    let geometry = match &shape.solid {
+        Solid::Box { size } => format!("<box><size>{}</size></box>", format_vector(&Vector3::from(*size))),
+        Solid::Sphere { radius } => format!("<sphere><radius>{}</radius></sphere>", format_number(*radius)),
+        Solid::Cylinder { radius, length } => round("cylinder", *radius, *length),
+        Solid::Capsule { radius, length } => round("capsule", *radius, *length),
+        Solid::Mesh { file, scale } => {
+            let uri = escape_attribute(&(parts.find_mesh)(file)?.name);
+            let scale = match scale {
+                [1.0, 1.0, 1.0] => String::new(),
+                factors => format!("<scale>{}</scale>", format_vector(&Vector3::from(*factors))),
+            };
+            format!("<mesh><uri>{uri}</uri>{scale}</mesh>")
+        }
+    };
+    let tag = shape.purpose.name();
+    let pose = match *frame == Transform::identity() {
+        true => String::new(),
+        false => format!("<pose>{}</pose>", pose_text(frame)),
+    };
+    Ok(format!("      <{tag} name=\"{name}\">{pose}<geometry>{geometry}</geometry></{tag}>\n"))
+}

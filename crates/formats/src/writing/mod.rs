@@ -1,0 +1,6 @@
+//! Parts that the writers of all formats share.
+
+pub(crate) mod changes;
+pub(crate) mod parts;
+pub(crate) mod state;
+pub(crate) mod xml_text;
