@@ -1,41 +1,44 @@
-"""Published MJCF models, compared with MuJoCo as in mjcf.py: models of the packages gymnasium and mujoco, or of given folders.
+"""Published models in MJCF compared with MuJoCo, as in mjcf.py: every model that both programs read gives the same effective mass at
+random contacts, is refused by percuss by name, or is in the ledger (mjcf_models.json) with a reason.
 
-    mjcf_models.py --percuss PATH                    the models of the packages; prints `N passed, N failed`
-    mjcf_models.py --percuss PATH --folder FOLDER... all .xml files below, for example a checkout of mujoco, of menagerie or the wheels of
-                                                     dm_control, robosuite and metaworld
+    mjcf_models.py --percuss PATH                    the models of the packages gymnasium and mujoco, as in the gate
+    mjcf_models.py --percuss PATH --folder FOLDER... all models below, for example clones of mujoco or menagerie
+    mjcf_models.py --percuss PATH --install FOLDER   packages with many models (dm_control, gymnasium-robotics), installed there
+
+Prints one line for each model that deviates or fails, the counts of the outcomes, and `N passed, N failed`.
 """
 
 import argparse
 import collections
+import concurrent.futures
 import importlib.util
+import json
+import os
 import pathlib
+import re
+import subprocess
 import sys
 
 import numpy as np
 
 from mjcf import MESH_TOLERANCE, TOLERANCE, Peer, compare_file, run
 
-CONTACTS = 4
-# MuJoCo's own models with more coordinates than this take minutes.
+# Packages of --install; the versions for which the ledger holds.
+PACKAGES = ["dm_control==1.0.50", "gymnasium==1.4.0", "gymnasium-robotics==1.4.2"]
+# Models with more coordinates than this take minutes.
 MOST_COORDINATES = 120
-# Known differences and refusals: end of the path of the model, and reason.
-KNOWN = {
-    "user/testdata/dzhanibekov.xml": "align: MuJoCo moves the frame of the free body to its centre of mass",
-    "user/testdata/freejoint.xml": "alignfree: MuJoCo moves the frame of the free body to its centre of mass",
-}
-# Words in the messages of expected refusals, and reasons: no rigid mechanism, or an inertia that only MuJoCo's code can compute.
-REFUSALS = {
-    "deformable bodies": "flex",
-    "armature of a spatial tendon": "armature of a spatial tendon",
-    "builtin": "mesh that MuJoCo makes itself",
-    "sdf": "geom by a plugin",
-    "OBJ file": "mesh without triangles",
-    "MSH file": "mesh of Gmsh",
-    "radius of gyration": "inertia that no body of this size has",
-    "A + B": "inertia that no body has",
-}
-# Expected numbers of outcomes of the models of the packages.
-EXPECTED = {"compared": 15, "no motion": 1}
+# Codes and words of refusals that name an element or a value without a form in a mechanism.
+CODES = {"unsupported", "implausible-inertia", "bad-mesh", "no-worldbody", "too-complex", "indefinite-inertia"}
+WORDS = re.compile("unsupported|not read|not computed|no such|belongs to|refuse|deformable|replicate")
+# Expected numbers of outcomes of the models of the packages in the gate.
+EXPECTED = {"equal": 15, "without motion": 1}
+FAILURES = {"deviates", "no result", "refused", "out of reach", "singular"}
+
+
+def install(folder):
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--upgrade", "--target", str(folder), *PACKAGES]
+    subprocess.run(command, check=True)
+    return folder
 
 
 def package_folders():
@@ -43,57 +46,78 @@ def package_folders():
         yield pathlib.Path(importlib.util.find_spec(name).origin).parent
 
 
-def outcome(percuss, path):
+def models(folder):
+    """MJCF files of a folder; parts that other files include have another root or no world."""
+    for path in sorted(folder.rglob("*.xml")):
+        try:
+            text = path.read_text(errors="replace")
+        except OSError:
+            continue
+        if re.search(r"<mujoco[\s>]", text) and "<worldbody" in text:
+            yield path
+
+
+def outcome(percuss, path, contacts):
     """Outcome: (kind, text)."""
-    head = path.read_text(errors="replace")
-    if "<mujoco" not in head or "<mujocoinclude" in head:
-        return "no model", ""
-    checked = run(percuss, "check", str(path))
     try:
         peer = Peer(path)
-    except ValueError as error:
-        kind = "refused by MuJoCo alone" if checked.returncode == 0 else "refused by both"
-        return kind, str(error).splitlines()[0]
-    known = next((reason for end, reason in KNOWN.items() if str(path).endswith(end)), None)
-    if known:
-        return "known", known
+    except (ValueError, RuntimeError, UnicodeDecodeError) as error:
+        return "refused by MuJoCo", str(error).splitlines()[0]
     if peer.model.nv == 0 or not peer.contact_links():
-        return "no motion", ""
+        return "without motion", ""
     if peer.model.nv > MOST_COORDINATES:
         return "large", f"{peer.model.nv} coordinates"
-    answer = compare_file(percuss, str(path), np.random.default_rng(0), CONTACTS, peer=peer)
+    check = run(percuss, "check", str(path), "--format", "json")
+    if check.returncode:
+        # Codes are at the ends of the errors.
+        words = " ".join(check.stderr.split())
+        code = re.search(r"error: .*?\[([a-z-]+)\]", words)
+        is_named = (code and code[1] in CODES) or WORDS.search(words)
+        return ("refused by name" if is_named else "refused"), words[words.find("error:") :][:200]
+    try:
+        answer = compare_file(percuss, str(path), np.random.default_rng(0), contacts, peer=peer)
+    except np.linalg.LinAlgError:
+        return "singular", "the reduced mass matrix of MuJoCo"
+    except (ValueError, KeyError) as error:
+        return "no result", f"{type(error).__name__}: {error}"
     if isinstance(answer, str):
-        text = " ".join(checked.stderr.split())
-        reason = next((reason for words, reason in REFUSALS.items() if words in text), None)
-        return ("refused", reason) if reason else ("failed", text[-300:])
+        return "no result", answer
     deviations, unreachable = answer
     if not deviations:
         return "out of reach", f"{unreachable} poses"
     worst = max(deviation for deviation, _ in deviations)
     limit = MESH_TOLERANCE if peer.uses_mesh() else TOLERANCE
-    return ("compared" if worst <= limit else "failed"), f"{worst:.1e}"
+    return ("equal" if worst <= limit else "deviates"), f"{worst:.1e}"
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--percuss", required=True)
-    parser.add_argument("--folder", nargs="*", type=pathlib.Path)
+    parser.add_argument("--folder", nargs="*", type=pathlib.Path, default=[])
+    parser.add_argument("--install", type=pathlib.Path)
+    parser.add_argument("--contacts", type=int, default=4, help="random contacts and poses for each model")
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
+    ledger = json.loads(pathlib.Path(__file__).with_suffix(".json").read_text())
+    folders = [*options.folder, *([install(options.install)] if options.install else [])]
     counts, failures = collections.Counter(), []
-    for folder in options.folder or package_folders():
-        for path in sorted(folder.rglob("*.xml")):
-            kind, text = outcome(options.percuss, path)
-            counts[kind] += 1
-            if options.verbose:
-                print(f"{kind:24} {path.relative_to(folder)} {text}")
-            if kind == "failed":
-                failures.append(f"{path.relative_to(folder)}: {text}")
-    if not options.folder and dict(counts) != EXPECTED:
+    for folder in folders or package_folders():
+        paths = list(models(folder))
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = pool.map(lambda path: outcome(options.percuss, path, options.contacts), paths)
+            for path, (kind, text) in zip(paths, results):
+                name = path.relative_to(folder).as_posix()
+                is_known = any(name.endswith(entry["model"]) and entry["outcome"] == kind for entry in ledger)
+                counts[f"{kind} (ledger)" if is_known else kind] += 1
+                if options.verbose or kind == "refused by name":
+                    print(f"{kind:18} {name} {text}", flush=True)
+                if kind in FAILURES and not is_known:
+                    failures.append(f"{name}: {kind}: {text}")
+    if not folders and dict(counts) != EXPECTED:
         failures.append(f"{dict(counts)}, expected {EXPECTED}")
     print("\n".join(failures))
     print(f"models of MJCF: {dict(counts)}")
-    print(f"{counts['compared'] + counts['known']} passed, {len(failures)} failed")
+    print(f"{sum(counts.values()) - len(failures)} passed, {len(failures)} failed")
     sys.exit(bool(failures))
 
 

@@ -42,9 +42,7 @@ mod writing;
 pub use load::{load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
-pub use mjcf::write::{
-    ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact,
-};
+pub use mjcf::write::{ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::report::NOT_READ;
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};

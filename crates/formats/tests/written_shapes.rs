@@ -56,7 +56,8 @@ fn from_other_folder(name: &str) -> Result<MeshFile, String> {
 }
 
 fn reread(name: &str, text: &str) -> Loaded {
-    load(&Source::from_text(name, text), &LoadOptions::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    load(&Source::from_text(name, text), &LoadOptions::default())
+        .unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// Compares shapes that were written with the frame `in_holder` of their link in the link of the file.
@@ -106,7 +107,10 @@ fn shapes_are_written_and_read_back() {
 
         let mjcf = write_mjcf(parts, "").unwrap();
         // The massless link between two hinges has no body.
-        assert_eq!(lost(&mjcf.changes), vec!["link \"wrist\": its link has no body of its own in MJCF"; wrist.len()]);
+        assert_eq!(
+            lost(&mjcf.changes),
+            vec!["link \"wrist\": its link has no body of its own in MJCF"; wrist.len()]
+        );
         let loaded = reread("written/arm.xml", &mjcf.text);
         let after = |link: &str| &loaded.shapes[loaded.mechanism.find_link(link).unwrap().index()];
         for (link, before) in [("base", base), ("upper", upper), ("mount", mount), ("hand", hand)] {
@@ -141,7 +145,8 @@ fn shapes_are_written_and_read_back() {
 #[test]
 fn bodies_that_are_joined_do_not_touch() {
     let mechanism = load_text(ARM).unwrap().mechanism;
-    let ball = |purpose| Shape { purpose, solid: Solid::Sphere { radius: 1.0 }, frame: Transform::identity() };
+    let ball =
+        |purpose| Shape { purpose, solid: Solid::Sphere { radius: 1.0 }, frame: Transform::identity() };
     let shapes = vec![vec![ball(Purpose::Collision)]; 5];
     let parts = ModelParts { shapes: &shapes, ..ModelParts::from(&mechanism) };
     let text = write_mjcf(parts, "").unwrap().text;

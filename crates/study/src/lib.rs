@@ -33,7 +33,9 @@ pub use checks::response_findings::{matrix_findings, pose_findings, response_fin
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::export_report::ExportReport;
-pub use damper::exported_impact::{ExportedImpact, ImpactExportError, ImpactFile, export_impact, export_stop};
+pub use damper::exported_impact::{
+    ExportedImpact, ImpactExportError, ImpactFile, export_impact, export_stop,
+};
 pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;

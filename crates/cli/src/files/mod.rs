@@ -2,9 +2,9 @@
 
 pub(crate) mod csv;
 pub(crate) mod html;
+pub(crate) mod mesh_names;
 #[cfg(not(feature = "tables"))]
 mod no_tables;
-pub(crate) mod mesh_names;
 pub(crate) mod output;
 pub(crate) mod own_files;
 #[cfg(feature = "tables")]

@@ -175,21 +175,14 @@ fn parts_that_are_not_read_are_reported() {
         (
             "a.xml",
             mjcf,
-            [
-                "damping of <joint>",
-                "stiffness of <joint>",
-                "<camera>",
-                "<sensor>",
-                "timestep of <option>",
-            ]
-            .as_slice(),
+            ["damping of <joint>", "stiffness of <joint>", "<camera>", "<sensor>", "timestep of <option>"]
+                .as_slice(),
         ),
         ("a.sdf", sdf, ["<sensor> in <link>", "<dynamics> in <axis>"].as_slice()),
         (
             "a.urdf",
             urdf,
-            ["damping of <dynamics>", "<transmission> in <robot>", "unknown element <cable>"]
-                .as_slice(),
+            ["damping of <dynamics>", "<transmission> in <robot>", "unknown element <cable>"].as_slice(),
         ),
     ] {
         let (file, output) = (folder.path(name), folder.path("out.urdf"));

@@ -1,6 +1,6 @@
 //! `percuss convert`, and MJCF or SDFormat in place of a URDF.
 
-use crate::support::{Outcome, Scratch, percuss, percuss_with_stdin};
+use crate::support::{Outcome, Scratch, json, percuss, percuss_with_stdin};
 use serde_json::Value;
 
 /// Models with a contact, and a driving joint.
@@ -62,6 +62,62 @@ fn convert_and_compare(ending: &str, format: &str) -> usize {
         written += 1;
     }
     written
+}
+
+/// Shapes, a mesh among them, give the same map in every format, from a file in another folder.
+#[test]
+fn shapes_keep_their_map() {
+    let folder = Scratch::new("convert-shapes");
+    let map = |file: &str, of_file: &str| {
+        let report =
+            json(&format!("map {file} --link {of_file} --set shoulder=-40deg --edge 4cm --format json"));
+        let link = &report["links"][0];
+        let masses = ["smallest", "largest"].map(|end| link[end]["effective_mass"].as_f64().expect("a mass"));
+        (link["finite"].as_u64().expect("a count"), masses)
+    };
+    for ending in ["xml", "sdf", "urdf"] {
+        let file = folder.path(&format!("arm.{ending}"));
+        let report = json(&format!("convert models/shaped_arm.urdf -o {file} --format json"));
+        let changes = report["changes"].as_array().expect("changes");
+        assert!(changes.iter().all(|change| !change["what"].to_string().contains("shape")), "{changes:#?}");
+        for link in ["upper_arm", "forearm", "finger"] {
+            let (count, before) = map("models/shaped_arm.urdf", link);
+            let (after_count, after) = map(&file, link);
+            assert_eq!(count, after_count, "{ending} {link}");
+            for (one, two) in before.iter().zip(after) {
+                // Roundings of the frames of the shapes.
+                assert!((one / two - 1.0).abs() < 1e-12, "{ending} {link}: {one} {two}");
+            }
+        }
+    }
+    let text = std::fs::read_to_string(folder.path("arm.xml")).expect("a file");
+    assert!(text.contains("models/meshes/finger.obj\""), "{text}");
+}
+
+/// `percuss export` without a contact writes the mechanism in every format, and refuses an impact in formats without positions.
+#[test]
+fn export_without_a_contact_writes_the_mechanism() {
+    let folder = Scratch::new("export-mechanism");
+    for ending in ["xml", "sdf", "urdf"] {
+        let [exported, converted] = ["one", "two"].map(|name| folder.path(&format!("{name}.{ending}")));
+        assert_eq!(percuss(&format!("export models/four_bar.urdf -o {exported}")).code, 0);
+        assert_eq!(percuss(&format!("convert models/four_bar.urdf -o {converted}")).code, 0);
+        let text = |file: &str| std::fs::read_to_string(file).expect("a file");
+        assert_eq!(text(&exported), text(&converted));
+    }
+    let contact = "--link coupler --point 0.2,0,0 --normal 1,0,0 --restitution 0.3 --stiffness 1e6";
+    for (ending, format) in [("sdf", "SDFormat"), ("urdf", "URDF")] {
+        let refused = percuss(&format!(
+            "export models/four_bar.urdf {contact} -o {}",
+            folder.path(&format!("x.{ending}"))
+        ));
+        assert_eq!(refused.code, 2);
+        assert!(
+            refused.stderr.contains(&format!("{format} cannot store the positions")),
+            "{}",
+            refused.stderr
+        );
+    }
 }
 
 const PENDULUM: &str = r#"<mujoco><worldbody><body name="rod"><joint name="hinge" axis="0 1 0"/>

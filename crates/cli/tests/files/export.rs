@@ -71,7 +71,7 @@ fn conditions_without_a_form_are_refused() {
         ("--lock crank_pin", "--lock"),
         ("--against-mass 2", "--against-mass"),
         ("--for mujoco", "--for"),
-        ("--to sdf", "percuss convert model -o file.sdf"),
+        ("--to sdf", "percuss export model -o file.sdf"),
         ("--to urdf", "cannot store the positions and velocities of joints"),
         ("--limit crank_hinge", "--limit"),
         ("--exponent 1.5", "mujoco"),

@@ -5,8 +5,8 @@ use crate::writing::changes::{Change, ModelText, changed_names, lost_poses};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
-    Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
-    Mechanism, NamedContact,
+    Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio,
+    LoopFrame, Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;

@@ -94,7 +94,10 @@ pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
 }
 
 /// Lost named poses of a format without poses.
-pub(crate) fn lost_poses<'a>(parts: &'a ModelParts<'_>, format: &'a str) -> impl Iterator<Item = Change> + 'a {
+pub(crate) fn lost_poses<'a>(
+    parts: &'a ModelParts<'_>,
+    format: &'a str,
+) -> impl Iterator<Item = Change> + 'a {
     let reason = move || format!("{format} has no named poses");
     parts.poses.iter().map(move |(name, _)| Change::lost("pose", name, "the named pose", reason()))
 }

@@ -3,4 +3,5 @@
 pub(crate) mod changes;
 pub(crate) mod parts;
 pub(crate) mod state;
+pub(crate) mod structure;
 pub(crate) mod xml_text;

@@ -1,8 +1,7 @@
-//! Parts that the writers of models share: numbers, names and comments as text of XML files, and the poses as drawn.
+//! Numbers, names and comments as text of XML files.
 
 use crate::reading::limits::DECIMAL_NOTATION_RANGE;
-use percuss_mechanism::Mechanism;
-use percuss_spatial::{Transform, Vector3};
+use percuss_spatial::Vector3;
 use std::fmt::Write;
 
 /// First lines of a file, with the heading as a comment, none if empty.
@@ -12,17 +11,6 @@ pub(crate) fn xml_head(heading: &str) -> String {
         append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
     }
     out
-}
-
-/// World poses of all links as drawn, in the order of the links; the root link is at the world's origin.
-pub(crate) fn drawn_poses(mechanism: &Mechanism) -> Vec<Transform<f64>> {
-    let mut poses = vec![Transform::identity(); mechanism.links().len()];
-    for &link in mechanism.order().iter().skip(1) {
-        if let Some(joint) = mechanism.parent_joint(link).map(|joint| mechanism.joint(joint)) {
-            poses[link.index()] = poses[joint.parent().index()] * *joint.origin();
-        }
-    }
-    poses
 }
 
 /// Appends formatted text.

@@ -103,6 +103,34 @@ fn links_that_mujoco_refuses_are_named() {
         .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"));
     let error = write_mjcf(&flat.build().unwrap().mechanism, "").unwrap_err();
     assert!(error.to_string().contains("A + B < C"), "{error}");
+    // Such moments have no effect on a link at rest, and are refused on a link that is fixed to a moving one.
+    for (kind, at_rest) in [(JointKind::Fixed, true), (JointKind::Continuous, false)] {
+        let arm = Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
+        let mechanism = MechanismBuilder::new("m")
+            .link(LinkDescription::massless("ground"))
+            .link(LinkDescription::new("arm", arm))
+            .link(LinkDescription::new("disc", Inertial::diagonal(1.0, [0.0; 3], [1.0, 1.0, 4.0])))
+            .joint(JointDescription::new("first", kind, "ground", "arm"))
+            .joint(JointDescription::new("second", JointKind::Fixed, "arm", "disc"))
+            .build()
+            .unwrap()
+            .mechanism;
+        match write_mjcf(&mechanism, "") {
+            Ok(file) => assert!(at_rest && file.changes.iter().any(|change| change.what == "its inertia")),
+            Err(error) => assert!(!at_rest && error.element == "link \"disc\"", "{error}"),
+        }
+    }
+}
+
+#[test]
+fn small_moments_are_written_as_principal_moments() {
+    // MuJoCo's decomposition of a matrix permits no eigenvalue below 1e-12.
+    let small = MechanismBuilder::new("m")
+        .link(LinkDescription::massless("ground"))
+        .link(LinkDescription::new("tip", Inertial::diagonal(1e-4, [0.0; 3], [1e-13; 3])))
+        .joint(JointDescription::new("slide", JointKind::Prismatic, "ground", "tip").axis([1.0, 0.0, 0.0]));
+    let text = written(&small.build().unwrap().mechanism);
+    assert!(text.contains(" diaginertia=") && !text.contains("fullinertia"), "{text}");
 }
 
 #[test]

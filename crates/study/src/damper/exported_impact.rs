@@ -23,8 +23,8 @@ use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{
-    Change, Effect, FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelParts,
-    ModelText, write_mjcf_impact,
+    Change, Effect, FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact,
+    ModelParts, ModelText, write_mjcf_impact,
 };
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
@@ -292,8 +292,9 @@ fn unreached_finding(
     // The factor covers the rounding of the accuracy minus the shift.
     (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
         let message = format!(
-            "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the effective mass changes \
-             over the penetration; a slower impact or a stiffer contact reduces the difference",
+            "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the mechanism moves during the \
+             contact: the effective mass changes, and the contact point accelerates along the normal; a slower impact or a stiffer contact \
+             reduces the difference",
             predicted.restitution,
             bound - (predicted.restitution - required).abs()
         );

@@ -122,7 +122,6 @@ pub fn changes(model: &Model, written: Vec<Change>) -> (Vec<ChangeRecord>, Vec<D
         let what = "springs, dampers, and data of the wheels and the vehicle".to_owned();
         lost("the sheet".to_owned(), what, "no part of a mechanism")
     });
-    let changes =
-        of_reader.chain(forces).chain(written.into_iter().map(Into::into));
+    let changes = of_reader.chain(forces).chain(written.into_iter().map(Into::into));
     (changes.collect(), diagnostics)
 }

@@ -1,9 +1,11 @@
 //! Named poses of a model as states at rest.
 
 use crate::model::loading::Model;
-use percuss_dynamics::{AssemblyError, Conditions, Configuration, System};
+use percuss_dynamics::{Conditions, Configuration, System};
 use percuss_formats::{Change, Effect, MechanismState, NamedPose};
 use percuss_spatial::Twist;
+use std::error::Error;
+use std::sync::Arc;
 
 /// State at rest of each named pose, and the lost poses. A pose is lost if its loops cannot be closed.
 pub fn named_states(model: &Model) -> (Vec<(String, MechanismState)>, Vec<Change>) {
@@ -23,10 +25,10 @@ pub fn named_states(model: &Model) -> (Vec<(String, MechanismState)>, Vec<Change
 }
 
 /// State at rest at a named pose, with closed loops.
-fn state_at(model: &Model, pose: &NamedPose) -> Result<MechanismState, AssemblyError> {
+fn state_at(model: &Model, pose: &NamedPose) -> Result<MechanismState, Box<dyn Error>> {
     let mechanism = &model.mechanism;
     let configuration = Configuration::from_positions(mechanism, &pose.all_positions(mechanism))?;
-    let pose = System::new(mechanism, &Conditions::default())?.pose(&configuration)?;
+    let pose = System::new(Arc::clone(mechanism), &Conditions::default())?.pose(&configuration)?;
     let of_joints = mechanism.joint_ids();
     Ok(MechanismState {
         positions: of_joints.map(|joint| pose.joint(joint).to_vec()).collect(),

@@ -84,9 +84,7 @@ fn write_model(
         Failure::bad_input(format!("the model cannot be written as {format}: {error}"))
     };
     let mut written = match format {
-        ModelFormat::Mjcf => {
-            write_mjcf(parts, heading).map_err(|error| refuse("MJCF", error.to_string()))?
-        }
+        ModelFormat::Mjcf => write_mjcf(parts, heading).map_err(|error| refuse("MJCF", error.to_string()))?,
         ModelFormat::Sdf => {
             write_sdf(parts, heading).map_err(|error| refuse("SDFormat", error.to_string()))?
         }

@@ -3,7 +3,7 @@
 use super::error::MjcfError;
 use super::rotors::{Rotor, rotor_inertial};
 use crate::writing::changes::Change;
-use crate::writing::xml_text::drawn_poses;
+use crate::writing::structure::{drawn_poses, held_links, is_massless, links_at_rest};
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
@@ -20,6 +20,8 @@ const RELATIVE_MOMENT: f64 = 1e-13;
 const RAISED_MOMENT: f64 = 2.0 * LEAST_INERTIA;
 /// Least moment of a body that is written by its inertia matrix, relative to the largest moment.
 const THIN_ROD: f64 = 1e-9;
+/// Least moment of a body that is written by its inertia matrix, kg·m²: ten times the rounding that MuJoCo's decomposition permits.
+const LEAST_DECOMPOSED: f64 = 1e-11;
 /// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
 const TRIANGLE_SLACK: f64 = 1e-12;
 
@@ -114,14 +116,12 @@ impl BodyTree {
             root_is_world: mechanism.link(root).name() == "world",
             only_limit: None,
         };
+        let at_rest = links_at_rest(mechanism);
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
-            if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
-                continue;
-            }
+            let name = mechanism.link(link).name();
             if let (Some(Rotor::Body), [joint]) = (tree.rotors[link.index()], &chain[..]) {
                 tree.inertials[link.index()] = Some(rotor_inertial(mechanism.joint(*joint)));
-                let name = mechanism.link(link).name();
                 tree.changes.push(Change::changed(
                     "link",
                     name,
@@ -130,11 +130,21 @@ impl BodyTree {
                 ));
                 continue;
             }
-            check_body(mechanism, link, chain)?;
-            if let Some(inertial) = &mut tree.inertials[link.index()]
+            let refused = check_body(mechanism, link, chain).and_then(|()| check_moments(mechanism, link));
+            if at_rest[link.index()] {
+                if refused.is_err() {
+                    tree.inertials[link.index()] = None;
+                    let reason = "MuJoCo refuses moments with A + B < C, and the link cannot move";
+                    tree.changes.push(Change::lost("link", name, "its inertia", reason));
+                }
+                continue;
+            }
+            refused?;
+            // A link that is fixed to a moving one may have moments of 0.
+            let moves = chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0);
+            if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| moves)
                 && let Some(least) = raise_moments(inertial, mechanism.characteristic_length())
             {
-                let name = mechanism.link(link).name();
                 tree.changes.push(Change::changed(
                     "link",
                     name,
@@ -378,24 +388,7 @@ fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
     merged
 }
 
-/// Per link: true if it is at an end of a closure.
-fn held_links(mechanism: &Mechanism) -> Vec<bool> {
-    let mut held = vec![false; mechanism.links().len()];
-    for frame in mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()])
-    {
-        if let Some(link) = frame.link {
-            held[link.index()] = true;
-        }
-    }
-    held
-}
-
-/// True for a link without mass and inertia.
-fn is_massless(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0 && i.about_com == Matrix3::zeros())
-}
-
-/// Refuses a body that MuJoCo refuses.
+/// Refuses the joints and the mass of a body that MuJoCo refuses.
 fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<(), MjcfError> {
     let name = mechanism.link(link).name();
     let kinds = || chain.iter().map(|id| mechanism.joint(*id).kind());
@@ -412,27 +405,28 @@ fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<
         let reason = "MuJoCo allows no rotation after a ball joint without a mass between them";
         return Err(MjcfError::new("link", name, reason));
     }
-    let (mass, moments) = match mechanism.link(link).inertial() {
-        Some(inertial) => {
-            let moments = inertial.about_com.symmetric_eigenvalues();
-            (inertial.mass, [moments[0], moments[1], moments[2]])
-        }
-        None => (0.0, [0.0; 3]),
-    };
-    if mass < LEAST_INERTIA {
+    let mass = mechanism.link(link).inertial().map_or(0.0, |inertial| inertial.mass);
+    if !moving.is_empty() && mass < LEAST_INERTIA {
         let reason = format!(
             "MuJoCo refuses a moving body without mass ({mass} kg), and a small mass would be another mechanism; give the link a mass, or \
              join it to another by a fixed joint"
         );
         return Err(MjcfError::new("link", name, reason));
     }
-    let (sum, largest) = (moments.iter().sum::<f64>(), moments.iter().copied().fold(0.0, f64::max));
+    Ok(())
+}
+
+/// Refuses moments that no body has.
+fn check_moments(mechanism: &Mechanism, link: LinkId) -> Result<(), MjcfError> {
+    let Some(inertial) = mechanism.link(link).inertial() else { return Ok(()) };
+    let moments = inertial.about_com.symmetric_eigenvalues();
+    let (sum, largest) = (moments.sum(), moments.max());
     if sum - largest < largest * (1.0 - TRIANGLE_SLACK) {
         let reason = format!(
             "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia",
             moments[0], moments[1], moments[2]
         );
-        return Err(MjcfError::new("link", name, reason));
+        return Err(MjcfError::new("link", mechanism.link(link).name(), reason));
     }
     Ok(())
 }
@@ -453,8 +447,8 @@ fn raise_moments(inertial: &mut Inertial, size: f64) -> Option<f64> {
     Some(least)
 }
 
-/// `<inertial>` with a share of the mass and inertia. A thin rod is written by its principal moments: MuJoCo's own decomposition may give a
-/// negative one.
+/// `<inertial>` with a share of the mass and inertia. A thin rod and small moments are written by the principal moments: MuJoCo's own
+/// decomposition may give a negative one.
 pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
     let i = inertial.about_com * share;
     let head = format!(
@@ -463,7 +457,7 @@ pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
         format_number(inertial.mass * share)
     );
     let principal = i.symmetric_eigen();
-    if principal.eigenvalues.min() > THIN_ROD * principal.eigenvalues.max() {
+    if principal.eigenvalues.min() > LEAST_DECOMPOSED.max(THIN_ROD * principal.eigenvalues.max()) {
         let moments = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| format_number(i[at]));
         return format!("{head} fullinertia=\"{}\"/>", moments.join(" "));
     }

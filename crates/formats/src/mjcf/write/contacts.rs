@@ -1,8 +1,8 @@
 //! Named contacts as sites: the z-axis of a site is the normal with all joints at 0.
 
 use super::body_tree::{BodyTree, pose_attributes};
-use crate::writing::changes::Change;
 use crate::mjcf::values::orientation::rotation_to_z;
+use crate::writing::changes::Change;
 use crate::writing::xml_text::escape_attribute;
 use percuss_mechanism::{ContactKind, ContactNormal, Mechanism, NamedContact};
 use percuss_spatial::Transform;

@@ -6,8 +6,9 @@ use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 use crate::writing::changes::Change;
 use crate::writing::parts::{ModelParts, has_extent};
+use crate::writing::structure::links_at_rest;
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
-use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Vector3;
 use std::collections::{BTreeSet, HashMap};
 
@@ -140,10 +141,9 @@ impl Assets {
 
 /// Elements `<exclude>` for the bodies that a loop joins, and for those on bodies at rest: MuJoCo itself excludes other neighbours.
 fn excluded_pairs(mechanism: &Mechanism, tree: &BodyTree, with_collisions: &[bool]) -> String {
-    let mut at_rest = vec![false; mechanism.links().len()];
+    let at_rest = links_at_rest(mechanism);
     let mut pairs = BTreeSet::new();
     let root = mechanism.root();
-    at_rest[root.index()] = true;
     let mut exclude = |one: LinkId, other: LinkId| {
         if one != other && with_collisions[one.index()] && with_collisions[other.index()] {
             pairs.insert((one.index().min(other.index()), one.index().max(other.index())));
@@ -151,9 +151,7 @@ fn excluded_pairs(mechanism: &Mechanism, tree: &BodyTree, with_collisions: &[boo
     };
     for &link in mechanism.order() {
         let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id)) else { continue };
-        let parent = joint.parent();
-        at_rest[link.index()] = at_rest[parent.index()] && joint.kind() == JointKind::Fixed;
-        let mut above = parent;
+        let mut above = joint.parent();
         while !tree.has_body(above)
             && let Some(id) = mechanism.parent_joint(above)
         {

@@ -1,9 +1,9 @@
 //! Links of the file: links with a body, frames, and links that are a part of a joint.
 
 use super::error::SdfError;
-use crate::writing::changes::Change;
 use crate::reading::unique_names::UniqueNames;
-use crate::writing::xml_text::drawn_poses;
+use crate::writing::changes::Change;
+use crate::writing::structure::{drawn_poses, held_links, is_massless, links_at_rest};
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
@@ -240,7 +240,7 @@ impl Bodies {
 
     /// Writes all links and frames. `shapes`: lines of the shapes of each link.
     pub fn append_links(&mut self, mechanism: &Mechanism, shapes: &[String], out: &mut String) {
-        let fixed = immovable_links(mechanism);
+        let fixed = links_at_rest(mechanism);
         for id in mechanism.link_ids() {
             let form = self.forms[id.index()].clone();
             let parent = match form {
@@ -349,31 +349,6 @@ fn append_inertial(out: &mut String, inertial: &Inertial) {
         append(out, format_args!("<{tag}>{}</{tag}>", format_number(inertial.about_com[(row, column)])));
     }
     out.push_str("</inertia>\n      </inertial>\n");
-}
-
-/// True for a link without mass and inertia.
-fn is_massless(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0 && i.about_com == Matrix3::zeros())
-}
-
-/// Per link: true if it is at an end of a closure.
-fn held_links(mechanism: &Mechanism) -> Vec<bool> {
-    let mut held = vec![false; mechanism.links().len()];
-    let ends = mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()]);
-    ends.filter_map(|end| end.link).for_each(|link| held[link.index()] = true);
-    held
-}
-
-/// For each link: true if it is fixed to the root.
-fn immovable_links(mechanism: &Mechanism) -> Vec<bool> {
-    let mut fixed = vec![false; mechanism.links().len()];
-    for &link in mechanism.order() {
-        fixed[link.index()] = match mechanism.parent_joint(link).map(|id| mechanism.joint(id)) {
-            Some(joint) => joint.kind() == JointKind::Fixed && fixed[joint.parent().index()],
-            None => true,
-        };
-    }
-    fixed
 }
 
 fn is_rotation(joint: &Joint) -> bool {

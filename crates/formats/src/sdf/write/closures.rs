@@ -2,8 +2,8 @@
 
 use super::bodies::{Bodies, Form, pose_text};
 use super::error::SdfError;
-use crate::writing::changes::Change;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
+use crate::writing::changes::Change;
 use crate::writing::xml_text::{append, escape_attribute, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3};

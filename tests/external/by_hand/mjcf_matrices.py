@@ -1,0 +1,120 @@
+"""Models in MJCF: M, A and the Jacobians of points, one by one, beside MuJoCo at random closed poses.
+
+    PYTHONPATH=tests/external:FOLDER_OF_PERCUSS python mjcf_matrices.py [--poses N] FOLDER...
+
+For points of all links, percuss's Jacobians J and MuJoCo's J' give the velocities of MuJoCo for those of percuss: v' = T v with J = J' T.
+Then M = Tᵀ M' T, and the rows of A and A' T span the same space. Limits: 1e-9 of the largest entry; 2e-7 with meshes, which MuJoCo stores
+in single precision.
+"""
+
+import argparse
+import collections
+import pathlib
+import sys
+
+import mujoco
+import numpy as np
+import percuss
+from mjcf import MESH_TOLERANCE, TOLERANCE, Peer, random_position
+from mjcf_models import MOST_COORDINATES, models
+
+# Singular values below this part of the largest are rounding.
+RANK = 1e-8
+
+
+def row_space(rows, size):
+    """Orthonormal rows that span the same space."""
+    rows = rows / np.maximum(np.abs(rows).max(axis=1, keepdims=True, initial=0), 1e-300)
+    if not len(rows):
+        return np.zeros((0, size))
+    _, s, vt = np.linalg.svd(rows, full_matrices=False)
+    return vt[s > RANK * max(s.max(), 1e-300)]
+
+
+def deviation(peer, pose, rng):
+    """Largest deviations of Jacobians, of M, and of the space of A."""
+    peer.set_pose({name: list(values) for name, values in pose.joints.items()})
+    mass, rows = peer.matrices()
+    m, d = peer.model, peer.data
+    ours, theirs = [], []
+    for body in range(1, m.nbody):
+        for _ in range(4):
+            point = rng.uniform(-1, 1, 3)
+            at = d.xpos[body] + d.xmat[body].reshape(3, 3) @ point
+            jacobian = np.zeros((3, m.nv))
+            mujoco.mj_jac(m, d, jacobian, None, at, body)
+            theirs.append(jacobian)
+            ours.append(pose.point_jacobian(peer.links[body], point))
+    ours, theirs = np.vstack(ours), np.vstack(theirs)
+    velocities, *_ = np.linalg.lstsq(theirs, ours, rcond=None)
+    own = pose.mass_matrix()
+    space, other = row_space(pose.constraint_matrix(), own.shape[0]), row_space(rows @ velocities, own.shape[0])
+    if space.shape != other.shape:
+        return {"rank of A": 1.0}
+    difference = space - space @ other.T @ other
+    return {
+        "J": np.abs(theirs @ velocities - ours).max() / np.abs(ours).max(),
+        "M": np.abs(velocities.T @ mass @ velocities - own).max() / np.abs(own).max(),
+        "A": np.abs(difference).max(initial=0),
+    }
+
+
+def outcome(path, count, rng):
+    try:
+        peer = Peer(path)
+        model = percuss.load(path)
+    except (ValueError, RuntimeError, percuss.PercussError) as error:
+        return "not read by both", str(error).splitlines()[0][:120]
+    if not 0 < peer.model.nv <= MOST_COORDINATES:
+        return "none or many coordinates", str(peer.model.nv)
+    if not set(model.links[1:]) >= set(peer.links[1:]):
+        return "other links", ""
+    if any(peer.model.tendon_armature):
+        return "tendons with an armature", "percuss has a coordinate for each"
+    system = percuss.System(model).assemble()
+    info = {joint.name: joint for joint in model.joints}
+    worst = collections.Counter()
+    done = 0
+    for number in range(count):
+        names = system.drivers if model.closures else [n for n, j in info.items() if j.kind != "fixed" and j.mimic is None]
+        size = 0.3 * (number % 3) / 2 if model.closures else 1.0
+        q = {}
+        for name in names:
+            joint = info[name]
+            if model.closures and (size == 0 or joint.kind in ("spherical", "floating")):
+                continue
+            q[name] = random_position(rng, joint.kind, joint.limits, size)
+        try:
+            pose = system.pose(q)
+        except percuss.PercussError:
+            continue
+        done += 1
+        for name, value in deviation(peer, pose, rng).items():
+            worst[name] = max(worst[name], value)
+    if not done:
+        return "out of reach", ""
+    limit = MESH_TOLERANCE if peer.uses_mesh() else TOLERANCE
+    text = f"{done} poses " + " ".join(f"{name} {value:.1e}" for name, value in worst.items())
+    return ("equal" if max(worst.values()) <= limit else "deviates"), text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", nargs="+", type=pathlib.Path)
+    parser.add_argument("--poses", type=int, default=100)
+    parser.add_argument("--verbose", action="store_true")
+    options = parser.parse_args()
+    counts, rng = collections.Counter(), np.random.default_rng(0)
+    for folder in options.folders:
+        for path in models(folder):
+            kind, text = outcome(path, options.poses, rng)
+            counts[kind] += 1
+            if options.verbose or kind == "deviates":
+                print(f"{kind:18} {path.relative_to(folder)} {text}", flush=True)
+    print(dict(counts))
+    print(f"{counts['equal']} passed, {counts['deviates']} failed")
+    sys.exit(bool(counts["deviates"]))
+
+
+if __name__ == "__main__":
+    main()
