@@ -20,7 +20,7 @@ use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
 use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
-use crate::urdf::elements::shapes::shape::{Purpose, Shape};
+use crate::urdf::elements::shapes::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, NamedPose};
 use percuss_mechanism::{
@@ -107,7 +107,8 @@ fn read_model(
     if findings.has_errors() {
         return None;
     }
-    let body_shapes: Vec<Vec<Shape>> = bodies.bodies.iter().map(|body| shapes(body, &meshes)).collect();
+    let body_shapes: Vec<Vec<Shape>> =
+        bodies.bodies.iter().map(|body| shapes(body, &meshes, findings)).collect();
     let extents = bodies.bodies.iter().map(extent).collect();
     let sums = match relations.sums() {
         Ok(sums) => sums,
@@ -258,12 +259,17 @@ fn locate(
 }
 
 /// Shapes of a body: collision shapes first, then visual shapes.
-fn shapes(body: &Body, meshes: &Meshes<'_>) -> Vec<Shape> {
-    let of_purpose = |purpose: Purpose| {
-        let geoms = body.geoms.iter().filter(move |geom| geom.purpose == purpose);
-        geoms.filter_map(|geom| geom.shape(|name| meshes.solid(name)))
-    };
-    of_purpose(Purpose::Collision).chain(of_purpose(Purpose::Visual)).collect()
+fn shapes(body: &Body, meshes: &Meshes<'_>, findings: &mut Findings<'_>) -> Vec<Shape> {
+    let mut found = Vec::new();
+    for geom in &body.geoms {
+        match geom.shape(|name| meshes.solid(name)) {
+            Some(shape) => found.push(shape),
+            None => findings.add_unread(geom.element, || "a kind of <geom> without a counterpart".to_owned()),
+        }
+    }
+    // The sort keeps the order of the file.
+    found.sort_by_key(|shape: &Shape| shape.purpose);
+    found
 }
 
 /// Extent of the shapes of a body; unknown if one of them is a mesh.

@@ -83,7 +83,22 @@ const IN_LINK: &[ElementRule] = &[
             unread("drake:proximity_properties", Silent),
         ],
     ),
-    unexamined("visual"),
+    several(
+        "visual",
+        &["name"],
+        &[
+            POSE,
+            unexamined("geometry"),
+            unread("material", Silent),
+            unread("cast_shadows", Silent),
+            unread("laser_retro", Silent),
+            unread("transparency", Silent),
+            unread("visibility_flags", Silent),
+            unread("meta", Silent),
+            unread("plugin", Silent),
+            unread("frame", Silent),
+        ],
+    ),
     unread(
         "kinematic",
         Warned("a kinematic link is moved by script; here it moves with its joints. Lock a joint to hold it"),

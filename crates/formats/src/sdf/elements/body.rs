@@ -40,6 +40,9 @@ pub(crate) fn read_body(
             }
         };
     }
+    for part in collisions.iter().chain(&visuals).filter(|part| part.shape.solid().is_none()) {
+        findings.add_unread(part.element, || "a kind of <geometry> without a counterpart".to_owned());
+    }
     let of_purpose = |parts: &[Collision], purpose| {
         let shapes = parts.iter().filter_map(|part| Some((part.shape.solid()?, part.frame)));
         shapes.map(|(solid, frame)| Shape { purpose, solid, frame }).collect::<Vec<_>>()

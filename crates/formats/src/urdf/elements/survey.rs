@@ -118,6 +118,7 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
             match rule.name {
                 "gazebo" => check_gazebo_joints(node, report),
                 "mujoco" => refuse_mujoco_equalities(node, report),
+                "visual" | "collision" => return list_unread_of_shape(node, report),
                 _ => {}
             }
             report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node)));
@@ -129,6 +130,28 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
             report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
         Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
+    }
+}
+
+/// Kinds of solids in a `<geometry>` that `shape.rs` reads.
+const SOLIDS: [&str; 5] = ["box", "sphere", "cylinder", "capsule", "mesh"];
+
+/// Lists the parts of a `<visual>` or `<collision>` that are no part of a shape.
+fn list_unread_of_shape(holder: Node<'_, '_>, report: &mut Report) {
+    for part in holder.children().filter(Node::is_element) {
+        let tag = part.tag_name().name();
+        let unread = match tag {
+            "origin" => None,
+            "geometry" => part
+                .children()
+                .filter(Node::is_element)
+                .find(|shape| !SOLIDS.contains(&shape.tag_name().name())),
+            _ => Some(part),
+        };
+        if let Some(unread) = unread {
+            let (tag, parent) = (unread.tag_name().name(), parent_tag(unread));
+            report.add_unread(Place::Element(unread), || format!("<{}> in <{parent}>", shortened(tag)));
+        }
     }
 }
 
