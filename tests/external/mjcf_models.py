@@ -1,11 +1,12 @@
-"""Published models in MJCF compared with MuJoCo, as in mjcf.py: every model that both programs read gives the same effective mass at
-random contacts, is refused by percuss by name, or is in the ledger (mjcf_models.json) with a reason.
+"""Compares published MJCF models with MuJoCo, as mjcf.py does. A model passes if percuss and MuJoCo give the same effective mass at random
+contacts, if percuss refuses it and names the unsupported part, or if mjcf_models.json lists its outcome with a reason. Models that MuJoCo
+refuses, that do not move or that are too large are counted only.
 
-    mjcf_models.py --percuss PATH                    the models of the packages gymnasium and mujoco, as in the gate
-    mjcf_models.py --percuss PATH --folder FOLDER... all models below, for example clones of mujoco or menagerie
-    mjcf_models.py --percuss PATH --install FOLDER   packages with many models (dm_control, gymnasium-robotics), installed there
+    mjcf_models.py --percuss PATH                    packages gymnasium and mujoco, as run.sh does
+    mjcf_models.py --percuss PATH --folder FOLDER... all models in the folders, for example clones of mujoco or menagerie
+    mjcf_models.py --percuss PATH --install FOLDER   installs packages with many models (dm_control, gymnasium-robotics) in FOLDER
 
-Prints one line for each model that deviates or fails, the counts of the outcomes, and `N passed, N failed`.
+Prints the refused models, the failures, the counts of the outcomes, and `N passed, N failed`.
 """
 
 import argparse
@@ -23,14 +24,14 @@ import numpy as np
 
 from mjcf import MESH_TOLERANCE, TOLERANCE, Peer, compare_file, run
 
-# Packages of --install; the versions for which the ledger holds.
+# Packages of --install, in the versions for which mjcf_models.json is valid.
 PACKAGES = ["dm_control==1.0.50", "gymnasium==1.4.0", "gymnasium-robotics==1.4.2"]
 # Models with more coordinates than this take minutes.
 MOST_COORDINATES = 120
-# Codes and words of refusals that name an element or a value without a form in a mechanism.
+# Codes and words of errors that name the unsupported element or value.
 CODES = {"unsupported", "implausible-inertia", "bad-mesh", "no-worldbody", "too-complex", "indefinite-inertia"}
 WORDS = re.compile("unsupported|not read|not computed|no such|belongs to|refuse|deformable|replicate")
-# Expected numbers of outcomes of the models of the packages in the gate.
+# Expected counts of the outcomes without --folder and --install.
 EXPECTED = {"equal": 15}
 FAILURES = {"deviates", "no result", "refused", "out of reach", "singular"}
 
@@ -95,7 +96,7 @@ def main():
     parser.add_argument("--percuss", required=True)
     parser.add_argument("--folder", nargs="*", type=pathlib.Path, default=[])
     parser.add_argument("--install", type=pathlib.Path)
-    parser.add_argument("--contacts", type=int, default=4, help="random contacts and poses for each model")
+    parser.add_argument("--contacts", type=int, default=4, help="number of random contacts, each at a random pose, per model")
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
     ledger = json.loads(pathlib.Path(__file__).with_suffix(".json").read_text())

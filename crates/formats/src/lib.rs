@@ -52,6 +52,6 @@ pub use sdf::write::{SdfError, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
-pub use writing::changes::{Change, Effect, ModelText};
+pub use writing::changes::{Change, Effect, ModelText, lost_pose};
 pub use writing::parts::{FindMesh, MeshFile, ModelParts};
 pub use writing::state::MechanismState;

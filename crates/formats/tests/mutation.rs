@@ -182,8 +182,8 @@ fn no_mutation_makes_loading_panic_or_hang() {
                         loaded.diagnostics.iter().all(|d| d.severity != Severity::Error),
                         "case {case}\n{shown}"
                     );
-                    // An accepted mechanism can be written and loaded again. Shapes are not written; without the
-                    // shapes, an inertia may look too large for the link.
+                    // An accepted mechanism can be written and loaded again. `write_urdf` writes no shapes; without
+                    // these, an inertia may look too large for the link.
                     let text = write_urdf(&loaded.mechanism);
                     let accept = Accept { implausible_inertia: true, ..Accept::default() };
                     let again = load(

@@ -1,4 +1,4 @@
-//! Shapes in written files: what is written is read as the same shapes.
+//! Shapes that are written and read back are equal.
 
 use super::support::load_text;
 use approx::assert_relative_eq;
@@ -10,7 +10,7 @@ use percuss_spatial::{Transform, Vector3, rotation_from_rpy};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 
-/// A link at rest, a moving link, a massless link fixed to it, and a massless link between two hinges.
+/// An immovable link, a moving link, a massless link fixed to it, a massless link between two hinges, and a moving link.
 const ARM: &str = r#"<robot name="arm">
   <link name="base"/>
   <link name="upper"><inertial><mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
@@ -23,7 +23,7 @@ const ARM: &str = r#"<robot name="arm">
   <joint name="tilt" type="continuous"><parent link="wrist"/><child link="hand"/><axis xyz="0 1 0"/></joint>
 </robot>"#;
 
-/// Random shapes with collisions first, as the readers list them.
+/// Random shapes in the order of the readers: collisions, then visuals.
 fn random_shapes(random: &mut StdRng, count: usize) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = (0..count)
         .map(|_| {
@@ -50,7 +50,7 @@ fn random_shapes(random: &mut StdRng, count: usize) -> Vec<Shape> {
     shapes
 }
 
-/// The names of meshes, relative to a folder `written`.
+/// Names of mesh files relative to the folder `written`.
 fn from_other_folder(name: &str) -> Result<MeshFile, String> {
     Ok(MeshFile { name: format!("../{name}"), path: None })
 }
@@ -60,8 +60,8 @@ fn reread(name: &str, text: &str) -> Loaded {
         .unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Compares shapes that were written with the frame `in_holder` of their link in the link of the file.
-fn assert_same(before: &[Shape], in_holder: &Transform<f64>, after: &[Shape]) {
+/// Asserts that shapes are equal. `in_link`: pose of the link of `before` in the link of the file that contains `after` (X_fl).
+fn assert_same(before: &[Shape], in_link: &Transform<f64>, after: &[Shape]) {
     assert_eq!(before.len(), after.len());
     for (one, two) in before.iter().zip(after) {
         assert_eq!(one.purpose, two.purpose);
@@ -70,11 +70,11 @@ fn assert_same(before: &[Shape], in_holder: &Transform<f64>, after: &[Shape]) {
                 assert_eq!(&format!("../{file}"), other);
                 assert_eq!(scale, other_scale);
             }
-            // Half lengths of powers of two: exact.
+            // MJCF has half lengths; halving is exact.
             (one, two) => assert_eq!(one, two),
         }
-        // Roundings of quaternions, of roll, pitch and yaw, and of the product of two frames.
-        let frame = *in_holder * one.frame;
+        // Rounding of the conversion to quaternions or angles, and of the product of two frames.
+        let frame = *in_link * one.frame;
         assert_relative_eq!(frame.translation, two.frame.translation, epsilon = 4e-16);
         assert_relative_eq!(frame.rotation, two.frame.rotation, epsilon = 2e-15);
     }
@@ -117,7 +117,7 @@ fn shapes_are_written_and_read_back() {
             assert_same(before, &identity, after(link));
         }
         for (link, other) in mechanism.links().iter().zip(loaded.mechanism.links().iter().skip(1)) {
-            // The shapes have no mass.
+            // The shapes add no mass.
             assert!(link.inertial().is_none_or(|own| Some(own) == other.inertial()));
         }
 
@@ -128,7 +128,7 @@ fn shapes_are_written_and_read_back() {
         for (link, before) in [("base", base), ("hand", hand)] {
             assert_same(before, &identity, after(link));
         }
-        // The shapes of the frame follow those of the link, for each purpose.
+        // `mount` is a frame of `upper`: for each purpose, its shapes follow those of `upper`.
         let both = after("upper");
         for purpose in [Purpose::Collision, Purpose::Visual] {
             let of = |shapes: &[Shape]| -> Vec<Shape> {
@@ -149,10 +149,18 @@ fn bodies_that_are_joined_do_not_touch() {
         |purpose| Shape { purpose, solid: Solid::Sphere { radius: 1.0 }, frame: Transform::identity() };
     let shapes = vec![vec![ball(Purpose::Collision)]; 5];
     let parts = ModelParts { shapes: &shapes, ..ModelParts::from(&mechanism) };
-    let text = write_mjcf(parts, "").unwrap().text;
-    // MuJoCo excludes a body and its parent, unless the parent is at rest.
-    assert_eq!(text.matches("<exclude").count(), 1, "{text}");
-    assert!(text.contains("<exclude body1=\"base\" body2=\"upper\"/>"));
+    let written = write_mjcf(parts, "").unwrap();
+    let text = written.text;
+    // MuJoCo excludes contact of parent and child, unless the parent is fixed to the world. `mount` is fixed to `upper`.
+    assert_eq!(text.matches("<exclude").count(), 2, "{text}");
+    for other in ["upper", "mount"] {
+        assert!(text.contains(&format!("<exclude body1=\"base\" body2=\"{other}\"/>")));
+    }
+    assert_eq!(written.changes.iter().filter(|change| change.what.contains("do not touch")).count(), 2);
+    // Shapes of the world are obstacles, also for a body that hangs on it.
+    let on_world = load_text(&ARM.replace("\"base\"", "\"world\"")).unwrap().mechanism;
+    let parts = ModelParts { shapes: &shapes, ..ModelParts::from(&on_world) };
+    assert!(!write_mjcf(parts, "").unwrap().text.contains("<exclude"));
     let shapes = vec![vec![ball(Purpose::Visual)]; 5];
     let parts = ModelParts { shapes: &shapes, ..ModelParts::from(&mechanism) };
     assert!(!write_mjcf(parts, "").unwrap().text.contains("<exclude"));
@@ -187,4 +195,17 @@ fn shapes_without_a_form_are_lost_with_a_reason() {
             "link \"base\": gone.stl: the file was not found"
         ]
     );
+}
+
+#[test]
+fn valid_names_stay_in_sdf() {
+    let text = ARM.replace("\"upper\"", "\"a::b\"").replace("\"hand\"", "\"a_b\"");
+    let mechanism = load_text(&text).unwrap().mechanism;
+    let written = write_sdf(&mechanism, "").unwrap();
+    let links = reread("arm.sdf", &written.text).mechanism;
+    // Only the invalid name changes, and gets a number.
+    assert!(links.find_link("a_b").is_ok() && links.find_link("a_b_2").is_ok());
+    let changes: Vec<String> =
+        written.changes.iter().map(|change| format!("{} {}", change.element, change.what)).collect();
+    assert!(changes.contains(&"link \"a::b\" its name is \"a_b_2\"".to_owned()), "{changes:?}");
 }

@@ -1,11 +1,17 @@
-"""Converts a robot of example-parallel-robots to URDF+: `robot.urdf` with the loops and joints of `robot.yaml`.
+"""Converts a robot of example-parallel-robots (`robot.urdf` and `robot.yaml`) to one URDF+ file. Needs PyYAML.
 
-    parallel_robots.py FOLDER [-o FILE.urdf]
+    python parallel_robots.py FOLDER [-o FILE.urdf]
     percuss check FILE.urdf
 
-Keys of robot.yaml: `closed_loop`, pairs of frames (links, or fixed joints); `type`, for each pair 3d (the origins coincide) or 6d (the frames
-coincide; also without this key); `joint_name` and `joint_type`, joints with another type than in the URDF. CARDAN has two hinges, about x and then y of the joint's frame, and UJOINT_ZX, for example, about z and then x. Names that the URDF does not have are reported and
-left out, except in loops. `name_mot`, the joints with motors, are recommended as driving joints. Needs PyYAML.
+Keys of robot.yaml:
+
+    closed_loop             pairs of frames that a loop joins; a frame is a link or a fixed joint
+    type                    of each pair: 3d (the origins coincide) or 6d (the frames coincide); default 6d
+    joint_name, joint_type  joints that get another type: FIXED, SPHERICAL, UJOINT_ZX (two hinges, about z and then about x of the joint's
+                            frame; any two axes) or CARDAN (the same as UJOINT_XY). Their axes, limits and mimics are dropped
+    name_mot                joints with motors: marked as driving joints
+
+Unknown joint names cause a warning; an unknown frame of a loop is an error.
 """
 
 from __future__ import annotations
@@ -19,23 +25,22 @@ from typing import Any
 
 import yaml
 
-
 AXES = {"X": "1 0 0", "Y": "0 1 0", "Z": "0 0 1"}
 
 
 def convert(urdf: str, options: dict[str, Any]) -> str:
-    """Text of the URDF+ file. Raises KeyError for a frame of a loop that the URDF does not have, ValueError for an unknown type."""
+    """Returns the text of the URDF+ file. Raises KeyError for an unknown frame of a loop, ValueError for an unknown type."""
     robot = ElementTree.fromstring(urdf)
     joints = {joint.attrib["name"]: joint for joint in robot.findall("joint")}
     links = {link.attrib["name"] for link in robot.findall("link")}
     unknown = [name for key in ("joint_name", "name_mot") for name in options.get(key, []) if name not in joints]
     if unknown:
-        print(f"warning: robot.urdf has no joint {', '.join(unknown)}", file=sys.stderr)
+        print(f"warning: names of robot.yaml without a joint in robot.urdf: {', '.join(unknown)}", file=sys.stderr)
     for name, kind in zip(options.get("joint_name", []), options.get("joint_type", []), strict=True):
         if name in joints:
             change_joint(robot, joints[name], kind)
     for name in options.get("name_mot", []):
-        # A driving joint moves on its own.
+        # Only joints with one degree of freedom can be driving joints.
         if name in joints and joints[name].attrib["type"] in ("revolute", "continuous", "prismatic"):
             joints[name].set("independent", "true")
     pairs = options.get("closed_loop", [])
@@ -44,7 +49,7 @@ def convert(urdf: str, options: dict[str, Any]) -> str:
             raise ValueError(f"loop {pair}: the type is {kind!r}, expected 3d or 6d")
         loop = ElementTree.SubElement(robot, "loop", name=" ".join(pair), type="spherical" if kind.lower() == "3d" else "fixed")
         for side, frame in zip(("predecessor", "successor"), pair, strict=True):
-            # A fixed joint has the frame of its child.
+            # The frame of a fixed joint is that of its child link.
             link = frame if frame in links else joints[frame].find("child").attrib["link"]  # type: ignore[union-attr]
             ElementTree.SubElement(loop, side, link=link)
     ElementTree.indent(robot)
@@ -52,9 +57,9 @@ def convert(urdf: str, options: dict[str, Any]) -> str:
 
 
 def change_joint(robot: ElementTree.Element, joint: ElementTree.Element, kind: str) -> None:
-    """Changes the type of a joint."""
+    """Changes the type of a joint; drops its axis, limits and mimic. Two hinges get a massless link between them."""
     name = joint.attrib["name"]
-    axes = re.fullmatch("UJOINT_([XYZ])([XYZ])", "UJOINT_XY" if kind == "CARDAN" else kind)
+    axes = re.fullmatch(r"UJOINT_([XYZ])(?!\1)([XYZ])", "UJOINT_XY" if kind == "CARDAN" else kind)
     if kind == "FIXED":
         joint.set("type", "fixed")
     elif kind == "SPHERICAL":
@@ -70,7 +75,7 @@ def change_joint(robot: ElementTree.Element, joint: ElementTree.Element, kind: s
         child.set("link", f"{name}_cross")
         joint.attrib |= {"name": f"{name}_{axes[1]}", "type": "continuous"}
     else:
-        raise ValueError(f"joint {name}: the type is {kind!r}, expected SPHERICAL, CARDAN, UJOINT_XY or other axes, or FIXED")
+        raise ValueError(f"joint {name}: the type is {kind!r}, expected FIXED, SPHERICAL, CARDAN or UJOINT_ with two axes, such as UJOINT_XY")
     for tag in ("axis", "limit", "mimic", "dynamics", "safety_controller", "calibration"):
         for element in joint.findall(tag):
             joint.remove(element)

@@ -34,7 +34,7 @@ pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{
-    ExportedImpact, ImpactExportError, ImpactFile, export_impact, export_stop,
+    ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
 };
 pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
 pub use damper::simulators::ExportRecord;

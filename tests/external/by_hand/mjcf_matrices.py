@@ -1,10 +1,10 @@
-"""Models in MJCF: M, A and the Jacobians of points, one by one, beside MuJoCo at random closed poses.
+"""Compares mass matrices M, constraint matrices A and point Jacobians J of MJCF models with MuJoCo, at random poses with closed loops.
 
     PYTHONPATH=tests/external:FOLDER_OF_PERCUSS python mjcf_matrices.py [--poses N] FOLDER...
 
-For points of all links, percuss's Jacobians J and MuJoCo's J' give the velocities of MuJoCo for those of percuss: v' = T v with J = J' T.
-Then M = Tᵀ M' T, and the rows of A and A' T span the same space. Limits: 1e-9 of the largest entry; 2e-7 with meshes, which MuJoCo stores
-in single precision.
+The two programs use different velocities, v and v' = T v. T is the least-squares solution of J = J' T for points of all links. The checks
+are J = J' T, M = Tᵀ M' T, and that the rows of A and of A' T span the same space. Limits relative to the largest entry: 1e-9; 2e-7 with
+meshes, because MuJoCo stores vertices in single precision.
 """
 
 import argparse
@@ -18,12 +18,12 @@ import percuss
 from mjcf import MESH_TOLERANCE, TOLERANCE, Peer, random_position
 from mjcf_models import MOST_COORDINATES, models
 
-# Singular values below this part of the largest are rounding.
+# Singular values below this fraction of the largest one count as 0.
 RANK = 1e-8
 
 
 def row_space(rows, size):
-    """Orthonormal rows that span the same space."""
+    """Orthonormal basis of the row space, as rows."""
     rows = rows / np.maximum(np.abs(rows).max(axis=1, keepdims=True, initial=0), 1e-300)
     if not len(rows):
         return np.zeros((0, size))
@@ -32,7 +32,7 @@ def row_space(rows, size):
 
 
 def deviation(peer, pose, rng):
-    """Largest deviations of Jacobians, of M, and of the space of A."""
+    """Largest deviations of J, of M, and of the row space of A, relative to the largest entry (A: absolute)."""
     peer.set_pose({name: list(values) for name, values in pose.joints.items()})
     mass, rows = peer.matrices()
     m, d = peer.model, peer.data
@@ -70,7 +70,7 @@ def outcome(path, count, rng):
     if not set(model.links[1:]) >= set(peer.links[1:]):
         return "other links", ""
     if any(peer.model.tendon_armature):
-        return "tendons with an armature", "percuss has a coordinate for each"
+        return "tendons with an armature", "percuss adds a coordinate for each tendon"
     system = percuss.System(model).assemble()
     info = {joint.name: joint for joint in model.joints}
     worst = collections.Counter()

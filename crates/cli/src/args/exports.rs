@@ -127,7 +127,7 @@ impl ModelFormat {
         }
     }
 
-    /// The given format, else that of the ending of a file name.
+    /// Returns `given`, or the format that the ending of the file name `output` selects.
     pub fn of_output(given: Option<Self>, output: &str) -> Result<Self, Failure> {
         let ending = output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
         match (given, ending.as_str()) {
@@ -179,10 +179,10 @@ pub struct ExportArgs {
         conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
     )]
     pub limit: Option<JointStop>,
-    /// Model file to write; the script of an impact has the same name with .py.
+    /// Model file to write. With an impact, a script FILE.py is written beside it.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: String,
-    /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf. Only MJCF can have an impact.
+    /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf. An impact requires MJCF and the ending .xml.
     #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
     pub to: Option<ModelFormat>,
     /// Format of the report: the impact, and everything changed or lost.

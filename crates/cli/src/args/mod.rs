@@ -167,13 +167,13 @@ pub enum Command {
     /// Convert a model to MJCF, SDFormat or URDF, with its loops.
     #[command(after_help = examples::CONVERT)]
     Convert(Box<ConvertArgs>),
-    /// Write an impact as a MuJoCo model, with a script that runs it.
+    /// Write a model for simulators; for MuJoCo with an impact that runs.
     ///
-    /// The file has the mechanism with its loops, the contact with its parameters, and the pose and velocity at the touch. The
-    /// script prints the restitution.
+    /// The file of an impact contains the mechanism with its loops, the contact with its parameters, and the pose and velocity at
+    /// the touch. The script prints the restitution. Without a contact, the result is that of `percuss convert`.
     #[command(
         after_help = examples::EXPORT,
-        override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E --stiffness K [--speed V] -o FILE.xml"
+        override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E --stiffness K [--speed V] -o FILE.xml\n       percuss export MODEL -o FILE"
     )]
     Export(Box<ExportArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.

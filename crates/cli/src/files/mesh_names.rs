@@ -4,7 +4,7 @@ use crate::args::ModelFormat;
 use percuss_formats::{MeshFile, MeshFolders};
 use std::path::{Path, PathBuf};
 
-/// Mesh files of a model, as a model in another folder and format refers to them.
+/// Finder of the names by which the written model refers to the mesh files of its source.
 pub struct MeshNames {
     folders: MeshFolders,
     /// Folder of the written model.
@@ -13,17 +13,22 @@ pub struct MeshNames {
 }
 
 impl MeshNames {
-    /// Names for the meshes of the model file `model` in the file `written`. `-`: the current folder.
+    /// Creates the finder for the model file `model` and the output file `written`; `-`, the standard output, counts as a file in the
+    /// current folder.
     pub fn new(model: &str, written: &str, format: ModelFormat) -> Self {
         let written = Path::new(written).parent().unwrap_or(Path::new("")).to_owned();
         Self { folders: MeshFolders::of_model(Path::new(model), Vec::new()), written, format }
     }
 
-    /// Name of a mesh in the written model: MuJoCo needs the path of a file, relative to the folder of the model; the other formats keep
-    /// names in packages.
+    /// Returns the name of the mesh file `name` in the written model. MJCF: path of the file relative to the written model, because MuJoCo
+    /// has no packages. URDF, SDFormat: names in packages become `package://…` and `model://…`; other relative names become relative to
+    /// the written model; absolute paths and other URIs are unchanged.
+    ///
+    /// # Errors
+    /// MJCF: no such file.
     pub fn find(&self, name: &str) -> Result<MeshFile, String> {
         if self.format == ModelFormat::Mjcf {
-            let path = self.folders.find(name).map_err(|_| format!("{name}: the file was not found"))?;
+            let path = self.folders.find(name).map_err(|error| error.to_string())?;
             return Ok(MeshFile { name: self.relative(&path), path: Some(path) });
         }
         let in_package = |scheme: &str| name.strip_prefix(scheme);
@@ -36,13 +41,26 @@ impl MeshNames {
         Ok(MeshFile { name, path: None })
     }
 
-    /// A path relative to the folder of the written model; the path itself if there is no relative one.
+    /// Path relative to the folder of the written model, or `path` if no relative path exists (another drive).
     fn relative(&self, path: &Path) -> String {
-        let absolute = |path: &Path| std::path::absolute(path).ok();
-        let relative = absolute(path)
-            .zip(absolute(&self.written.join(".")))
-            .and_then(|(path, folder)| pathdiff::diff_paths(path, folder));
+        let relative = canonical(path)
+            .zip(canonical(&self.written.join("model")))
+            .and_then(|(path, model)| pathdiff::diff_paths(path, model.parent()?));
         let text = relative.as_deref().unwrap_or(path).to_string_lossy().into_owned();
         if cfg!(windows) { text.replace('\\', "/") } else { text }
+    }
+}
+
+/// Absolute path without `..`: the folder that exists, and the rest of the path.
+fn canonical(path: &Path) -> Option<PathBuf> {
+    let mut rest = Vec::new();
+    let mut folder = path;
+    loop {
+        rest.push(folder.file_name()?);
+        folder = folder.parent()?;
+        let known = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        if let Ok(found) = dunce::canonicalize(known) {
+            return Some(rest.iter().rev().fold(found, |path, part| path.join(part)));
+        }
     }
 }

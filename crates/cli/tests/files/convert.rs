@@ -1,6 +1,6 @@
 //! `percuss convert`, and MJCF or SDFormat in place of a URDF.
 
-use crate::support::{Outcome, Scratch, json, percuss, percuss_with_stdin};
+use crate::support::{Outcome, Scratch, json, percuss, percuss_with_stdin, root};
 use serde_json::Value;
 
 /// Models with a contact, and a driving joint.
@@ -64,7 +64,7 @@ fn convert_and_compare(ending: &str, format: &str) -> usize {
     written
 }
 
-/// Shapes, a mesh among them, give the same map in every format, from a file in another folder.
+/// The map of a converted model in another folder equals that of the source, for all kinds of shapes and all formats.
 #[test]
 fn shapes_keep_their_map() {
     let folder = Scratch::new("convert-shapes");
@@ -79,23 +79,41 @@ fn shapes_keep_their_map() {
         let file = folder.path(&format!("arm.{ending}"));
         let report = json(&format!("convert models/shaped_arm.urdf -o {file} --format json"));
         let changes = report["changes"].as_array().expect("changes");
-        let is_shape = |what: String| ["shape", "collision"].iter().any(|word| what.contains(word));
+        let is_shape = |what: String| ["a shape (", "collision> in"].iter().any(|word| what.contains(word));
         assert!(changes.iter().all(|change| !is_shape(change["what"].to_string())), "{changes:#?}");
         for link in ["upper_arm", "forearm", "finger"] {
             let (count, before) = map("models/shaped_arm.urdf", link);
             let (after_count, after) = map(&file, link);
             assert_eq!(count, after_count, "{ending} {link}");
             for (one, two) in before.iter().zip(after) {
-                // Roundings of the frames of the shapes.
+                // The frames of shapes are rounded when angles are converted.
                 assert!((one / two - 1.0).abs() < 1e-12, "{ending} {link}: {one} {two}");
             }
         }
     }
     let text = std::fs::read_to_string(folder.path("arm.xml")).expect("a file");
     assert!(text.contains("models/meshes/finger.obj\""), "{text}");
+    // An output path that climbs out of the current folder.
+    let [models, other] = ["models/meshes", "other"].map(|name| folder.path(name));
+    for folder in [&models, &other] {
+        std::fs::create_dir_all(folder).expect("a folder");
+    }
+    std::fs::copy(root().join("models/shaped_arm.urdf"), folder.path("models/arm.urdf")).expect("a copy");
+    std::fs::copy(root().join("models/meshes/finger.obj"), format!("{models}/finger.obj")).expect("a copy");
+    let source = folder.path("models/arm.urdf");
+    for ending in ["xml", "sdf", "urdf"] {
+        let file = format!("{other}/../other/arm.{ending}");
+        assert_eq!(percuss(&format!("convert {source} -o {file}")).code, 0);
+        let text = std::fs::read_to_string(&file).expect("a file");
+        assert!(
+            text.contains("\"../models/meshes/finger.obj\"")
+                || text.contains(">../models/meshes/finger.obj<"),
+            "{text}"
+        );
+    }
 }
 
-/// `percuss export` without a contact writes the mechanism in every format, and refuses an impact in formats without positions.
+/// Without a contact, `percuss export` writes the same file as `percuss convert`. An impact in SDFormat or URDF is an error.
 #[test]
 fn export_without_a_contact_writes_the_mechanism() {
     let folder = Scratch::new("export-mechanism");

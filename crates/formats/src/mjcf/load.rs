@@ -264,10 +264,12 @@ fn shapes(body: &Body, meshes: &Meshes<'_>, findings: &mut Findings<'_>) -> Vec<
     for geom in &body.geoms {
         match geom.shape(|name| meshes.solid(name)) {
             Some(shape) => found.push(shape),
-            None => findings.add_unread(geom.element, || "a kind of <geom> without a counterpart".to_owned()),
+            None => findings.add_unread(geom.element, || {
+                "<geom> of an unsupported type (plane, hfield, ellipsoid, sdf or fitted mesh)".to_owned()
+            }),
         }
     }
-    // The sort keeps the order of the file.
+    // Stable sort: shapes of one purpose keep the order of the file.
     found.sort_by_key(|shape: &Shape| shape.purpose);
     found
 }

@@ -12,7 +12,7 @@ use crate::urdf::elements::shapes::shape::{Shape, link_shapes};
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
 use crate::{Diagnostic, LoadError};
-use percuss_mechanism::{Accept, Built, Joint, Mechanism, MechanismBuilder, Severity, Subject};
+use percuss_mechanism::{Accept, Built, Joint, JointKind, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node};
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -56,11 +56,16 @@ pub struct NamedPose {
 }
 
 impl NamedPose {
-    /// Positions of all joints one after another, in joint order; those of mimics, which no pose has, are 0.
+    /// Concatenated positions of all joints, in joint order. Joints that the pose does not contain, such as mimics, are as drawn.
     pub fn all_positions(&self, mechanism: &Mechanism) -> Vec<f64> {
         let of = |joint: &Joint| {
             let given = self.positions.iter().find(|(name, _)| name == joint.name());
-            given.map_or_else(|| vec![0.0; joint.kind().positions()], |(_, values)| values.clone())
+            match (given, joint.kind()) {
+                (Some((_, values)), _) => values.clone(),
+                (None, JointKind::Spherical) => vec![1.0, 0.0, 0.0, 0.0],
+                (None, JointKind::Floating) => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+                (None, kind) => vec![0.0; kind.positions()],
+            }
         };
         mechanism.joints().iter().flat_map(of).collect()
     }

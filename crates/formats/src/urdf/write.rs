@@ -1,9 +1,11 @@
 //! Writer of mechanisms as URDF+.
 
 use crate::urdf::elements::shapes::shape::{Shape, Solid};
-use crate::writing::changes::{Change, ModelText, changed_names, lost_poses};
+use crate::writing::changes::{ModelText, changed_names, lost_poses, lost_shape};
 use crate::writing::parts::ModelParts;
-use crate::writing::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
+use crate::writing::xml_text::{
+    append, escape_attribute, escape_comment, format_number, format_vector, scale_text,
+};
 use percuss_mechanism::{
     Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio,
     LoopFrame, Mechanism, NamedContact,
@@ -31,7 +33,7 @@ pub struct Comments {
 /// couplings and named contacts. The result is plain URDF if the mechanism has no loops and couplings.
 ///
 /// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
-/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes are written by [`write_urdf_model`].
+/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes are not written; [`write_urdf_model`] writes them.
 /// Characters of a name that XML forbids become U+FFFD. A chain of mimics is written as mimics of the last master,
 /// and a joint to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data,
 /// but readers require them.
@@ -44,7 +46,7 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     write_robot(mechanism, &[], comments)
 }
 
-/// Writes URDF+. `shapes`: lines of the shapes of each link.
+/// Writes URDF+. `shapes`: visuals and collisions of each link as XML, in link order; links beyond the end have none.
 fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Some parsers accept processing instructions only before the first comment. A name that does not fit into an
@@ -81,8 +83,7 @@ fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) ->
     out
 }
 
-/// [`write_urdf`] with the shapes of the links, with a comment at the head of the file, and with the parts of the model that have another
-/// form or none.
+/// As [`write_urdf`], with shapes and a comment at the head of the file. The result lists everything changed or lost.
 pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> ModelText {
     let parts = model.into();
     let mechanism = parts.mechanism;
@@ -90,15 +91,12 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     let mut changes = changed_names(mechanism);
     changes.extend(lost_poses(&parts, "URDF"));
     let mut shapes = Vec::with_capacity(parts.shapes.len());
-    for (link, own) in mechanism.links().iter().zip(parts.shapes) {
+    for (link, own) in mechanism.link_ids().zip(parts.shapes) {
         let mut lines = String::new();
         for shape in own {
             match shape_element(&parts, shape) {
                 Ok(element) => lines.push_str(&element),
-                Err(reason) => {
-                    let what = format!("a shape ({})", shape.purpose.name());
-                    changes.push(Change::lost("link", link.name(), what, reason));
-                }
+                Err(reason) => changes.push(lost_shape(mechanism, link, shape, reason)),
             }
         }
         shapes.push(lines);
@@ -106,7 +104,7 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     ModelText { text: write_robot(mechanism, &shapes, &comments), changes }
 }
 
-/// `<visual>` or `<collision>`; the error is the reason for the loss of the shape.
+/// Element `<visual>` or `<collision>`. The error is the reason why the shape is lost.
 fn shape_element(parts: &ModelParts<'_>, shape: &Shape) -> Result<String, String> {
     let number = |x: &f64| format_number(*x);
     let geometry = match &shape.solid {
@@ -119,10 +117,7 @@ fn shape_element(parts: &ModelParts<'_>, shape: &Shape) -> Result<String, String
             format!("<capsule radius=\"{}\" length=\"{}\"/>", number(radius), number(length))
         }
         Solid::Mesh { file, scale } => {
-            let scale = match scale {
-                [1.0, 1.0, 1.0] => String::new(),
-                factors => format!(" scale=\"{}\"", format_vector(&Vector3::from(*factors))),
-            };
+            let scale = scale_text(" scale=\"", scale, "\"");
             let name = (parts.find_mesh)(file)?.name;
             format!("<mesh filename=\"{}\"{scale}/>", escape_attribute(&name))
         }

@@ -1,7 +1,8 @@
 //! Changes by a conversion: parts of a mechanism that have another form in the written file, or none.
 
+use crate::urdf::elements::shapes::shape::Shape;
 use crate::writing::parts::ModelParts;
-use percuss_mechanism::Mechanism;
+use percuss_mechanism::{LinkId, Mechanism};
 use std::fmt;
 
 /// Effect of a conversion on a part of a model.
@@ -93,13 +94,23 @@ pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     with_role.map(loss).collect()
 }
 
-/// Lost named poses of a format without poses.
+/// Loss of a named pose, with its reason.
+pub fn lost_pose(name: &str, reason: impl Into<String>) -> Change {
+    Change::lost("pose", name, "the named pose", reason)
+}
+
+/// Losses of all named poses, for a format without named poses.
 pub(crate) fn lost_poses<'a>(
     parts: &'a ModelParts<'_>,
     format: &'a str,
 ) -> impl Iterator<Item = Change> + 'a {
-    let reason = move || format!("{format} has no named poses");
-    parts.poses.iter().map(move |(name, _)| Change::lost("pose", name, "the named pose", reason()))
+    parts.poses.iter().map(move |(name, _)| lost_pose(name, format!("{format} has no named poses")))
+}
+
+/// Loss of a shape of a link, with its reason.
+pub(crate) fn lost_shape(mechanism: &Mechanism, link: LinkId, shape: &Shape, reason: String) -> Change {
+    let what = format!("a shape ({})", shape.purpose.name());
+    Change::lost("link", mechanism.link(link).name(), what, reason)
 }
 
 /// Changes of names with characters that XML forbids.

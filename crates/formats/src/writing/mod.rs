@@ -1,4 +1,4 @@
-//! Parts that the writers of all formats share.
+//! Code shared by the writers of all formats.
 
 pub(crate) mod changes;
 pub(crate) mod parts;

@@ -1,4 +1,4 @@
-//! What the writers write: a mechanism, the shapes of its links, and its named poses.
+//! Input of the writers: a mechanism, the shapes of its links, and its named poses.
 
 use crate::urdf::elements::shapes::shape::{Shape, Solid};
 use crate::writing::state::MechanismState;
@@ -10,11 +10,11 @@ use std::path::PathBuf;
 pub struct MeshFile {
     /// Name in the written model.
     pub name: String,
-    /// The file itself, if it was found.
+    /// Path at which the file was found; `None` if the file was not searched.
     pub path: Option<PathBuf>,
 }
 
-/// Mesh file for the name that the source of a model uses, or the reason for its loss.
+/// Function that finds the mesh file for a file name in the source of the model. The error is the reason why the shape is lost.
 pub type FindMesh<'a> = &'a dyn Fn(&str) -> Result<MeshFile, String>;
 
 /// Model to be written. `From<&Mechanism>` gives a model without shapes and poses.
@@ -24,9 +24,9 @@ pub struct ModelParts<'a> {
     pub mechanism: &'a Mechanism,
     /// Shapes of each link, in link order; links beyond the end have none.
     pub shapes: &'a [Vec<Shape>],
-    /// Names of mesh files in the written model.
+    /// Finds the mesh files and their names in the written model.
     pub find_mesh: FindMesh<'a>,
-    /// Named poses. Only MJCF has these.
+    /// Named poses as states. Only the writer of MJCF writes poses; the others report these as lost.
     pub poses: &'a [(String, MechanismState)],
 }
 
@@ -36,13 +36,13 @@ impl<'a> From<&'a Mechanism> for ModelParts<'a> {
     }
 }
 
-/// The name as it is in the source.
+/// Keeps the name of the source; the file is not searched.
 fn keep_name(name: &str) -> Result<MeshFile, String> {
     Ok(MeshFile { name: name.to_owned(), path: None })
 }
 
-/// True if no length of a solid and no scale factor of a mesh is 0.
-pub(crate) fn has_extent(solid: &Solid) -> bool {
+/// True if all dimensions of a solid are positive and all scale factors of a mesh differ from 0.
+pub(crate) fn has_positive_size(solid: &Solid) -> bool {
     match solid {
         Solid::Box { size } => size.iter().all(|edge| *edge > 0.0),
         Solid::Sphere { radius } => *radius > 0.0,

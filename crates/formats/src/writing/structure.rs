@@ -1,4 +1,4 @@
-//! Properties of links that the writers of models share.
+//! Properties of links, used by the writers of all formats.
 
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform};
@@ -14,8 +14,8 @@ pub(crate) fn drawn_poses(mechanism: &Mechanism) -> Vec<Transform<f64>> {
     poses
 }
 
-/// Per link: true if it is fixed to the root.
-pub(crate) fn links_at_rest(mechanism: &Mechanism) -> Vec<bool> {
+/// Per link: true if only fixed joints connect the link to the root. True for the root.
+pub(crate) fn immovable_links(mechanism: &Mechanism) -> Vec<bool> {
     let mut at_rest = vec![false; mechanism.links().len()];
     for &link in mechanism.order() {
         at_rest[link.index()] = match mechanism.parent_joint(link).map(|id| mechanism.joint(id)) {

@@ -4,7 +4,7 @@ use crate::reading::limits::DECIMAL_NOTATION_RANGE;
 use percuss_spatial::Vector3;
 use std::fmt::Write;
 
-/// First lines of a file, with the heading as a comment, none if empty.
+/// First lines of a file: XML declaration, and `heading` as a comment; no comment if `heading` is empty.
 pub(crate) fn xml_head(heading: &str) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     if !heading.is_empty() {
@@ -22,6 +22,14 @@ pub(crate) fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
 /// Three numbers with spaces between.
 pub(crate) fn format_vector(v: &Vector3<f64>) -> String {
     format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
+}
+
+/// The scale factors of a mesh in `before` and `after`; nothing if all are 1.
+pub(crate) fn scale_text(before: &str, scale: &[f64; 3], after: &str) -> String {
+    match scale {
+        [1.0, 1.0, 1.0] => String::new(),
+        factors => format!("{before}{}{after}", format_vector(&Vector3::from(*factors))),
+    }
 }
 
 /// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.

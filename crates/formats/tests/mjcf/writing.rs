@@ -103,7 +103,7 @@ fn links_that_mujoco_refuses_are_named() {
         .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"));
     let error = write_mjcf(&flat.build().unwrap().mechanism, "").unwrap_err();
     assert!(error.to_string().contains("A + B < C"), "{error}");
-    // Such moments have no effect on a link at rest, and are refused on a link that is fixed to a moving one.
+    // The inertia of an immovable link is left out. For a link that is fixed to a moving link, such moments are an error.
     for (kind, at_rest) in [(JointKind::Fixed, true), (JointKind::Continuous, false)] {
         let arm = Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
         let mechanism = MechanismBuilder::new("m")
@@ -124,7 +124,7 @@ fn links_that_mujoco_refuses_are_named() {
 
 #[test]
 fn small_moments_are_written_as_principal_moments() {
-    // MuJoCo's decomposition of a matrix permits no eigenvalue below 1e-12.
+    // MuJoCo's eigenvalue iteration stops at off-diagonal entries of 1e-12 kg·m².
     let small = MechanismBuilder::new("m")
         .link(LinkDescription::massless("ground"))
         .link(LinkDescription::new("tip", Inertial::diagonal(1e-4, [0.0; 3], [1e-13; 3])))

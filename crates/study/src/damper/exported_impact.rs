@@ -23,8 +23,8 @@ use percuss_contact::exports::{MassDrift, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{
-    Change, Effect, FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact,
-    ModelParts, ModelText, write_mjcf_impact,
+    FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelParts, ModelText,
+    lost_pose, write_mjcf_impact,
 };
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
@@ -65,12 +65,12 @@ pub enum ImpactExportError {
     },
 }
 
-/// What the file of an impact has beside the mechanism and the impact.
+/// Heading and mesh names of the file of an impact.
 #[derive(Clone, Copy)]
-pub struct ImpactFile<'a> {
+pub struct ImpactFileOptions<'a> {
     /// Comment at the head of the file; none if empty.
     pub heading: &'a str,
-    /// Names of mesh files in the file.
+    /// Finds the mesh files and their names in the written model.
     pub find_mesh: FindMesh<'a>,
 }
 
@@ -100,7 +100,7 @@ pub fn export_impact(
     model: &Model,
     question: &MassQuestion,
     damping: &DampingQuestion,
-    file: &ImpactFile<'_>,
+    file: &ImpactFileOptions<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     export(model, question, damping, None, file)
 }
@@ -115,7 +115,7 @@ pub fn export_stop(
     stop: &JointStop,
     conditions: MassQuestion,
     damping: &DampingQuestion,
-    file: &ImpactFile<'_>,
+    file: &ImpactFileOptions<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     let (question, record) = stop.question(model, conditions)?;
     let mut damping = damping.clone();
@@ -131,7 +131,7 @@ fn export(
     question: &MassQuestion,
     damping: &DampingQuestion,
     stop: Option<&JointStop>,
-    file: &ImpactFile<'_>,
+    file: &ImpactFileOptions<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed.unwrap_or(SLOW_IMPACT);
@@ -190,7 +190,7 @@ fn export(
         time_step,
         restitution: damping.restitution,
     };
-    // Links keep their numbers in the floating mechanism.
+    // The floating mechanism has the links of the model, in the same order, and then the world.
     let parts = ModelParts {
         mechanism: floating.as_ref().unwrap_or(mechanism),
         shapes: &model.shapes,
@@ -198,12 +198,8 @@ fn export(
         poses: &[],
     };
     let mut written = write_mjcf_impact(parts, &impact, file.heading)?;
-    written.changes.extend(model.poses.iter().map(|pose| Change {
-        effect: Effect::Lost,
-        element: format!("pose \"{}\"", pose.name),
-        what: "the named pose".to_owned(),
-        reason: "the only keyframe of the file is the impact".to_owned(),
-    }));
+    let only_impact = "the only keyframe of the file is the impact";
+    written.changes.extend(model.poses.iter().map(|pose| lost_pose(&pose.name, only_impact)));
     Ok(ExportedImpact { model: written, speed, time_step, predicted, error_bound, damping: report })
 }
 
@@ -292,7 +288,7 @@ fn unreached_finding(
     // The factor covers the rounding of the accuracy minus the shift.
     (bound > accuracy * (1.0 + NEGLIGIBLE_SHIFT)).then(|| {
         let message = format!(
-            "the exported impact reaches the restitution {:.4} instead of {required}, within {:.1e}, because the mechanism moves during the \
+            "the exported impact reaches the restitution {:.4} ± {:.1e} instead of {required}, because the mechanism moves during the \
              contact: the effective mass changes, and the contact point accelerates along the normal; a slower impact or a stiffer contact \
              reduces the difference",
             predicted.restitution,

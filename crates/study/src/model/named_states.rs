@@ -2,36 +2,39 @@
 
 use crate::model::loading::Model;
 use percuss_dynamics::{Conditions, Configuration, System};
-use percuss_formats::{Change, Effect, MechanismState, NamedPose};
+use percuss_formats::{Change, MechanismState, NamedPose, lost_pose};
 use percuss_spatial::Twist;
 use std::error::Error;
 use std::sync::Arc;
 
-/// State at rest of each named pose, and the lost poses. A pose is lost if its loops cannot be closed.
+/// States of the named poses with zero velocity and closed loops, and the lost poses: those that cannot be evaluated, for example because
+/// the loops do not close.
 pub fn named_states(model: &Model) -> (Vec<(String, MechanismState)>, Vec<Change>) {
     let (mut states, mut lost) = (Vec::new(), Vec::new());
+    if model.poses.is_empty() {
+        return (states, lost);
+    }
+    let system = System::new(Arc::clone(&model.mechanism), &Conditions::default());
     for pose in model.poses.iter() {
-        match state_at(model, pose) {
+        let state = match &system {
+            Ok(system) => state_at(system, model, pose).map_err(|error| error.to_string()),
+            Err(error) => Err(error.to_string()),
+        };
+        match state {
             Ok(state) => states.push((pose.name.clone(), state)),
-            Err(error) => lost.push(Change {
-                effect: Effect::Lost,
-                element: format!("pose \"{}\"", pose.name),
-                what: "the named pose".to_owned(),
-                reason: error.to_string(),
-            }),
+            Err(reason) => lost.push(lost_pose(&pose.name, reason)),
         }
     }
     (states, lost)
 }
 
-/// State at rest at a named pose, with closed loops.
-fn state_at(model: &Model, pose: &NamedPose) -> Result<MechanismState, Box<dyn Error>> {
+/// State at a named pose with zero velocity and closed loops.
+fn state_at(system: &System, model: &Model, pose: &NamedPose) -> Result<MechanismState, Box<dyn Error>> {
     let mechanism = &model.mechanism;
     let configuration = Configuration::from_positions(mechanism, &pose.all_positions(mechanism))?;
-    let pose = System::new(Arc::clone(mechanism), &Conditions::default())?.pose(&configuration)?;
-    let of_joints = mechanism.joint_ids();
+    let pose = system.pose(&configuration)?;
     Ok(MechanismState {
-        positions: of_joints.map(|joint| pose.joint(joint).to_vec()).collect(),
+        positions: mechanism.joint_ids().map(|joint| pose.joint(joint).to_vec()).collect(),
         velocities: mechanism.joints().iter().map(|joint| vec![0.0; joint.kind().dofs()]).collect(),
         link_poses: mechanism.link_ids().map(|link| pose.link(link)).collect(),
         link_twists: vec![Twist::zero(); mechanism.links().len()],

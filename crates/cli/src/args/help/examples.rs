@@ -219,9 +219,9 @@ Examples:
   python impact.py
   percuss export front.toml --at bump_stop_left --restitution 0.2 \\
       --stiffness 400N/mm --speed 0.1 -o front.xml
-  The mechanism alone, as by percuss convert:
-    percuss export front.toml -o front.sdf
+  percuss export front.toml -o front.sdf
 
+Without a contact, the result is that of percuss convert, in any format.
 The script needs the package mujoco. It exits with 1 if the restitution differs
 by more than 0.001.";
 

@@ -19,7 +19,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     convert(&args.model, format, &args.output, args.format)
 }
 
-/// Writes a model without an impact, and the report in a format.
+/// Converts a model, and prints the report of the changes in `report_format`.
 pub(super) fn convert(
     model_args: &ModelArgs,
     format: ModelFormat,
@@ -65,7 +65,7 @@ pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure
     }
 }
 
-/// Text of the model with a comment at its head, and its changes.
+/// Text of the written model, which starts with the comment `heading`, and everything changed or lost.
 fn write_model(
     model: &Model,
     format: ModelFormat,

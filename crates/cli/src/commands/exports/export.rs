@@ -11,7 +11,7 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, shell_quoted};
 use crate::terminal::wrap::fact_line;
 use percuss_study::contact::exports::StopMotion;
-use percuss_study::{ExportReport, ImpactExportError, ImpactFile, export_impact, export_stop};
+use percuss_study::{ExportReport, ImpactExportError, ImpactFileOptions, export_impact, export_stop};
 use std::path::Path;
 
 /// Script that runs an exported impact. It finds the model by its own name.
@@ -29,8 +29,8 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     }
     match format {
         ModelFormat::Mjcf => {}
-        ModelFormat::Sdf => return Err(no_impact("SDFormat", "sdf", "gazebo-classic or --for drake")),
-        ModelFormat::Urdf => return Err(no_impact("URDF", "urdf", "drake or --for bullet")),
+        ModelFormat::Sdf => return Err(no_impact(args, "SDFormat", "sdf", "gazebo-classic or --for drake")),
+        ModelFormat::Urdf => return Err(no_impact(args, "URDF", "urdf", "drake or --for bullet")),
     }
     let script = script_path(&args.output)?;
     let contact = match &args.limit {
@@ -42,8 +42,8 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     }
     let Some(damping) = args.damping.question()? else {
         return Err(Failure::bad_input(
-            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required for an impact; without a contact \
-             the mechanism alone is written",
+            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are missing; an impact at a contact requires \
+             both. Omit the contact to write the mechanism alone",
         ));
     };
     for path in [&args.output, &script] {
@@ -58,7 +58,7 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     let heading = format!("imported by percuss from {}", args.model.model);
     let meshes = MeshNames::new(&args.model.model, &args.output, format);
     let find_mesh = |name: &str| meshes.find(name);
-    let file = ImpactFile { heading: &heading, find_mesh: &find_mesh };
+    let file = ImpactFileOptions { heading: &heading, find_mesh: &find_mesh };
     let exported = match &args.limit {
         Some(stop) => export_stop(&model, stop, contact, &damping, &file)?,
         None => export_impact(&model, &contact, &damping, &file)?,
@@ -74,10 +74,14 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
 }
 
 /// Refusal of a format that cannot express the state of an impact.
-fn no_impact(format: &str, ending: &str, tools: &str) -> Failure {
+fn no_impact(args: &ExportArgs, format: &str, ending: &str, tools: &str) -> Failure {
+    let given = match args.to {
+        Some(format) => format!("--to {}", format.name()),
+        None => format!("--output {}", args.output),
+    };
     Failure::bad_input(format!(
-        "--to {ending}: {format} cannot store the positions and velocities of joints at an impact; use --to mjcf, or write the \
-         mechanism alone by \"percuss export MODEL -o FILE.{ending}\" and the contact parameters by \"percuss damp --for {tools}\""
+        "{given}: {format} cannot store the positions and velocities of joints at an impact; write MJCF (-o FILE.xml), or write the mechanism \
+         alone with \"percuss export MODEL -o FILE.{ending}\" and the contact parameters with \"percuss damp --for {tools}\""
     ))
 }
 

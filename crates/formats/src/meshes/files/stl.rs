@@ -32,7 +32,7 @@ pub(super) fn read_stl(bytes: &[u8]) -> Result<Triangles, String> {
     }
 }
 
-/// Number of facets of a binary file, if the length of the file agrees; `None` for other files.
+/// Number of facets of a binary STL file; `None` if the file is not readable, or if its length is not that of the stated number.
 pub fn binary_stl_facets(path: &Path) -> Option<usize> {
     let mut file = File::open(path).ok()?;
     let mut header = [0; HEADER_SIZE];

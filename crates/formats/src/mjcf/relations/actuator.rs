@@ -102,6 +102,7 @@ pub(crate) fn reflected_armatures(
     }
     for element in tree.in_sections("actuator") {
         let actuator = models.attributes(element, DefaultKind::Actuator, None, findings);
+        findings.add_unread(element, || format!("actuator <{}>, except its armature", tree.tag(element)));
         let armature = actuator.number("armature", findings).unwrap_or(0.0);
         if armature == 0.0 {
             continue;

@@ -7,7 +7,7 @@ use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Path of a tendon.
 #[derive(Clone, Debug)]
@@ -41,6 +41,13 @@ pub(crate) fn read_tendons(
     findings: &mut Findings<'_>,
 ) -> HashMap<String, Tendon> {
     let mut tendons = HashMap::new();
+    let related: HashSet<&str> = ["equality", "actuator"]
+        .into_iter()
+        .flat_map(|section| tree.in_sections(section))
+        .flat_map(|id| {
+            ["tendon", "tendon1", "tendon2"].into_iter().filter_map(move |name| tree.attribute(id, name))
+        })
+        .collect();
     for (number, element) in tree.in_sections("tendon").enumerate() {
         let attributes = models.attributes(element, DefaultKind::Tendon, None, findings);
         let is_replicated = tree.children(element).iter().any(|child| {
@@ -59,6 +66,9 @@ pub(crate) fn read_tendons(
         };
         let armature = attributes.number("armature", findings).unwrap_or(0.0);
         let name = tree.attribute(element, "name").unwrap_or_default().to_owned();
+        if armature == 0.0 && !related.contains(name.as_str()) {
+            findings.add_unread(element, || format!("tendon <{}> without a constraint", tree.tag(element)));
+        }
         let key = if name.is_empty() { format!("\u{0}{number}") } else { name.clone() };
         if tendons.insert(key, Tendon { element, name, path, armature }).is_some() {
             findings.error("duplicate-name", element, || {

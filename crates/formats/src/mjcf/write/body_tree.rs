@@ -3,7 +3,7 @@
 use super::error::MjcfError;
 use super::rotors::{Rotor, rotor_inertial};
 use crate::writing::changes::Change;
-use crate::writing::structure::{drawn_poses, held_links, is_massless, links_at_rest};
+use crate::writing::structure::{drawn_poses, held_links, immovable_links, is_massless};
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
@@ -20,7 +20,8 @@ const RELATIVE_MOMENT: f64 = 1e-13;
 const RAISED_MOMENT: f64 = 2.0 * LEAST_INERTIA;
 /// Least moment of a body that is written by its inertia matrix, relative to the largest moment.
 const THIN_ROD: f64 = 1e-9;
-/// Least moment of a body that is written by its inertia matrix, kg·m²: ten times the rounding that MuJoCo's decomposition permits.
+/// Least principal moment of a body that is written as an inertia matrix, kg·m². MuJoCo's eigenvalue iteration stops at off-diagonal
+/// entries of 1e-12 kg·m² (kEigEPS); this limit is ten times larger.
 const LEAST_DECOMPOSED: f64 = 1e-11;
 /// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
 const TRIANGLE_SLACK: f64 = 1e-12;
@@ -116,7 +117,7 @@ impl BodyTree {
             root_is_world: mechanism.link(root).name() == "world",
             only_limit: None,
         };
-        let at_rest = links_at_rest(mechanism);
+        let at_rest = immovable_links(mechanism);
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             let name = mechanism.link(link).name();
@@ -134,13 +135,13 @@ impl BodyTree {
             if at_rest[link.index()] {
                 if refused.is_err() {
                     tree.inertials[link.index()] = None;
-                    let reason = "MuJoCo refuses moments with A + B < C, and the link cannot move";
+                    let reason = "MuJoCo refuses moments with A + B < C; the link cannot move, so its inertia has no effect";
                     tree.changes.push(Change::lost("link", name, "its inertia", reason));
                 }
                 continue;
             }
             refused?;
-            // A link that is fixed to a moving one may have moments of 0.
+            // MuJoCo accepts moments of 0 of a body without joints of its own.
             let moves = chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0);
             if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| moves)
                 && let Some(least) = raise_moments(inertial, mechanism.characteristic_length())
@@ -276,7 +277,9 @@ impl BodyTree {
             let below = children(link).into_iter().filter(moves_with_root);
             steps.extend(below.rev().map(|child| Step::Open(child, depth + 1)).collect::<Vec<_>>());
         }
-        out.push_str(&self.world_contents);
+        for line in self.world_contents.lines() {
+            append(out, format_args!("{}{line}\n", indent(0)));
+        }
         coordinates.extend(self.half_coordinates(None));
         Ok(coordinates)
     }
@@ -388,7 +391,7 @@ fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
     merged
 }
 
-/// Refuses the joints and the mass of a body that MuJoCo refuses.
+/// Returns an error if MuJoCo refuses the joints or the mass of a body.
 fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<(), MjcfError> {
     let name = mechanism.link(link).name();
     let kinds = || chain.iter().map(|id| mechanism.joint(*id).kind());
@@ -416,12 +419,13 @@ fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<
     Ok(())
 }
 
-/// Refuses moments that no body has.
+/// Returns an error if the principal moments of a link violate A + B ≥ C, which holds for every rigid body.
 fn check_moments(mechanism: &Mechanism, link: LinkId) -> Result<(), MjcfError> {
     let Some(inertial) = mechanism.link(link).inertial() else { return Ok(()) };
     let moments = inertial.about_com.symmetric_eigenvalues();
     let (sum, largest) = (moments.sum(), moments.max());
-    if sum - largest < largest * (1.0 - TRIANGLE_SLACK) {
+    // Smaller moments are raised.
+    if largest >= LEAST_INERTIA && sum - largest < largest * (1.0 - TRIANGLE_SLACK) {
         let reason = format!(
             "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia",
             moments[0], moments[1], moments[2]
@@ -447,8 +451,8 @@ fn raise_moments(inertial: &mut Inertial, size: f64) -> Option<f64> {
     Some(least)
 }
 
-/// `<inertial>` with a share of the mass and inertia. A thin rod and small moments are written by the principal moments: MuJoCo's own
-/// decomposition may give a negative one.
+/// `<inertial>` with a share of the mass and inertia. Principal moments are written if one of them is very small, absolutely or relative to
+/// the largest one: MuJoCo's decomposition of a matrix could return a negative moment.
 pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
     let i = inertial.about_com * share;
     let head = format!(

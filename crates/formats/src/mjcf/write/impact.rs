@@ -167,7 +167,7 @@ impl MjcfImpact {
         out
     }
 
-    /// Contact pair; empty for a limit.
+    /// Section `<contact>` with the pair of geoms; empty for the stop of a joint.
     pub(super) fn pair(&self) -> String {
         match self.contact {
             ImpactContact::Surfaces(_) => format!(

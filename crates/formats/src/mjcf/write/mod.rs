@@ -20,7 +20,7 @@ use forms::form_changes;
 pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
 
-/// Writes MJCF for MuJoCo 3.2.3 and later: bodies with inertias, joints with limits and armatures, and all loops as equality
+/// Writes MJCF for MuJoCo 3.2.3 and later, 3.3 and later with meshes: bodies with inertias, joints with limits and armatures, and all loops as equality
 /// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals
 /// that read back as the same bits.
 ///
@@ -34,7 +34,7 @@ use keyframe::Keyframe;
 /// | revolute closure | two connects on the axis |
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
 /// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
-/// | shapes | geoms without mass in the classes `visual` and `collision`; pairs of joined bodies do not touch |
+/// | shapes | geoms of the classes `visual` and `collision`, which add no mass; contact between joined bodies is excluded |
 /// | named poses | keyframes |
 ///
 /// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
@@ -48,8 +48,8 @@ pub fn write_mjcf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result
 }
 
 /// Writes MJCF of a mechanism and of an impact at one contact: the file of [`write_mjcf`], two geoms with a contact pair, and the
-/// keyframe `impact` with the pose and the velocity at the touch. Gravity is 0, limits of joints are disabled, and no other shapes touch,
-/// as in an effective mass; the number `restitution` has the expected result.
+/// keyframe `impact` with the pose and the velocity at the touch. As the effective mass assumes, gravity is 0, and joint limits and all other
+/// contacts are disabled. The `<numeric>` `restitution` contains the expected restitution.
 ///
 /// # Errors
 /// As for [`write_mjcf`]; a contact at a link without a body in the file.
@@ -107,7 +107,7 @@ fn write_file(
     Ok(ModelText { text: out, changes })
 }
 
-/// Appends a section of the file, if it has lines.
+/// Appends a section of the file; nothing if `lines` is empty.
 fn append_section(out: &mut String, section: &str, lines: &str) {
     if !lines.is_empty() {
         append(out, format_args!("  <{section}>\n{lines}  </{section}>\n"));

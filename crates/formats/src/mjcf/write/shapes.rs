@@ -1,36 +1,35 @@
-//! Shapes of links as geoms without mass.
+//! Shapes of links as geoms. `inertiafromgeom="false"` keeps their mass out of the bodies.
 
 use super::body_tree::{BodyTree, pose_attributes};
 use crate::meshes::files::binary_stl_facets;
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape, Solid};
-use crate::writing::changes::Change;
-use crate::writing::parts::{ModelParts, has_extent};
-use crate::writing::structure::links_at_rest;
-use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
-use percuss_mechanism::{LinkId, Mechanism};
-use percuss_spatial::Vector3;
+use crate::writing::changes::{Change, lost_shape};
+use crate::writing::parts::{ModelParts, has_positive_size};
+use crate::writing::structure::immovable_links;
+use crate::writing::xml_text::{append, escape_attribute, format_number, scale_text};
+use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use std::collections::{BTreeSet, HashMap};
 
-/// Classes of the geoms: `group` selects what MuJoCo's viewers show, and visual shapes touch nothing.
+/// Default classes of the geoms. Contacts of visual geoms are disabled. Groups 2 and 3 are MuJoCo's convention: viewers hide group 3.
 const CLASSES: &str = "  <default>\n    <default class=\"visual\">\n      <geom group=\"2\" contype=\"0\" conaffinity=\"0\"/>\n    \
                        </default>\n    <default class=\"collision\">\n      <geom group=\"3\"/>\n    </default>\n  </default>\n";
 
-/// Numbers of facets of an STL file that MuJoCo accepts.
+/// Range of the number of facets in an STL file that MuJoCo accepts.
 const FACETS: std::ops::RangeInclusive<usize> = 1..=200_000;
 
-/// Sections of the file for the shapes.
+/// Sections of the MJCF file that the shapes require.
 #[derive(Default)]
 pub(super) struct ShapeSections {
-    /// Defaults of the geoms.
+    /// `<default>`: classes of the geoms.
     pub classes: &'static str,
-    /// Meshes.
+    /// Lines of `<asset>`: meshes.
     pub assets: String,
-    /// Pairs of joined bodies whose shapes do not touch.
+    /// Lines of `<contact>`: pairs of joined bodies without contact.
     pub excludes: String,
 }
 
-/// Mesh assets by file name and scale.
+/// Mesh assets, one for each file name and scale.
 #[derive(Default)]
 struct Assets {
     names: HashMap<(String, [u64; 3]), String>,
@@ -38,18 +37,19 @@ struct Assets {
     lines: String,
 }
 
-/// Adds a geom for each shape. `touching`: whether collision shapes touch other bodies.
-pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, touching: bool) -> ShapeSections {
+/// Adds a geom for each shape, and returns the sections that the geoms require. `with_contacts`: true if collision shapes make contact; if false, all shapes are
+/// visual.
+pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, with_contacts: bool) -> ShapeSections {
     let mechanism = parts.mechanism;
     let mut assets = Assets::default();
     let mut with_collisions = vec![false; mechanism.links().len()];
     let mut has_geoms = false;
     for (link, shapes) in mechanism.link_ids().zip(parts.shapes) {
         for shape in shapes {
-            let is_visual = shape.purpose == Purpose::Visual || !touching;
+            let is_visual = shape.purpose == Purpose::Visual || !with_contacts;
             let line = match tree.has_body(link) {
                 true => geom(parts, shape, is_visual, &mut assets),
-                false => Err("its link has no body of its own in MJCF".to_owned()),
+                false => Err("its link is massless and merged into the body of another link".to_owned()),
             };
             match line {
                 Ok(line) => {
@@ -58,8 +58,7 @@ pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, touching: 
                     has_geoms = true;
                 }
                 Err(reason) => {
-                    let what = format!("a shape ({})", shape.purpose.name());
-                    tree.changes.push(Change::lost("link", mechanism.link(link).name(), what, reason));
+                    tree.changes.push(lost_shape(mechanism, link, shape, reason));
                 }
             }
         }
@@ -78,8 +77,8 @@ fn geom(
     is_visual: bool,
     assets: &mut Assets,
 ) -> Result<String, String> {
-    if !has_extent(&shape.solid) {
-        return Err("MuJoCo refuses a length of 0".to_owned());
+    if !has_positive_size(&shape.solid) {
+        return Err("MuJoCo refuses a dimension or a scale factor of 0".to_owned());
     }
     let sizes = |kind: &str, sizes: &[f64]| {
         let sizes: Vec<String> = sizes.iter().map(|size| format_number(*size)).collect();
@@ -99,9 +98,11 @@ fn geom(
                     Some("stl") if binary_stl_facets(path).is_some_and(|count| FACETS.contains(&count)) => {}
                     Some("stl") => {
                         let most = FACETS.end();
-                        return Err(format!("{file}: MuJoCo reads binary STL of at most {most} facets"));
+                        return Err(format!(
+                            "{file}: MuJoCo reads only binary STL files with 1 to {most} facets; convert the mesh"
+                        ));
                     }
-                    _ => return Err(format!("{file}: MuJoCo reads STL, OBJ and MSH")),
+                    _ => return Err(format!("{file}: MuJoCo reads only STL, OBJ and MSH; convert the mesh")),
                 }
             }
             format!("type=\"mesh\" mesh=\"{}\"", escape_attribute(&assets.name(&mesh.name, *scale)))
@@ -112,7 +113,7 @@ fn geom(
 }
 
 impl Assets {
-    /// Name of the asset for a file with scale factors.
+    /// Returns the name of the asset for a file and its scale factors; adds the asset if it is new.
     fn name(&mut self, file: &str, scale: [f64; 3]) -> String {
         let key = (file.to_owned(), scale.map(f64::to_bits));
         if let Some(name) = self.names.get(&key) {
@@ -121,11 +122,8 @@ impl Assets {
         let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
         let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
         let name = self.used.take(if stem.is_empty() { "mesh".to_owned() } else { stem.to_owned() });
-        let scale = match scale {
-            [1.0, 1.0, 1.0] => String::new(),
-            factors => format!(" scale=\"{}\"", format_vector(&Vector3::from(factors))),
-        };
-        // The mass of the shell always exists; no mass comes from the shapes.
+        let scale = scale_text(" scale=\"", &scale, "\"");
+        // Without `shell`, MuJoCo refuses flat meshes. The inertia of the mesh is not used.
         append(
             &mut self.lines,
             format_args!(
@@ -139,14 +137,32 @@ impl Assets {
     }
 }
 
-/// Elements `<exclude>` for the bodies that a loop joins, and for those on bodies at rest: MuJoCo itself excludes other neighbours.
-fn excluded_pairs(mechanism: &Mechanism, tree: &BodyTree, with_collisions: &[bool]) -> String {
-    let at_rest = links_at_rest(mechanism);
-    let mut pairs = BTreeSet::new();
+/// Elements `<exclude>` for pairs of bodies that a loop joins, and for pairs of an immovable body and its child, except the world. MuJoCo itself excludes the
+/// other pairs of parent and child.
+fn excluded_pairs(mechanism: &Mechanism, tree: &mut BodyTree, with_collisions: &[bool]) -> String {
+    let immovable = immovable_links(mechanism);
     let root = mechanism.root();
+    // Links that fixed joints connect move as one body. A link of the immovable group stays alone: the other links may be obstacles.
+    let mut first_of_group: Vec<LinkId> = mechanism.link_ids().collect();
+    for &link in mechanism.order() {
+        if let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
+            && joint.kind() == JointKind::Fixed
+            && !immovable[link.index()]
+        {
+            first_of_group[link.index()] = first_of_group[joint.parent().index()];
+        }
+    }
+    let mut groups = vec![Vec::new(); first_of_group.len()];
+    for link in mechanism.link_ids().filter(|link| with_collisions[link.index()]) {
+        groups[first_of_group[link.index()].index()].push(link.index());
+    }
+    let mut pairs = BTreeSet::new();
     let mut exclude = |one: LinkId, other: LinkId| {
-        if one != other && with_collisions[one.index()] && with_collisions[other.index()] {
-            pairs.insert((one.index().min(other.index()), one.index().max(other.index())));
+        let [one, other] = [one, other].map(|link| first_of_group[link.index()]);
+        if one != other {
+            let all =
+                groups[one.index()].iter().flat_map(|a| groups[other.index()].iter().map(move |b| (*a, *b)));
+            pairs.extend(all.map(|(a, b)| (a.min(b), a.max(b))));
         }
     };
     for &link in mechanism.order() {
@@ -157,13 +173,20 @@ fn excluded_pairs(mechanism: &Mechanism, tree: &BodyTree, with_collisions: &[boo
         {
             above = mechanism.joint(id).parent();
         }
-        if at_rest[above.index()] {
+        // Shapes of the world are obstacles.
+        if immovable[above.index()] && !tree.is_world(mechanism, above) && joint.kind() != JointKind::Floating
+        {
             exclude(above, link);
         }
     }
     for closure in mechanism.closures() {
         let [one, other] = [closure.predecessor(), closure.successor()].map(|end| end.link.unwrap_or(root));
         exclude(one, other);
+    }
+    for (one, other) in &pairs {
+        let [one, other] = [one, other].map(|index| mechanism.links()[*index].name());
+        let what = format!("its shapes do not touch those of link \"{other}\"");
+        tree.changes.push(Change::changed("link", one, what, "a joint or a loop joins the two bodies"));
     }
     let name = |index: usize| escape_attribute(mechanism.links()[index].name());
     pairs.iter().fold(String::new(), |mut out, (one, other)| {

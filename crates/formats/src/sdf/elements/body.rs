@@ -41,7 +41,7 @@ pub(crate) fn read_body(
         };
     }
     for part in collisions.iter().chain(&visuals).filter(|part| part.shape.solid().is_none()) {
-        findings.add_unread(part.element, || "a kind of <geometry> without a counterpart".to_owned());
+        findings.add_unread(part.element, || "<geometry> of an unsupported kind".to_owned());
     }
     let of_purpose = |parts: &[Collision], purpose| {
         let shapes = parts.iter().filter_map(|part| Some((part.shape.solid()?, part.frame)));

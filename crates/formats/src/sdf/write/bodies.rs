@@ -3,7 +3,7 @@
 use super::error::SdfError;
 use crate::reading::unique_names::UniqueNames;
 use crate::writing::changes::Change;
-use crate::writing::structure::{drawn_poses, held_links, is_massless, links_at_rest};
+use crate::writing::structure::{drawn_poses, held_links, immovable_links, is_massless};
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
@@ -12,6 +12,12 @@ use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 const COMMON_POINT: f64 = 1e-13;
 /// Largest |cosine| of the angle between the axes of a universal joint: a few roundings.
 const RIGHT_ANGLE: f64 = 1e-13;
+
+/// Radius of gyration of the mass that replaces a mass of 0, relative to the size of the mechanism: no check of percuss or of a simulator
+/// finds it implausible.
+const PLACEHOLDER_RADIUS: f64 = 0.1;
+/// Least moment of this mass, kg·m².
+const LEAST_PLACEHOLDER: f64 = 1e-9;
 
 /// Form of a link in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -196,7 +202,10 @@ impl Bodies {
 
     /// Gives the links their names; `::` separates the names of models in SDFormat.
     fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
-        for id in mechanism.link_ids() {
+        // Links with a valid name keep it.
+        let (valid, changed): (Vec<LinkId>, Vec<LinkId>) =
+            mechanism.link_ids().partition(|id| !mechanism.link(*id).name().contains("::"));
+        for id in valid.into_iter().chain(changed) {
             let name = mechanism.link(id).name();
             match self.forms[id.index()] {
                 Form::World => {
@@ -212,10 +221,7 @@ impl Bodies {
             }
             let own = self.used_names.take(name.replace("::", "_"));
             if own != name {
-                let what = format!("its name is \"{own}\"");
-                let reason =
-                    "\"::\" separates the names of models in SDFormat, and names are unique in a model";
-                self.changes.push(Change::changed("link", name, what, reason));
+                self.changes.push(changed_name("link", name, &own));
             }
             self.names[id.index()] = own;
         }
@@ -231,16 +237,14 @@ impl Bodies {
     pub fn joint_name(&mut self, name: &str) -> String {
         let own = self.used_names.take(name.replace("::", "_"));
         if own != name {
-            let what = format!("its name is \"{own}\"");
-            let reason = "\"::\" separates the names of models in SDFormat, and names are unique in a model";
-            self.changes.push(Change::changed("joint", name, what, reason));
+            self.changes.push(changed_name("joint", name, &own));
         }
         own
     }
 
-    /// Writes all links and frames. `shapes`: lines of the shapes of each link.
+    /// Writes all links and frames. `shapes`: visuals and collisions of each link as XML, in link order.
     pub fn append_links(&mut self, mechanism: &Mechanism, shapes: &[String], out: &mut String) {
-        let fixed = links_at_rest(mechanism);
+        let fixed = immovable_links(mechanism);
         for id in mechanism.link_ids() {
             let form = self.forms[id.index()].clone();
             let parent = match form {
@@ -294,9 +298,11 @@ impl Bodies {
         let massless = Inertial::diagonal(0.0, [0.0; 3], [0.0; 3]);
         let own = mechanism.link(link).inertial().copied().unwrap_or(massless);
         if is_massless(mechanism, link) && is_fixed {
-            let what = "1 kg and 1 kg·m² instead of no mass; it cannot move";
+            let moment =
+                (PLACEHOLDER_RADIUS * mechanism.characteristic_length()).powi(2).max(LEAST_PLACEHOLDER);
+            let what = format!("1 kg and {moment:.1e} kg·m² instead of no mass; it cannot move");
             self.changes.push(Change::changed("link", name, what, "simulators refuse a mass of 0"));
-            return Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
+            return Inertial::diagonal(1.0, [0.0; 3], [moment; 3]);
         }
         let moments = own.about_com.symmetric_eigenvalues();
         if !is_fixed && (own.mass <= 0.0 || moments.min() <= 0.0) {
@@ -310,6 +316,15 @@ impl Bodies {
         }
         own
     }
+}
+
+/// Change of a name.
+pub(super) fn changed_name(kind: &str, name: &str, own: &str) -> Change {
+    let reason = match name.contains("::") {
+        true => "\"::\" separates the names of models in SDFormat",
+        false => "names of links, joints and frames are unique in SDFormat",
+    };
+    Change::changed(kind, name, format!("its name is \"{own}\""), reason)
 }
 
 /// X_al of a link in a link on its path to the root: the product of the origins of the joints between.

@@ -14,8 +14,8 @@ pub use error::SdfError;
 use joints::Axes;
 use percuss_mechanism::Joint;
 
-/// Writes SDFormat 1.7, 1.8 if a shape is a capsule, or 1.11 if a joint follows another: links with inertias, joints with limits, and the joints that close loops.
-/// `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read
+/// Writes SDFormat: links with inertias, joints with limits, and the joints that close loops. The version is 1.7; 1.8 if a shape is a
+/// capsule; 1.11 if a joint follows another. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read
 /// back as the same bits, and rotations are converted to roll, pitch and yaw, which are accurate to a few roundings.
 ///
 /// | mechanism | SDFormat |
@@ -26,7 +26,7 @@ use percuss_mechanism::Joint;
 /// | floating joint | none: a link without a joint floats |
 /// | mimic, coupling of two joints | mimic |
 /// | fixed, revolute, prismatic, spherical, universal closure | a joint, placed as drawn |
-/// | shapes | visuals and collisions; those of a frame belong to the link that supports it |
+/// | shapes | visuals and collisions; shapes of a link that becomes a frame are written in the link to which the frame is attached |
 /// | armature of a joint with one degree of freedom | `drake:rotor_inertia`, which only Drake reads |
 ///
 /// # Errors
@@ -69,6 +69,10 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
         }));
     }
     let mut changes = bodies.changes;
+    let model_name = bodies::model_name(mechanism);
+    if !mechanism.name().is_empty() && model_name != mechanism.name() {
+        changes.push(bodies::changed_name("model", mechanism.name(), &model_name));
+    }
     changes.extend(mechanism.contacts().iter().map(|contact| {
         Change::lost("contact", contact.name(), "the contact", "SDFormat has no named contacts")
     }));

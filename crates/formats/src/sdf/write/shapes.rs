@@ -3,21 +3,21 @@
 use super::bodies::{Bodies, Form, path_pose, pose_text};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Shape, Solid};
-use crate::writing::changes::Change;
-use crate::writing::parts::{ModelParts, has_extent};
-use crate::writing::xml_text::{escape_attribute, format_number, format_vector};
+use crate::writing::changes::lost_shape;
+use crate::writing::parts::{ModelParts, has_positive_size};
+use crate::writing::xml_text::{escape_attribute, format_number, format_vector, scale_text};
 use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
-/// Shapes as lines of the file.
+/// Visuals and collisions as XML.
 pub(super) struct ShapeLines {
-    /// Lines within each link.
+    /// XML of the shapes in each link, in link order.
     pub lines: Vec<String>,
-    /// True if a shape is a capsule, which SDFormat has from version 1.8 on.
+    /// True if a shape is a capsule, which requires SDFormat 1.8.
     pub has_capsules: bool,
 }
 
-/// Writes the shapes of all links; those of a frame belong to the link that supports it.
+/// Writes the shapes of all links. Shapes of a link that becomes a frame are written in the link to which the frame is attached.
 pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> ShapeLines {
     let mechanism = parts.mechanism;
     let mut written = ShapeLines { lines: vec![String::new(); mechanism.links().len()], has_capsules: false };
@@ -36,8 +36,7 @@ pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> Shape
                     written.has_capsules |= matches!(shape.solid, Solid::Capsule { .. });
                 }
                 Err(reason) => {
-                    let what = format!("a shape ({})", shape.purpose.name());
-                    bodies.changes.push(Change::lost("link", mechanism.link(link).name(), what, reason));
+                    bodies.changes.push(lost_shape(mechanism, link, shape, reason));
                 }
             }
         }
@@ -45,27 +44,29 @@ pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> Shape
     written
 }
 
-/// Link of the file for the shapes of a link; the error is the reason for their loss.
+/// Returns the link that contains the shapes of `link` in the file. The error is the reason why the shapes are lost.
 fn holder(mechanism: &Mechanism, bodies: &Bodies, mut link: LinkId) -> Result<LinkId, String> {
     loop {
         match (&bodies.forms[link.index()], mechanism.parent_joint(link)) {
             (Form::Link, _) => return Ok(link),
             (Form::Frame, Some(joint)) => link = mechanism.joint(joint).parent(),
-            (Form::Merged, _) => return Err("its link is within a joint".to_owned()),
-            (Form::World | Form::Frame, _) => return Err("the world of SDFormat has no shapes".to_owned()),
+            (Form::Merged, _) => return Err("its link is massless and merged into a joint".to_owned()),
+            (Form::World | Form::Frame, _) => {
+                return Err("its link is the world, which has no shapes in SDFormat".to_owned());
+            }
         }
     }
 }
 
-/// `<visual>` or `<collision>`; the error is the reason for the loss of the shape.
+/// Element `<visual>` or `<collision>`. The error is the reason why the shape is lost.
 fn shape_element(
     parts: &ModelParts<'_>,
     shape: &Shape,
     name: &str,
     frame: &Transform<f64>,
 ) -> Result<String, String> {
-    if !has_extent(&shape.solid) {
-        return Err("SDFormat has no shapes with a length of 0".to_owned());
+    if !has_positive_size(&shape.solid) {
+        return Err("SDFormat allows no dimension or scale factor of 0".to_owned());
     }
     let round = |tag: &str, radius: f64, length: f64| {
         let (radius, length) = (format_number(radius), format_number(length));
@@ -78,10 +79,7 @@ fn shape_element(
         Solid::Capsule { radius, length } => round("capsule", *radius, *length),
         Solid::Mesh { file, scale } => {
             let uri = escape_attribute(&(parts.find_mesh)(file)?.name);
-            let scale = match scale {
-                [1.0, 1.0, 1.0] => String::new(),
-                factors => format!("<scale>{}</scale>", format_vector(&Vector3::from(*factors))),
-            };
+            let scale = scale_text("<scale>", scale, "</scale>");
             format!("<mesh><uri>{uri}</uri>{scale}</mesh>")
         }
     };

@@ -205,7 +205,7 @@ const IN_CONTACT: &[ElementRule] = &[
 
 const IN_LINK: &[ElementRule] = &[
     ElementRule { name: "inertial", treatment: Read, single: true, attributes: &[], children: IN_INERTIAL },
-    // Shapes are read by geometry.rs and shape.rs; their other parts are silent.
+    // `geometry.rs` and `shape.rs` read the shapes; `survey.rs` lists the other children.
     unread_element("visual", Silent),
     unread_element("collision", Silent),
     unread_element(

@@ -118,7 +118,7 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
             match rule.name {
                 "gazebo" => check_gazebo_joints(node, report),
                 "mujoco" => refuse_mujoco_equalities(node, report),
-                "visual" | "collision" => return list_unread_of_shape(node, report),
+                "visual" | "collision" => return list_unread_children(node, report),
                 _ => {}
             }
             report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node)));
@@ -133,11 +133,11 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
     }
 }
 
-/// Kinds of solids in a `<geometry>` that `shape.rs` reads.
+/// Children of `<geometry>` that `shape.rs` reads.
 const SOLIDS: [&str; 5] = ["box", "sphere", "cylinder", "capsule", "mesh"];
 
-/// Lists the parts of a `<visual>` or `<collision>` that are no part of a shape.
-fn list_unread_of_shape(holder: Node<'_, '_>, report: &mut Report) {
+/// Adds the children of a `<visual>` or `<collision>` that are not read, such as `<material>`, to the list of unread parts.
+fn list_unread_children(holder: Node<'_, '_>, report: &mut Report) {
     for part in holder.children().filter(Node::is_element) {
         let tag = part.tag_name().name();
         let unread = match tag {
