@@ -113,12 +113,12 @@ impl Model {
 
     /// The mechanism as MJCF, for MuJoCo 3.2.3 and later. Loops become equality constraints.
     fn to_mjcf(&self) -> PyResult<String> {
-        write_mjcf(&self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
+        write_mjcf(&*self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
     }
 
     /// The mechanism as SDFormat 1.7, or 1.11 if a joint follows another. Loops become joints.
     fn to_sdf(&self) -> PyResult<String> {
-        write_sdf(&self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
+        write_sdf(&*self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
     }
 
     /// Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet.
