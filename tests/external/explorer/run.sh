@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests of the page of `percuss explore` in headless Chromium: the bundle is that of the sources, the engine is built if it is not up
-# to date, then the tests of the page. Needs npm and Chromium (Debian: apt install chromium binaryen zopfli).
+# to date, then the tests of the page. Needs npm and Chromium (Debian: apt install chromium binaryen xz-utils).
 #   run.sh [TEST…]   only the tests whose names contain one of the words
 # EXPLORER_DRAGS: number of random drags of each seed (150); EXPLORER_SEEDS: their seeds (7,11), separated by commas
 set -euo pipefail
