@@ -103,7 +103,7 @@ function Bar() {
     <header class="bar">
       <b class="brand">percuss</b><span class="brand-sub">explorer</span>
       <button onClick={() => input.current!.click()}>Open…</button>
-      <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.toml,.csv,.json" aria-label="Model file"
+      <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.sdf,.world,.toml,.csv,.json" aria-label="Model file"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           if (file) void openFile(file);

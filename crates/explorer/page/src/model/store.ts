@@ -322,7 +322,7 @@ export class Store {
   }
 
   /** Values of the motions of the wheels and of the rack, m. */
-  private state(): Record<string, number> {
+  state(): Record<string, number> {
     const named = this.drivers.filter((driver) => driver.isMotion || driver.name === 'rack');
     return Object.fromEntries(named.map((driver) => [driver.isMotion ? driver.name : 'steer', this.positionOf(driver)]).filter(([, value]) => value !== 0));
   }

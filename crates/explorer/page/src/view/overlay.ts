@@ -16,8 +16,8 @@ export function element<K extends keyof SVGElementTagNameMap>(
 }
 
 export interface Mark { name: string; at: Vector3; isMoved: boolean }
-/** `reach`: nearest drawn point of the contact link. */
-export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; label: string; isStale: boolean }
+/** `reach`: nearest drawn point of the contact link; `far`: other end of its line or cable. */
+export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; far?: Vector3; label: string; isStale: boolean }
 
 const ARROW = 74;
 const HEAD = 15;
@@ -161,6 +161,10 @@ export class Overlay {
     const base = mark.reach && cameras.project(mark.reach);
     if (base && Math.hypot(base.x - a.x, base.y - a.y) > 3) {
       parts.unshift(element('line', { x1: base.x, y1: base.y, x2: a.x, y2: a.y, class: 'reach' }));
+    }
+    if (mark.far) {
+      const end = cameras.project(mark.far);
+      parts.unshift(element('line', { x1: end.x, y1: end.y, x2: a.x, y2: a.y, class: 'rope' }), element('circle', { cx: end.x, cy: end.y, r: 3.5, class: 'dot' }));
     }
     const chip = element('g', { transform: `translate(${x.toFixed(1)},${y.toFixed(1)})`, class: 'chip' });
     element('rect', { width: width.toFixed(0), height: 26, rx: 5 }, chip);

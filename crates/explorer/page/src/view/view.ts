@@ -221,6 +221,7 @@ export class View {
       point: new Vector3(...posed.report.contact.point_world),
       normal: new Vector3(...posed.report.contact.normal_world),
       reach: this.reach(frames),
+      far: this.farEnd(frames),
       label: this.value(),
       isStale: problem !== undefined,
     });
@@ -239,6 +240,13 @@ export class View {
       return line.closestPointToPoint(point, true, new Vector3());
     });
     return nearest.sort((a, b) => a.distanceTo(point) - b.distanceTo(point))[0];
+  }
+
+  /** Other end of the line or the cable of the contact. */
+  private farEnd(frames: number[]): Vector3 | undefined {
+    const line = store.study?.contact.along_line;
+    const link = store.scene!.links.findIndex((l) => l.name === line?.link);
+    return line && link >= 0 ? pointAt(frames, link, line.point) : undefined;
   }
 
   private value(): string {
@@ -398,16 +406,18 @@ export class View {
   }
 
   private dragContact({ x, y }: { x: number; y: number }) {
-    const own = store.ownContact();
+    // The end of a line or a cable moves, its direction follows.
+    const given = store.study?.contact;
+    const own = given?.along_line && !given.frame ? given : store.ownContact();
     if (!own?.link) return;
     const link = store.scene!.links.findIndex((l) => l.name === own.link);
     const surface = this.shapes[link]?.length ? this.cast(x, y, link) : undefined;
     const contact = { ...own };
-    if (surface) {
-      contact.point = this.pointIn(link, surface.at);
+    if (surface) contact.point = this.pointIn(link, surface.at);
+    if (surface && !own.along_line) {
       contact.normal = this.normalIn(link, surface.normal);
       delete contact.normal_frame;
-    } else {
+    } else if (!surface) {
       contact.point = this.pointIn(link, this.cameras.inPlane(x, y, this.drag!.at));
     }
     store.setContact(contact, 'move the contact');
