@@ -7,6 +7,8 @@
 # both if already installed.
 set -euo pipefail
 wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen xz-utils)
+# The bundle of the page is built again and compared.
+command -v npm > /dev/null || wanted+=(npm)
 for option in "$@"; do
   case $option in
     --with-gazebo) wanted+=(libignition-physics-dev libignition-physics5-dartsim-plugin5) ;;

@@ -19,7 +19,7 @@ const models = [
 const LARGEST_ENGINE = 1_350_000;
 const LARGEST_PAGE = 2_600_000;
 /** Drags of the random test; more by the environment. */
-const RANDOM_DRAGS = Number(process.env.EXPLORER_DRAGS ?? 150);
+const RANDOM_DRAGS = Number(process.env.EXPLORER_DRAGS ?? 350);
 
 const tests = {
   async 'the engine imports nothing, and the page is small'() {
