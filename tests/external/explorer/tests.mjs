@@ -176,7 +176,7 @@ const tests = {
     page.bad.splice(0, page.bad.length, ...page.bad.filter((text) => !text.includes('WebGL')));
     await settle(page);
     assert.equal(await page.locator('canvas').count(), 0);
-    assert.ok((await page.locator('.wires line').count()) > 10);
+    assert.ok((await page.locator('.wires path').count()) > 10);
     assert.ok((await page.getAttribute('.trace.now', 'd')).length > 100);
     await agrees(page, root, 'without WebGL');
     await close(page);

@@ -5,6 +5,7 @@ import {
   LatheGeometry, MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector2, Vector3,
 } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
+import type { Wire } from './overlay';
 import { frame, pointAt, vectorAt } from './space';
 
 const UP = new Vector3(0, 1, 0);
@@ -183,6 +184,25 @@ export class Bodies {
       mesh.scale.setScalar(wheel.radius);
       this.links[wheel.link].add(mesh);
     }
+  }
+
+  /** The bodies as lines: links, rims of the wheels, springs and dampers. `colours`: of the links, or null for grey. */
+  wires(frames: number[], colours: Color[] | null): Wire[] {
+    const colour = (link: number) => (colours?.[link] ? `#${colours[link].getHexString()}` : '#6b7785');
+    const links = this.scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
+      .map((line) => ({ points: line.map((end) => pointAt(frames, i, end)), colour: colour(i), isThin: false })));
+    const wheels = this.scene.wheels.map((wheel, i) => {
+      const turn = new Quaternion().setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
+      const rim = Array.from({ length: 41 }, (_, k) => {
+        const spoke = new Vector3(Math.cos((k * Math.PI) / 20), 0, Math.sin((k * Math.PI) / 20)).multiplyScalar(wheel.radius).applyQuaternion(turn);
+        return pointAt(frames, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple);
+      });
+      return { points: rim, colour: colour(this.tyres[i].link), isThin: true };
+    });
+    const elements = this.scene.contacts.filter((c) => (c.kind === 'spring' || c.kind === 'damper') && c.normal !== 'fixed').map((c) => ({
+      points: [pointAt(frames, c.link, c.point), pointAt(frames, c.against ?? this.scene.root, c.vector)], colour: GREY, isThin: true,
+    }));
+    return [...links, ...wheels, ...elements];
   }
 
   pose(frames: number[]) {

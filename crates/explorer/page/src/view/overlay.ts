@@ -19,6 +19,9 @@ export interface Mark { name: string; at: Vector3; isMoved: boolean }
 /** `reach`: nearest drawn point of the contact link; `far`: other end of its line or cable. */
 export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; far?: Vector3; label: string; isStale: boolean }
 
+/** Line in a browser without WebGL. */
+export interface Wire { points: Vector3[]; colour: string; isThin: boolean }
+
 const ARROW = 74;
 const HEAD = 15;
 /** A label of a scale: lengths of bars, m. */
@@ -60,10 +63,13 @@ export class Overlay {
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   }
 
-  drawWires(cameras: Cameras, lines: { ends: [Vector3, Vector3]; colour: string }[]) {
-    this.wires.replaceChildren(...lines.map(({ ends, colour }) => {
-      const [a, b] = ends.map((end) => cameras.project(end));
-      const line = element('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y });
+  drawWires(cameras: Cameras, wires: Wire[]) {
+    this.wires.replaceChildren(...wires.map(({ points, colour, isThin }) => {
+      const path = points.map((point) => {
+        const { x, y } = cameras.project(point);
+        return `${x.toFixed(1)} ${y.toFixed(1)}`;
+      });
+      const line = element('path', { d: `M${path.join('L')}`, class: isThin ? 'thin' : '' });
       line.style.stroke = colour;
       return line;
     }));

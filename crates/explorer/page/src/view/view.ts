@@ -152,7 +152,8 @@ export class View {
     }
     if (this.bodies) this.stage.remove(this.bodies.group);
     if (isNewModel) {
-      this.points = outline(scene, this.shapes);
+      const contact = store.posed?.report.contact.point_world;
+      this.points = [...outline(scene, this.shapes), ...(contact ? [new Vector3(...contact)] : [])];
       const low = this.points.reduce((a, p) => a.clone().min(p), this.points[0]);
       const high = this.points.reduce((a, p) => a.clone().max(p), this.points[0]);
       this.centre = low.clone().add(high).multiplyScalar(0.5);
@@ -206,10 +207,7 @@ export class View {
     // Only now: the shader programs of the former bodies are those of the new ones, and are compiled again if nothing uses them.
     former?.dispose();
     if (!this.webgl) {
-      this.overlay.drawWires(this.cameras, scene.links.flatMap((link, i) => link.lines.map(([a, b]) => ({
-        ends: [pointAt(frames, i, a), pointAt(frames, i, b)] as [Vector3, Vector3],
-        colour: colours ? `#${colours[i].getHexString()}` : '#6b7785',
-      }))));
+      this.overlay.drawWires(this.cameras, bodies.wires(frames, colours));
     }
     this.overlay.drawAxes(this.cameras);
     this.overlay.drawScale(this.cameras, this.centre, store.view !== '3d');
