@@ -21,6 +21,8 @@ const SNAP = 0.001;
 /** Angle within which a dragged normal takes the direction of an axis, rad. */
 const SNAP_ANGLE = 0.1;
 
+/** Room for the arrow of the contact, as a part of the radius of the scene. */
+const ARROW_ROOM = 0.25;
 const MOST_TIMES = 400;
 
 interface Drag {
@@ -47,10 +49,9 @@ export class View {
   private bodies: Bodies | undefined;
   private cameras: Cameras;
   private overlay: Overlay;
-  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown } = {};
+  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown; pose?: string } = {};
   private shapes: (Float32Array | null)[] = [];
   private centre = new Vector3();
-  private points: Vector3[] = [];
   private radius = 1;
   private tip: Vector3 | undefined;
   private drag: Drag | undefined;
@@ -116,8 +117,16 @@ export class View {
     return this.renderer.domElement.toDataURL('image/png');
   }
 
+  /** Shows the mechanism at its pose, and the contact. */
   fit() {
-    if (this.points.length) this.cameras.fit(this.points);
+    const { scene, frames, posed } = store;
+    if (!scene || !frames) return;
+    const points = outline(scene, frames, this.shapes);
+    if (posed) {
+      const point = new Vector3(...posed.report.contact.point_world);
+      points.push(point, point.clone().addScaledVector(new Vector3(...posed.report.contact.normal_world), ARROW_ROOM * this.radius));
+    }
+    this.cameras.fit(points);
     this.invalidate();
   }
 
@@ -152,15 +161,14 @@ export class View {
     }
     if (this.bodies) this.stage.remove(this.bodies.group);
     if (isNewModel) {
-      const contact = store.posed?.report.contact.point_world;
-      this.points = [...outline(scene, this.shapes), ...(contact ? [new Vector3(...contact)] : [])];
-      const low = this.points.reduce((a, p) => a.clone().min(p), this.points[0]);
-      const high = this.points.reduce((a, p) => a.clone().max(p), this.points[0]);
+      const points = outline(scene, scene.design, this.shapes);
+      const low = points.reduce((a, p) => a.clone().min(p), points[0]);
+      const high = points.reduce((a, p) => a.clone().max(p), points[0]);
       this.centre = low.clone().add(high).multiplyScalar(0.5);
       // A single point has no size.
       this.radius = high.distanceTo(low) / 2 || POINT_RADIUS;
       this.shown.fitted = store.opened;
-      this.cameras.fit(this.points);
+      this.fit();
       this.addGrid(scene);
     }
     this.bodies = new Bodies(scene, this.shapes, this.radius);
@@ -192,6 +200,12 @@ export class View {
       this.shown.view = store.view;
       this.cameras.show(store.view);
       if (this.grid) this.grid.visible = store.view === '3d';
+    }
+    // A pose of the model may be far from the former one.
+    const pose = store.answered?.pose.file;
+    if (this.shown.pose !== pose && store.answered === store.study) {
+      this.shown.pose = pose;
+      this.fit();
     }
     const bodies = this.bodies!;
     bodies.pose(frames);
