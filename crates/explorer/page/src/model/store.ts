@@ -402,8 +402,12 @@ export class Store {
     const alone = !this.gesture;
     if (alone) this.begin(label);
     this.study = study;
-    if (alone) this.finish();
-    else void this.update();
+    if (!alone) {
+      // The page follows with the reply, which is the next frame: it would be made twice for each move.
+      void this.update();
+      return;
+    }
+    this.finish();
     this.changed();
   }
 

@@ -41,6 +41,8 @@ export class Overlay {
   /** Size of the view, pixels: reading it from the page would compute the layout once more for each drawing. */
   private width = 1;
   private height = 1;
+  /** View of the axes drawn. */
+  private drawnAxes = '';
 
   constructor(parent: HTMLElement) {
     this.svg = element('svg', { class: 'overlay', 'aria-hidden': 'true' });
@@ -197,11 +199,14 @@ export class Overlay {
     this.label.replaceChildren(...parts, group);
   }
 
+  /** Directions of the axes, which change only with the camera. */
   drawAxes(cameras: Cameras) {
     const { height } = this;
     const [cx, cy] = [44, height - 76];
-    const camera = cameras.camera;
-    const turn = camera.matrixWorldInverse;
+    const turn = cameras.camera.matrixWorldInverse;
+    const key = `${height} ${turn.elements.slice(0, 11).join()}`;
+    if (key === this.drawnAxes) return;
+    this.drawnAxes = key;
     const parts = (['x', 'y', 'z'] as const).flatMap((name, i) => {
       const v = new Vector3(...[0, 1, 2].map((k) => (k === i ? 1 : 0))).transformDirection(turn);
       if (Math.hypot(v.x, v.y) < 0.15) return [];

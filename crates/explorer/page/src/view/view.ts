@@ -58,6 +58,7 @@ export class View {
   private press: { x: number; y: number } | undefined;
   private pointer: { x: number; y: number } | undefined;
   private hovered: string | undefined;
+  private box = new DOMRect();
   private pending = false;
   /** Times of drawings, ms. */
   private times: number[] = [];
@@ -313,9 +314,11 @@ export class View {
 
   // ---- gestures ------------------------------------------------------------------------------------------------------
 
+  /** Position of the pointer in the view. During a drag, the place of the view is not read again: the browser would compute the layout
+   * for each event. */
   private at(event: PointerEvent) {
-    const box = this.element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+    if (!this.drag) this.box = this.element.getBoundingClientRect();
+    return { x: event.clientX - this.box.left, y: event.clientY - this.box.top };
   }
 
   private hit(x: number, y: number, kind: string): { what: Drag['what']; name: string } | undefined {
