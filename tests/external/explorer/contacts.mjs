@@ -64,7 +64,7 @@ export const contactTests = {
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal(await shown(page), first);
-    for (const model of ['models/double_wishbone.urdf', 'models/four_bar.urdf', 'models/six_r_arm.urdf']) {
+    for (const model of ['models/slider_crank.urdf', 'models/four_bar.urdf', 'models/six_r_arm.urdf']) {
       const sdf = join(folder, model.replace(/.*\//, '').replace('.urdf', '.sdf'));
       percuss('convert', model, '-o', sdf, '--force');
       await load(page, sdf);
@@ -132,6 +132,7 @@ export const contactTests = {
     const page = await open(browser, explore(...ARM, '--set', 'shoulder=-40deg'));
     await settle(page);
     await page.click('details.damper > summary');
+    await page.waitForFunction(() => window.percussView.state().results.damper);
     await page.locator('details.damper label:has(> span:text-is("contact")) select').selectOption('elbow:upper');
     await rested(page);
     const found = (await state(page)).results.damper.ok;
@@ -150,7 +151,10 @@ export const contactTests = {
     const page = await open(browser, explore(SHEET, '--at', 'spring', '--wheel-travel=20mm'));
     await page.fill('[aria-label="upper_ball y, mm"]', String(Number(await page.inputValue('[aria-label="upper_ball y, mm"]')) - 5));
     await page.keyboard.press('Tab');
-    for (const kind of ['damper', 'impact', 'kinematics']) await page.click(`details.${kind} > summary`);
+    for (const kind of ['damper', 'impact', 'kinematics']) {
+      await page.click(`details.${kind} > summary`);
+      await page.waitForFunction((name) => window.percussView.state().results[name], kind);
+    }
     await rested(page);
     const { results } = await state(page);
     const damper = executed(await commandOf(page, 'damper'), root);
@@ -162,6 +166,8 @@ export const contactTests = {
     await close(page);
     const arm = await open(browser, explore(...ARM));
     await arm.click('details.safe > summary');
+    // The panel asks when the browser reports that it is open, which is later than its attribute.
+    await arm.waitForFunction(() => window.percussView.state().results.safe);
     await rested(arm);
     await arm.fill('details.safe input >> nth=0', '140 N');
     await arm.keyboard.press('Tab');
