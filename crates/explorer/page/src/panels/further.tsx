@@ -161,12 +161,16 @@ export function DamperPanel() {
   );
 }
 
+/** Impulses below this part of that of the contact are rounding. */
+const SMALL_IMPULSE = 1e-9;
+
 export function ImpactPanel() {
   return (
     <Panel kind="impact" title="Impact" command={() => commandOf('impact', store.study!, store.answers.settings)} result={(found) => {
       const size = (force: (number | null)[]) => (force.some((f) => f === null) ? null : Math.hypot(...(force as number[])));
       const rows = found.reactions.map((r) => ({ name: r.name, place: r.place, on: r.on, size: size(r.force), open: r.open_by }))
-        .sort((a, b) => (b.size ?? 0) - (a.size ?? 0));
+        .sort((a, b) => (b.size ?? Infinity) - (a.size ?? Infinity));
+      const without = rows.filter((r) => r.size !== null && r.size <= SMALL_IMPULSE * found.impulse).length;
       return (
         <>
           <Rows of={[
@@ -176,13 +180,14 @@ export function ImpactPanel() {
           ]} />
           <table class="plain">
             <caption>impulses of joints, N·s; arrows in the view: on the second link</caption>
-            <tbody>{rows.map((r) => (
+            <tbody>{rows.slice(0, rows.length - without).map((r) => (
               <tr key={r.place + r.name}>
                 <th scope="row" title={r.on ?? 'ground'}>{r.name}</th>
                 <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
               </tr>
             ))}</tbody>
           </table>
+          {without ? <p class="soft">{without} further joints or frames have no impulse.</p> : null}
         </>
       );
     }}>

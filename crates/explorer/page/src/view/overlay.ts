@@ -22,6 +22,9 @@ export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3;
 /** Line in a browser without WebGL. */
 export interface Wire { points: Vector3[]; colour: string; isThin: boolean }
 
+/** In a view below this width, the buttons are in a row at the bottom of this height, pixels. */
+const NARROW = 600;
+const BUTTONS = 48;
 const ARROW = 74;
 const HEAD = 15;
 /** A label of a scale: lengths of bars, m. */
@@ -41,6 +44,8 @@ export class Overlay {
   /** Size of the view, pixels: reading it from the page would compute the layout once more for each drawing. */
   private width = 1;
   private height = 1;
+  /** Lower end of the part without buttons. */
+  private bottom = 1;
   /** View of the axes drawn. */
   private drawnAxes = '';
 
@@ -63,6 +68,7 @@ export class Overlay {
     this.width = width;
     this.height = height;
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    this.bottom = height - (width < NARROW ? BUTTONS : 0);
   }
 
   drawWires(cameras: Cameras, wires: Wire[]) {
@@ -201,10 +207,10 @@ export class Overlay {
 
   /** Directions of the axes, which change only with the camera. */
   drawAxes(cameras: Cameras) {
-    const { height } = this;
-    const [cx, cy] = [44, height - 76];
+    const { bottom } = this;
+    const [cx, cy] = [44, bottom - 76];
     const turn = cameras.camera.matrixWorldInverse;
-    const key = `${height} ${turn.elements.slice(0, 11).join()}`;
+    const key = `${bottom} ${turn.elements.slice(0, 11).join()}`;
     if (key === this.drawnAxes) return;
     this.drawnAxes = key;
     const parts = (['x', 'y', 'z'] as const).flatMap((name, i) => {
@@ -224,11 +230,11 @@ export class Overlay {
       this.scale.replaceChildren();
       return;
     }
-    const { width, height } = this;
+    const { width, bottom } = this;
     const pixel = cameras.pixel(centre);
     const length = BARS.find((l) => l / pixel > 60) ?? BARS.at(-1)!;
     const w = length / pixel;
-    const [x, y] = [width - w - 18, height - 24];
+    const [x, y] = [width - w - 18, bottom - 24];
     const text = element('text', { x: x + w / 2, y: y - 7, 'text-anchor': 'middle' });
     text.textContent = length < 1 ? `${length * 1000} mm` : `${length} m`;
     this.scale.replaceChildren(element('path', { d: `M${x} ${y - 4}v8M${x} ${y}h${w}M${x + w} ${y - 4}v8` }), text);
