@@ -226,7 +226,7 @@ function Plot() {
           {store.variants.map((v) => v.curve && <path key={v.name} d={path(v.curve)} class="trace frozen" />)}
           {curve ? <path d={path(curve)} class="trace now" /> : null}
           {inside ? <path d={`M${x(now * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="cursor" /> : null}
-          {inside && present !== undefined && !store.problem ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
+          {inside && present !== undefined && !store.problem && !report?.singular_pose ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
         </g>
       </svg>
     </div>

@@ -266,7 +266,7 @@ export class View {
     const { report } = store.posed!;
     if (report.status === 'immovable') return 'm̄ = ∞';
     if (report.status === 'massless') return 'm̄ = 0 kg';
-    return `m̄ ${mass(report.effective_mass!, report.effective_mass_error)} kg`;
+    return `m̄ ${report.singular_pose ? '≥ ' : ''}${mass(report.effective_mass!, report.effective_mass_error)} kg`;
   }
 
   private marks(): Mark[] {
