@@ -79,7 +79,9 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
     }
     let text = std::str::from_utf8(&source.bytes)
         .map_err(|_| Failure::bad_input(format!("{path}: the page contains text; this file is not UTF-8")))?;
-    if let Some(file) = tables.pose.file.as_ref().filter(|file| !opened.poses.iter().any(|pose| pose.name == **file)) {
+    if let Some(file) =
+        tables.pose.file.as_ref().filter(|file| !opened.poses.iter().any(|pose| pose.name == **file))
+    {
         return Err(Failure::bad_input(format!(
             "pose: {file} is no pose of the model, and the page has no other files; give the positions by --set, or by [pose] set"
         )));
