@@ -172,7 +172,7 @@ export class View {
       this.fit();
       this.addGrid(scene);
     }
-    this.bodies = new Bodies(scene, this.shapes, this.radius);
+    this.bodies = new Bodies(scene, this.shapes, this.radius, this.bodies);
     this.stage.add(this.bodies.group);
     this.shown.scene = scene;
   }
