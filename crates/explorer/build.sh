@@ -11,7 +11,6 @@ largest_module=1350000
 largest_without_tools=1450000
 
 engine() {
-  command -v xz > /dev/null || { echo "xz is needed (Debian: apt install xz-utils)" >&2; exit 1; }
   rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
   # No path of this machine is in the module: the bytes are the same on every machine with the same compiler. Only as a cdylib: cargo
   # leaves out the link-time optimisation of a crate that is an rlib as well.
@@ -35,7 +34,13 @@ engine() {
     largest_module=$largest_without_tools
   fi
   # A fifth smaller than gzip; the page decodes it in a third of a second.
-  xz --format=lzma -9e -c "$module" > "$packed.part"
+  if command -v xz > /dev/null; then
+    xz --format=lzma -9e -c "$module" > "$packed.part"
+  elif ! python3 - "$module" > "$packed.part" <<< 'import lzma, sys
+sys.stdout.buffer.write(lzma.compress(open(sys.argv[1], "rb").read(), lzma.FORMAT_ALONE, preset=9 | lzma.PRESET_EXTREME))'; then
+    echo "xz or python3 is needed (Debian: apt install xz-utils)" >&2
+    exit 1
+  fi
   local size; size=$(wc -c < "$packed.part")
   echo "engine/percuss.wasm.lzma: $size bytes ($(wc -c < "$module") unpacked)"
   if [ "$size" -gt "$largest_module" ]; then
