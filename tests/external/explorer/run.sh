@@ -26,6 +26,6 @@ mkdir -p "$work"
 cp "$here/package.json" "$here/package-lock.json" "$work"
 [ -d "$work/node_modules/playwright-core" ] && cmp -s "$here/package-lock.json" "$work/installed.json" ||
   (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund --silent && cp package-lock.json installed.json)
-cargo build --quiet --locked --manifest-path "$root/Cargo.toml" "${build[@]}" -p percuss-cli --features explorer
+cargo build --quiet --locked --manifest-path "$root/Cargo.toml" ${build[@]+"${build[@]}"} -p percuss-cli --features explorer
 cp "$here"/*.mjs "$work"
 CHROMIUM=$browser PERCUSS=$target/$profile/percuss node "$work/tests.mjs" "$root" "$@"
