@@ -66,8 +66,9 @@ function OwnContact({ contact }: { contact: ContactTable }) {
   const set = (values: Partial<ContactTable>, label: string) => store.setContact({ ...contact, ...values }, label);
   const point = contact.point ?? [0, 0, 0];
   const normal = contact.normal ?? posed?.report.contact.normal_link ?? [0, 0, 1];
-  const other = contact.against ?? '';
   const line = contact.along_line;
+  // The other side of a cable is the link of its end.
+  const other = contact.against ?? (contact.cable && line ? line.link : '');
   const direction = !line ? 'normal' : contact.cable ? 'cable' : contact.turning_normal ? 'turning' : 'line';
   const direct = (kind: string) => {
     const rest = { ...contact };
@@ -95,8 +96,8 @@ function OwnContact({ contact }: { contact: ContactTable }) {
         <select value={direction} onChange={(event) => direct(event.currentTarget.value)}>
           <option value="normal">normal</option>
           <option value="line">line to a point, of a stop</option>
-          <option value="turning">line to a point, turns: spring, rod</option>
-          <option value="cable">cable to a point: resists lengthening</option>
+          <option value="turning">line to a point, of a spring</option>
+          <option value="cable">cable to a point</option>
         </select>
       </label>
       {line ? (

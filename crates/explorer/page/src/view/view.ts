@@ -49,7 +49,7 @@ export class View {
   private bodies: Bodies | undefined;
   private cameras: Cameras;
   private overlay: Overlay;
-  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown; pose?: string } = {};
+  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown; pose?: string; answered?: unknown; isInside?: boolean } = {};
   private shapes: (Float32Array | null)[] = [];
   private centre = new Vector3();
   private radius = 1;
@@ -127,6 +127,8 @@ export class View {
       const point = new Vector3(...posed.report.contact.point_world);
       points.push(point, point.clone().addScaledVector(new Vector3(...posed.report.contact.normal_world), ARROW_ROOM * this.radius));
     }
+    const far = this.farEnd(frames);
+    if (far) points.push(far);
     this.cameras.fit(points);
     this.invalidate();
   }
@@ -207,6 +209,15 @@ export class View {
     if (this.shown.pose !== pose && store.answered === store.study) {
       this.shown.pose = pose;
       this.fit();
+    }
+    if (store.isIdle && posed) {
+      // A driver that moves the contact out of the view takes the view along; a view that was moved by hand stays.
+      const { x, y } = this.cameras.project(new Vector3(...posed.report.contact.point_world));
+      const isInside = x > 0 && y > 0 && x < this.element.clientWidth && y < this.element.clientHeight;
+      const hasLeft = !isInside && this.shown.isInside && this.shown.answered !== store.answered;
+      if (hasLeft) this.fit();
+      this.shown.isInside = isInside || hasLeft;
+      this.shown.answered = store.answered;
     }
     const bodies = this.bodies!;
     bodies.pose(frames);
