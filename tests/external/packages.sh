@@ -6,7 +6,9 @@
 # --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
 # both if already installed.
 set -euo pipefail
-wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen zopfli)
+wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen xz-utils)
+# The bundle of the page is built again and compared.
+command -v npm > /dev/null || wanted+=(npm)
 for option in "$@"; do
   case $option in
     --with-gazebo) wanted+=(libignition-physics-dev libignition-physics5-dartsim-plugin5) ;;

@@ -26,8 +26,6 @@ export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2> /dev/
 export RUSTFLAGS="${RUSTFLAGS:-} --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo --remap-path-prefix=$PWD=/percuss"
 trap 'rm -rf "$room"' EXIT
 mkdir -p "$out"
-# The page of percuss explore contains it.
-crates/explorer/build.sh engine
 
 fails() {
   echo "standalone.sh: $*" >&2
@@ -53,6 +51,9 @@ with_target() {
   command -v rustup > /dev/null || { echo "standalone.sh: rustup is missing; it installs the target $1" >&2; exit 2; }
   rustup target list --installed | grep -qx "$1" || rustup target add "$1"
 }
+
+# The page of percuss explore contains it.
+crates/explorer/build.sh engine
 
 # package SYSTEM TRIPLE BINARY: the binary with what a user needs beside it, as an archive that the system opens.
 package() {

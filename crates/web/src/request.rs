@@ -35,7 +35,7 @@ pub enum Request {
     },
     /// Damper for a restitution, and the parameters of simulators.
     Damp {
-        /// Question.
+        /// Question; its contact is ignored if the table names the stop of a joint.
         question: QuestionRequest,
         /// Table of the damper.
         damping: DampingTable,
@@ -112,10 +112,23 @@ impl QuestionRequest {
     /// # Errors
     /// Message: keys that exclude each other, an incomplete contact, or a file of positions.
     pub fn question(&self) -> Result<MassQuestion, String> {
-        let Self { contact, pose, conditions, hold, .. } = self;
-        if let Some(part) = contact.missing() {
+        if let Some(part) = self.contact.missing() {
             return Err(format!("contact: {part} is missing"));
         }
+        self.with_contact(&self.contact)
+    }
+
+    /// Question without a contact: pose, conditions and held points.
+    ///
+    /// # Errors
+    /// As for [`question`](Self::question).
+    pub fn conditions(&self) -> Result<MassQuestion, String> {
+        self.with_contact(&ContactTable::default())
+    }
+
+    /// Question with another contact.
+    fn with_contact(&self, contact: &ContactTable) -> Result<MassQuestion, String> {
+        let Self { pose, conditions, hold, .. } = self;
         let tables = QuestionTables { contact, pose, conditions, hold };
         tables
             .question(Path::new(""), DEFAULT_MAX_SIZE, Names::Keys)

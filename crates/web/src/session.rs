@@ -2,12 +2,13 @@
 
 use crate::request::{QuestionRequest, Request};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
+use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DampingReport, DesignError,
     DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicVariable,
     KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
     RowSource, SafeSpeedReport, Scene, StudyError, Vary, WheelMotion, changed_sheet, contact_list,
-    damp_contact, explain, given_contact_masses, impact, kinematics, link_frames, map_point,
+    damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames, map_point,
     mass_with_frames, scene, starting_contact, sweep_report,
 };
 use serde::Serialize;
@@ -121,6 +122,8 @@ struct Opened {
     conditions: ConditionsTable,
     /// Results at all named contacts; `None` without named contacts.
     contacts: Option<ContactListReport>,
+    /// Names of the poses of the model: keyframes of MJCF.
+    poses: Vec<String>,
     diagnostics: Vec<DiagnosticRecord>,
 }
 
@@ -191,9 +194,15 @@ impl Session {
                 let wanted = damping
                     .question()?
                     .ok_or_else(|| Refusal::of_message("the damper needs a restitution and a stiffness"))?;
-                damping.check_units(&wanted, false)?;
-                let (model, question) = self.model_and_question(&question)?;
-                Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)))
+                let Some(stop) = &damping.limit else {
+                    damping.check_units(&wanted, false)?;
+                    let (model, question) = self.model_and_question(&question)?;
+                    return Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)));
+                };
+                let conditions = question.conditions().map_err(Refusal::of_message)?;
+                let model = self.model(&question.model.changes())?;
+                damping.check_units(&wanted, stop.motion(model)? == StopMotion::Turn)?;
+                Ok(Reply::Damped(Box::new(damp_stop(model, stop, conditions, &wanted)?)))
             }
             Request::Impact { question, impact: table } => {
                 let wanted = table.question()?;
@@ -249,10 +258,11 @@ impl Session {
             .then(|| contact_list(&model, &MassQuestion::without_contact(), None))
             .transpose()?;
         let diagnostics = model.diagnostics.clone();
+        let poses = model.poses.iter().map(|pose| pose.name.clone()).collect();
         self.opened = Some(opened);
         self.changed = (!changes.is_empty()).then(|| (changes.clone(), model));
         self.shown = changes;
-        Ok(Opened { scene, contact, conditions, contacts, diagnostics })
+        Ok(Opened { scene, contact, conditions, contacts, poses, diagnostics })
     }
 
     /// Model with changes; the model of the last changes is kept.

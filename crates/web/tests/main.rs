@@ -244,6 +244,78 @@ fn further_results_are_those_of_the_library() {
     assert!(unknown["refused"]["message"].as_str().unwrap().contains("wheel-travel"), "{unknown}");
 }
 
+/// Crane with a site, two keyframes and a limited hinge. The boom has 9 + 12 · 1.5² = 36 kg·m² about its hinge, and a tip 3 m from it.
+const CRANE: &str = r#"<mujoco model="crane"><compiler angle="radian"/>
+  <worldbody><body name="mast"><joint name="slew" axis="0 0 1"/><inertial pos="0 0 1" mass="40" diaginertia="14 14 1"/>
+    <body name="boom" pos="0 0 2"><joint name="luff" axis="0 -1 0" range="-0.2 1.2"/>
+      <inertial pos="1.5 0 0" mass="12" diaginertia="0.1 9 9"/><site name="hook" pos="3 0 0"/></body></body></worldbody>
+  <keyframe><key name="rest" qpos="0 0"/><key name="raised" qpos="0.4 0.9"/></keyframe></mujoco>"#;
+
+/// The boom of the crane in SDFormat.
+const BOOM: &str = r#"<sdf version="1.9"><model name="boom">
+  <joint name="luff" type="revolute"><parent>world</parent><child>boom</child><axis><xyz>0 -1 0</xyz></axis></joint>
+  <link name="boom"><inertial><pose>1.5 0 0 0 0 0</pose><mass>12</mass>
+    <inertia><ixx>0.1</ixx><iyy>9</iyy><izz>9</izz></inertia></inertial></link></model></sdf>"#;
+
+fn assert_same(found: &Value, expected: f64, what: &str) {
+    let found = found.as_f64().unwrap_or_else(|| panic!("{what}: {found}"));
+    assert!((found / expected - 1.0).abs() < RELATIVE, "{what}: {found} instead of {expected}");
+}
+
+#[test]
+fn keyframes_are_poses_and_stops_of_joints_have_their_inertia() {
+    let mut session = Session::new();
+    let open = json!({ "do": "open", "model": { "path": "crane.xml" }, "text": CRANE });
+    let opened = ask(&mut session, &open)["ok"].clone();
+    assert_eq!(opened["poses"], json!(["rest", "raised"]));
+    let question =
+        |pose: Value| json!({ "model": { "path": "crane.xml" }, "contact": { "at": "hook" }, "pose": pose });
+    let reply =
+        ask(&mut session, &json!({ "do": "show", "question": question(json!({ "file": "raised" })) }));
+    let report = &reply["ok"]["result"]["ok"]["report"];
+    // The hook moves by 3 cos φ upwards per radian of the hinge.
+    assert_same(&report["effective_mass"], 36.0 / (3.0 * 0.9_f64.cos()).powi(2), "raised");
+    assert_eq!(report["pose"]["luff"], json!([0.9]));
+    let unknown =
+        ask(&mut session, &json!({ "do": "show", "question": question(json!({ "file": "lowered" })) }));
+    let message = unknown["ok"]["result"]["refused"]["message"].to_string();
+    assert!(message.contains("lowered") && message.contains("raised"), "{unknown}");
+    let damping = |stiffness: &str| json!({ "restitution": 0.3, "stiffness": stiffness, "speed": "1 rad/s", "limit": "luff:upper" });
+    let damp = |stiffness: &str| json!({ "do": "damp", "question": question(json!({})), "damping": damping(stiffness) });
+    let damped = ask(&mut session, &damp("2000 Nm/rad"));
+    assert_same(&damped["ok"]["effective_mass"], 36.0, "inertia at the stop");
+    assert_eq!(damped["ok"]["stop"], json!({ "joint": "luff", "motion": "turn" }));
+    let refused = ask(&mut session, &damp("200 N/mm"));
+    assert!(refused["refused"]["message"].to_string().contains("rad"), "{refused}");
+}
+
+#[test]
+fn sdformat_is_read() {
+    let mut session = Session::new();
+    let opened = ask(&mut session, &json!({ "do": "open", "model": { "path": "boom.sdf" }, "text": BOOM }));
+    assert!(opened["ok"].is_object(), "{opened}");
+    let question = json!({ "model": { "path": "boom.sdf" },
+                           "contact": { "link": "boom", "point": [3, 0, 0], "normal": [0, 0, 1] } });
+    let reply = ask(&mut session, &json!({ "do": "show", "question": question }));
+    assert_same(&reply["ok"]["result"]["ok"]["report"]["effective_mass"], 4.0, "at the tip");
+}
+
+#[test]
+fn a_cable_pulls_along_its_line() {
+    let mut session = Session::new();
+    ask(&mut session, &json!({ "do": "open", "model": { "path": "boom.sdf" }, "text": BOOM }));
+    // From the tip to a point 3 m above the hinge: the cable pulls at 45°, its lever arm is 3/√2 m.
+    let contact = json!({ "link": "boom", "point": [3, 0, 0], "along_line": { "link": "world", "point": [0, 0, 3] },
+                          "cable": true });
+    let question = json!({ "model": { "path": "boom.sdf" }, "contact": contact });
+    let reply = ask(&mut session, &json!({ "do": "show", "question": question }));
+    let report = &reply["ok"]["result"]["ok"]["report"];
+    assert_same(&report["effective_mass"], 8.0, "along the cable");
+    // The gap closes while the cable gets longer: the normal points away from its other end.
+    assert_same(&report["contact"]["normal_world"][0], 0.5_f64.sqrt(), "x");
+    assert_same(&report["contact"]["normal_world"][2], -0.5_f64.sqrt(), "z");
+}
+
 #[test]
 fn a_safe_speed_needs_a_limit() {
     let mut session = Session::new();

@@ -61,7 +61,7 @@ export async function open(browser, file, options = {}, hash = '') {
   });
   page.bad = bad;
   await page.goto(`file://${file}${hash}`);
-  await page.waitForSelector('[data-mass]');
+  await page.waitForFunction(() => document.querySelector('[data-mass]') && window.percussView);
   return page;
 }
 

@@ -4,22 +4,24 @@ import assert from 'node:assert/strict';
 import { agrees, center, close, explore, launch, open, root, settle, shown } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
-/** Processor time of the page for an answer while a hardpoint is dragged, on a processor four times as slow, ms. The aim is 60;
- * 65 was measured on two processors with a load of 12, where caches are shared with other programs. */
-const LONGEST_FRAME = 100;
+/** Processor time of the page for an answer while a hardpoint is dragged, on a processor four times as slow, ms. The aim is 60, which
+ * was measured on two processors with a load of 11, where caches are shared with other programs; the limit is for a gate with more. */
+const LONGEST_FRAME = 80;
 const SLOWER = 4;
 /** Largest distance of the ends of a closed loop, m: loops close to 1e-10 of a size of 1 m, frames have 16 digits. */
 const CLOSED = 1e-8;
-/** Moves of the pointer in the test of the memory, in portions. */
+/** Moves of the pointer in the test of the memory; less by the environment. */
+const MOVES = Number(process.env.EXPLORER_MOVES ?? 10_000);
 const PORTIONS = 10;
-const MOVES = 1000;
-/** Growth of the memory of the page over 8,000 moves, bytes: a reply kept for each move would be 400 MB. */
+/** Moves in one frame of the browser: more than a hand makes, so that moves are dropped as well. */
+const MOVES_OF_FRAME = 4;
+/** Growth of the memory of the page over four fifths of the moves, bytes: a reply kept for each answer would be 40 MB or more. */
 const LARGEST_GROWTH = 3_000_000;
 /** Least cosine of the rotation of a link from its design position: on the other branch of a loop, a link is turned by more than a right angle. */
 const LEAST_COSINE = 0;
 
 /** Seeds of the random drags; others by the environment, separated by commas. With 11, the lower end of the travel gets out of reach. */
-const SEEDS = (process.env.EXPLORER_SEEDS ?? '7,11').split(',').map(Number);
+const SEEDS = (process.env.EXPLORER_SEEDS ?? '7,11,23').split(',').map(Number);
 
 /** Browser without WebGL, where software would draw for most of the time: the drags are the same. */
 const withoutPictures = () => launch(['--disable-3d-apis', '--disable-gpu']);
@@ -137,7 +139,7 @@ export const longTests = (drags) => ({
     await close(page);
   },
 
-  async 'the memory is stable over 10,000 moves'() {
+  async 'the memory is stable over many moves'() {
     const browser = await withoutPictures();
     const page = await openWithoutPictures(browser);
     const session = await page.context().newCDPSession(page);
@@ -151,14 +153,27 @@ export const longTests = (drags) => ({
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
     let first;
+    let answers = 0;
     for (let portion = 0; portion < PORTIONS; portion++) {
-      for (const side of [1, -1]) await page.mouse.move(from.x + 12 * side, from.y + 9 * side, { steps: MOVES / 2 });
+      // The page makes the moves itself: as messages from outside, they would take ten times as long.
+      answers += await page.evaluate(async ([x, y, count, atOnce]) => {
+        const surface = document.querySelector('.surface');
+        for (let k = 0; k < count; k++) {
+          const turn = (2 * Math.PI * k) / count;
+          surface.dispatchEvent(new PointerEvent('pointermove', {
+            pointerId: 1, pointerType: 'mouse', buttons: 1, bubbles: true, clientX: x + 12 * Math.sin(turn), clientY: y + 9 * Math.sin(3 * turn),
+          }));
+          if (k % atOnce === 0) await new Promise(requestAnimationFrame);
+        }
+        return window.percussView.takeTimes().count;
+      }, [from.x, from.y, MOVES / PORTIONS, MOVES_OF_FRAME]);
       if (portion === 1) first = await measure();
     }
     const last = await measure();
+    assert.ok(answers > MOVES / 50, `${answers} answers to ${MOVES} moves`);
     await page.mouse.up();
     await settle(page);
-    console.log(`    page ${(last.heap / 1e6).toFixed(1)} MB (${((last.heap - first.heap) / 1e6).toFixed(2)} more), engine ${(last.engine / 1e6).toFixed(1)} MB (${(last.engine - first.engine) / 1e6} more)`);
+    console.log(`    ${answers} answers; page ${(last.heap / 1e6).toFixed(1)} MB (${((last.heap - first.heap) / 1e6).toFixed(2)} more), engine ${(last.engine / 1e6).toFixed(1)} MB (${(last.engine - first.engine) / 1e6} more)`);
     assert.ok(last.heap - first.heap < LARGEST_GROWTH, `the page grows by ${last.heap - first.heap} bytes`);
     assert.equal(last.engine, first.engine, 'the engine grows');
     assert.ok(last.nodes <= first.nodes + 10, `${first.nodes} elements, then ${last.nodes}`);

@@ -103,7 +103,7 @@ function Bar() {
     <header class="bar">
       <b class="brand">percuss</b><span class="brand-sub">explorer</span>
       <button onClick={() => input.current!.click()}>Open…</button>
-      <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.toml,.csv,.json" aria-label="Model file"
+      <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.sdf,.world,.toml,.csv,.json" aria-label="Model file"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           if (file) void openFile(file);
@@ -184,6 +184,7 @@ function Stage({ view }: { view: { current: View | null } }) {
       </div>
       <div class="shows" role="group" aria-label="Shown">
         {scene?.sheet ? <Toggle on={showsPoints} label="Hardpoints" set={(on) => store.set({ showsPoints: on })} /> : null}
+        <Toggle on={colours === 'share'} label="Shares" title="Colours of the links by their shares of m̄" set={(on) => store.set({ colours: on ? 'share' : 'plain' })} />
         <Toggle on={showsMotion} label="Motion" title="Velocities of the centres of mass when the gap closes" set={(on) => store.set({ showsMotion: on })} />
         <Toggle on={showsDesign} label="Design pose" set={(on) => store.set({ showsDesign: on })} />
         <Toggle on={store.answers.isShown('directions')} label="Directions" title="Ellipsoid of m̄ over directions at the contact point: its radius is in proportion to √m̄"

@@ -9,7 +9,7 @@ use crate::terminal::wrap::fact_line;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, root_name};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
 use percuss_render::MADE_BY;
 use percuss_study::{
     Model, ModelTable, Names, PoseTable, QuestionTables, StudyFile, StudyTables, mass, scene_shapes,
@@ -61,11 +61,6 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
     if tables.model.worksheet.is_some() {
         return Err(Failure::bad_input("worksheet: the explorer reads no workbooks; save the sheet as CSV"));
     }
-    if tables.pose.file.is_some() {
-        return Err(Failure::bad_input(
-            "pose: the page has no other files; give the positions by --set, or by [pose] set",
-        ));
-    }
     if tables.closures > 0 {
         return Err(Failure::bad_input(
             "closure: the page cannot add loops to a model; write them into the model file (percuss convert)",
@@ -84,9 +79,11 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
     }
     let text = std::str::from_utf8(&source.bytes)
         .map_err(|_| Failure::bad_input(format!("{path}: the page contains text; this file is not UTF-8")))?;
-    if root_name(text) == Some("sdf") {
+    if let Some(file) =
+        tables.pose.file.as_ref().filter(|file| !opened.poses.iter().any(|pose| pose.name == **file))
+    {
         return Err(Failure::bad_input(format!(
-            "{path}: the page does not read SDFormat; convert the model: percuss convert {path} -o MODEL.urdf"
+            "pose: {file} is no pose of the model, and the page has no other files; give the positions by --set, or by [pose] set"
         )));
     }
     let changes = tables.model.changes();

@@ -10,7 +10,7 @@ interface Exports {
 export class Module {
   private constructor(private readonly exports: Exports) {}
 
-  static async start(bytes: BufferSource): Promise<Module> {
+  static async start(bytes: Uint8Array<ArrayBuffer>): Promise<Module> {
     const { instance } = await WebAssembly.instantiate(bytes, {});
     return new Module(instance.exports as unknown as Exports);
   }

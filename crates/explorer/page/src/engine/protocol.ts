@@ -55,7 +55,7 @@ export interface Shown {
 export interface ListedContact { name: string; kind: string; report: MassReport | null; problem: string | null }
 export interface Opened {
   scene: Scene; contact: ContactTable; conditions: ConditionsTable;
-  contacts: { contacts: ListedContact[] } | null; diagnostics: Finding[];
+  contacts: { contacts: ListedContact[] } | null; poses: string[]; diagnostics: Finding[];
 }
 export interface Explanation {
   links: { link: string; mass: number; per_kilogram: number }[];
@@ -67,6 +67,8 @@ export interface Simulator {
   snippets: { text: string }[]; time_step: number | null; error_bound: number | null; assumptions: string[]; missing: string[];
 }
 export interface DampingReport {
+  /** Mass, kg; inertia of the stop of a joint that turns, kg·m². */
+  effective_mass: number; stop: { joint: string; motion: 'turn' | 'slide' } | null;
   damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
   contact_duration: number | null; max_penetration: number | null; peak_force: number | null; energy_lost: number | null;
   rebound_speed: number | null; exports: Record<string, Simulator>; diagnostics: Finding[];
@@ -97,10 +99,10 @@ export interface ModelTable {
 }
 export interface ContactTable {
   at?: string; link?: string; point?: Triple; normal?: Triple; along_line?: { link: string; point: Triple };
-  turning_normal?: boolean; frame?: string; normal_frame?: string; against?: string; against_mass?: number;
+  turning_normal?: boolean; cable?: boolean; frame?: string; normal_frame?: string; against?: string; against_mass?: number;
   [key: string]: unknown;
 }
-export interface PoseTable { set?: Record<string, string>; guess?: Record<string, string>; travel?: string[] }
+export interface PoseTable { set?: Record<string, string>; guess?: Record<string, string>; travel?: string[]; file?: string }
 export interface ConditionsTable { base?: string; lock?: string[]; armature?: Record<string, number[]> }
 export interface Study {
   model: ModelTable; contact: ContactTable; pose: PoseTable; conditions: ConditionsTable; hold?: Record<string, unknown>[];

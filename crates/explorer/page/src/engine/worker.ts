@@ -4,7 +4,7 @@ import { Module } from './module';
 
 let starting: Promise<Module> | undefined;
 
-self.onmessage = async (event: MessageEvent<{ bytes?: ArrayBuffer; request?: string }>) => {
+self.onmessage = async (event: MessageEvent<{ bytes?: Uint8Array<ArrayBuffer>; request?: string }>) => {
   const { bytes, request } = event.data;
   try {
     if (bytes) starting = Module.start(bytes);

@@ -6,11 +6,13 @@ import type { DampingReport, Directions, GivenContact, ImpactReport, KinematicsR
 /** Settings of the further results, as texts of a study. */
 export interface Settings {
   restitution: string; stiffness: string; speed: string; law: string; tool: string;
+  /** Stop of a joint in place of the contact, as JOINT:lower or JOINT:upper; empty for the contact shown. */
+  stop: string;
   region: string; limit: string; limitValue: string; area: string; load: string;
 }
 
 export const DEFAULTS: Settings = {
-  restitution: '0.3', stiffness: '200 N/mm', speed: '1 m/s', law: 'kelvin-voigt', tool: 'mujoco',
+  restitution: '0.3', stiffness: '200 N/mm', speed: '1 m/s', law: 'kelvin-voigt', tool: 'mujoco', stop: '',
   region: 'chest', limit: 'force', limitValue: '', area: '1 cm2', load: '0',
 };
 
@@ -74,6 +76,7 @@ export class Answers {
 
   clear() {
     this.results = {};
+    this.settings.stop = '';
     this.study = undefined;
   }
 
@@ -97,7 +100,10 @@ export class Answers {
     switch (kind) {
       case 'damper': return this.ask({
         do: 'damp', question: study,
-        damping: { restitution: number(s.restitution), stiffness: value(s.stiffness), ...(s.speed.trim() ? { speed: value(s.speed) } : {}), law: s.law, for: [s.tool] },
+        damping: {
+          restitution: number(s.restitution), stiffness: value(s.stiffness), ...(s.speed.trim() ? { speed: value(s.speed) } : {}), law: s.law, for: [s.tool],
+          ...(s.stop ? { limit: s.stop } : {}),
+        },
       });
       case 'impact': return this.ask({ do: 'impact', question: study, impact: { restitution: number(s.restitution), speed: value(s.speed.trim() || '1 m/s') } });
       case 'safe': return this.ask({

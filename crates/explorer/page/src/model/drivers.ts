@@ -137,3 +137,18 @@ export function vary(driver: Driver, count: number, downwards = false): string {
   const [from, to] = downwards ? ends.reverse() : ends;
   return `${driver.name}=${from}:${to}:${count}`;
 }
+
+export interface Part { text: string; downwards: boolean }
+
+/** The same range in parts, upwards and downwards from the row next to the design pose, at which loops are closed. The engine searches
+ * a second for each row before the first that is reached; rows beyond the last one take no time. */
+export function varyOutward(driver: Driver, count: number): Part[] {
+  const [low, high] = driver.range;
+  const step = (high - low) / (count - 1);
+  const first = Math.ceil(-low / step - 1e-9);
+  const part = (range: [number, number], rows: number, downwards: boolean): Part => ({ text: vary({ ...driver, range }, rows, downwards), downwards });
+  // A range has two rows at least.
+  if (first < 2) return [part([low, high], count, false)];
+  if (first > count - 2) return [part([low, high], count, true)];
+  return [part([low + first * step, high], count - first, false), part([low, low + (first - 1) * step], first, true)];
+}

@@ -42,7 +42,7 @@ export function remarks(curve: Curve, driver: Driver, ends: End[]): string[] {
   of('immovable', 'Immovable');
   of('massless', 'Massless');
   const singular = curve.rows.filter((row) => row.singular).map((row) => shown(driver, row.at));
-  if (singular.length) out.push(`Change points, at which branches cross and m̄ depends on the branch: ${singular.slice(0, 4).join(', ')}.`);
+  if (singular.length) out.push(`Change points (dashed), at which branches cross and m̄ depends on the branch: ${singular.slice(0, 4).join(', ')}.`);
   return out;
 }
 

@@ -57,12 +57,15 @@ export function siValue(text: string): number {
   return Number(match[1]) * (match[2] ? scale[match[2]] : 1);
 }
 
-/** Ticks of an axis: round numbers. */
+/** Ticks of an axis: round numbers, at least two. */
 export function ticks(from: number, to: number, most: number): number[] {
   const raw = (to - from) / Math.max(1, most);
   if (!(raw > 0) || !Number.isFinite(raw)) return [from];
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= raw * 0.999)!;
+  const count = (step: number) => Math.floor(to / step + 1e-9) - Math.ceil(from / step - 1e-9) + 1;
+  const steps = [0.5, 1, 2, 5, 10].map((k) => k * power);
+  const wide = steps.findIndex((s) => s >= raw * 0.999);
+  const step = steps.slice(0, wide + 1).findLast((s) => count(s) >= 2) ?? steps[0];
   const out: number[] = [];
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) out.push(Number((k * step).toPrecision(12)));
   return out;

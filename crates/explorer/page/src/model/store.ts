@@ -2,11 +2,11 @@
 
 import { Ended, Engine } from '../engine/engine';
 import type {
-  ContactTable, Curve, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
+  ContactTable, Curve, CurveRow, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
 import { Answers } from './answers';
-import { drivers, firstDriver, valueOf, vary, withValue, type Driver } from './drivers';
-import { endsOf, isReached, type End } from './ends';
+import { drivers, firstDriver, valueOf, vary, varyOutward, withValue, type Driver } from './drivers';
+import { endsOf, type End } from './ends';
 import { fromHash, toHash } from './link';
 
 export type ViewName = '3d' | 'front' | 'side' | 'top';
@@ -36,6 +36,11 @@ const SLOW = 300;
 const MOST_VARIANTS = 8;
 const LONGEST_HISTORY = 200;
 const MOST_TIMES = 400;
+
+/** Rows of the curve of a reply. */
+function rowsOf(reply: Outcome<Shown>): CurveRow[] | undefined {
+  return 'ok' in reply && reply.ok.curve && 'ok' in reply.ok.curve ? reply.ok.curve.ok.rows : undefined;
+}
 
 export class Store {
   engine: Engine | undefined;
@@ -213,13 +218,18 @@ export class Store {
       const study = this.study;
       const rows = this.gesture ? ROWS_OF_DRAG : ROWS;
       const asked = performance.now();
-      // The engine searches for every row before the first that is reached, a second each; rows beyond the last one cost nothing.
-      const former = this.rows;
-      const downwards = !!former?.length && !isReached(former[0]) && isReached(former.at(-1)!);
-      const reply = await this.ask<Shown>({
-        do: 'show', question: study, ...(this.driver ? { vary: vary(this.driver, rows, downwards) } : {}),
-      });
+      const { driver } = this;
+      const hasLoops = !!this.scene?.closures.length;
+      const parts = !driver ? [] : hasLoops ? varyOutward(driver, rows) : [{ text: vary(driver, rows), downwards: false }];
+      const reply = await this.ask<Shown>({ do: 'show', question: study, vary: parts[0]?.text });
       if (!reply) break;
+      const found = rowsOf(reply);
+      if (parts[0]?.downwards) found?.reverse();
+      if (parts[1] && found) {
+        const below = await this.ask<Shown>({ do: 'show', question: study, vary: parts[1].text });
+        if (!below) break;
+        found.unshift(...(rowsOf(below)?.reverse() ?? []));
+      }
       this.times.push(performance.now() - asked);
       if (this.times.length > MOST_TIMES) this.times.shift();
       this.explanation = undefined;
@@ -237,7 +247,6 @@ export class Store {
           this.problem = result.refused;
           this.frames = frames ?? this.frames;
         }
-        if (downwards && curve && 'ok' in curve) curve.ok.rows.reverse();
         this.curve = curve ?? undefined;
         this.ends = this.rows ? endsOf(this.rows, this.driver ? this.positionOf(this.driver) : 0) : [];
         this.variation = undefined;
@@ -322,7 +331,7 @@ export class Store {
   }
 
   /** Values of the motions of the wheels and of the rack, m. */
-  private state(): Record<string, number> {
+  state(): Record<string, number> {
     const named = this.drivers.filter((driver) => driver.isMotion || driver.name === 'rack');
     return Object.fromEntries(named.map((driver) => [driver.isMotion ? driver.name : 'steer', this.positionOf(driver)]).filter(([, value]) => value !== 0));
   }
@@ -402,8 +411,12 @@ export class Store {
     const alone = !this.gesture;
     if (alone) this.begin(label);
     this.study = study;
-    if (alone) this.finish();
-    else void this.update();
+    if (!alone) {
+      // The page follows with the reply, which is the next frame: it would be made twice for each move.
+      void this.update();
+      return;
+    }
+    this.finish();
     this.changed();
   }
 

@@ -1,6 +1,7 @@
 // The same question elsewhere: command, study, Python. All three come from the tables of the study.
 
 import type { Study } from '../engine/protocol';
+import type { Settings } from './answers';
 import { plain } from './numbers';
 
 const quote = (text: string) => (/^[A-Za-z0-9_\-+.,:=/%@]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
@@ -8,25 +9,42 @@ const triple = (values: readonly number[]) => values.map(plain).join(',');
 
 type Flag = [string, string?];
 
-function flags(study: Study): Flag[] {
-  const { model, contact, pose, conditions, hold } = study;
+/** List of flags, and a function that adds one with a value that is given. */
+function list() {
   const out: Flag[] = [];
   const one = (flag: string, value: string | number | undefined) => {
-    if (value !== undefined) out.push([flag, String(value)]);
+    if (value !== undefined && value !== '') out.push([flag, String(value)]);
   };
+  return { out, one };
+}
+
+function modelFlags({ model }: Study): Flag[] {
+  const { out, one } = list();
   for (const [point, by] of Object.entries(model.move ?? {})) one('--move', `${point}=${triple(by)}`);
   for (const [link, mass] of Object.entries(model.link_mass ?? {})) one('--link-mass', `${link}=${plain(mass)}`);
   for (const [link, com] of Object.entries((model.link_com ?? {}) as Record<string, number[]>)) one('--link-com', `${link}=${triple(com)}`);
+  return out;
+}
+
+function contactFlags({ contact }: Study): Flag[] {
+  const { out, one } = list();
   one('--at', contact.at);
   one('--link', contact.link);
   if (contact.point) one('--point', triple(contact.point));
   if (contact.normal) one('--normal', triple(contact.normal));
   if (contact.along_line) one('--along-line', `${contact.along_line.link}:${triple(contact.along_line.point)}`);
   if (contact.turning_normal) out.push(['--turning-normal']);
+  if (contact.cable) out.push(['--cable']);
   one('--frame', contact.frame);
   one('--normal-frame', contact.normal_frame);
   one('--against', contact.against);
   one('--against-mass', contact.against_mass);
+  return out;
+}
+
+function poseFlags({ pose, conditions, hold }: Study): Flag[] {
+  const { out, one } = list();
+  one('--pose', pose.file);
   for (const [joint, value] of Object.entries(pose.set ?? {})) one('--set', `${joint}=${value}`);
   for (const [joint, value] of Object.entries(pose.guess ?? {})) one('--guess', `${joint}=${value}`);
   for (const travel of pose.travel ?? []) {
@@ -43,10 +61,47 @@ function flags(study: Study): Flag[] {
   return out;
 }
 
-/** Command that prints the number shown. A value may begin with a minus, so it is joined to its flag. */
-export function command(study: Study, name = 'mass'): string {
-  const parts = flags(study).map(([flag, value]) => (value === undefined ? flag : `${flag}=${quote(value)}`));
+/** Command on a model. A value may begin with a minus, so it is joined to its flag. */
+function commandText(name: string, study: Study, flags: Flag[]): string {
+  const parts = flags.map(([flag, value]) => (value === undefined ? flag : `${flag}=${quote(value)}`));
   return [`percuss ${name} ${quote(study.model.path)}`, ...parts].join(' \\\n    ');
+}
+
+/** Command that prints the number shown. */
+export function command(study: Study): string {
+  return commandText('mass', study, [...modelFlags(study), ...contactFlags(study), ...poseFlags(study)]);
+}
+
+/** Command with the numbers of the damper, the impact or the safe speed. */
+export function commandOf(kind: 'damper' | 'impact' | 'safe', study: Study, s: Settings): string {
+  const question = [...modelFlags(study), ...contactFlags(study), ...poseFlags(study)];
+  const { out, one } = list();
+  switch (kind) {
+    case 'damper':
+      one('--limit', s.stop);
+      one('--restitution', s.restitution.trim());
+      one('--stiffness', s.stiffness.trim());
+      one('--speed', s.speed.trim());
+      one('--law', s.law);
+      one('--for', s.tool);
+      return commandText('damp --mass-from', study, [...(s.stop ? [...modelFlags(study), ...poseFlags(study)] : question), ...out]);
+    case 'impact':
+      one('--restitution', s.restitution.trim());
+      one('--speed', s.speed.trim() || '1 m/s');
+      return commandText('impact', study, [...question, ...out]);
+    case 'safe':
+      one('--region', s.region);
+      one(`--${s.limit}`, s.limitValue.trim());
+      if (s.limit === 'pressure') one('--area', s.area.trim());
+      one('--load', s.load.trim());
+      return commandText('safe-speed', study, [...question, ...out]);
+  }
+}
+
+/** Command with the kinematics of the wheels: values of the motions, m. */
+export function kinematicsCommand(study: Study, state: Record<string, number>): string {
+  const values = Object.entries(state).map(([name, value]): Flag => [`--${name}`, plain(value)]);
+  return commandText('kinematics', study, [...modelFlags(study), ...values]);
 }
 
 const toml = (value: unknown): string => {

@@ -133,7 +133,8 @@ function Plot() {
   const path = (c: Curve) => {
     let pen = 'M';
     return c.rows.map((row) => {
-      if (row.mass === null) {
+      // At a change point, the number is a bound and not the limit of the curve.
+      if (row.mass === null || row.singular) {
         pen = 'M';
         return '';
       }
@@ -221,10 +222,11 @@ function Plot() {
               {x(b * scale) - x(a * scale) > 90 ? <text x={(x(a * scale) + x(b * scale)) / 2} y={MARGIN.top + 16} text-anchor="middle" class="why">{why}</text> : null}
             </g>
           ))}
+          {curve?.rows.filter((row) => row.singular).map((row) => <path key={row.at} d={`M${x(row.at * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="change" />)}
           {store.variants.map((v) => v.curve && <path key={v.name} d={path(v.curve)} class="trace frozen" />)}
           {curve ? <path d={path(curve)} class="trace now" /> : null}
           {inside ? <path d={`M${x(now * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="cursor" /> : null}
-          {inside && present !== undefined && !store.problem ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
+          {inside && present !== undefined && !store.problem && !report?.singular_pose ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
         </g>
       </svg>
     </div>

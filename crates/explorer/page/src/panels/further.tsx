@@ -1,10 +1,13 @@
 // Further results: kinematics of the wheels, damper and simulator, impact, safe speed. Each panel asks only while it is open.
 
 import type { ComponentChildren } from 'preact';
+import { useState } from 'preact/hooks';
 import type { KinematicsReport, Outcome } from '../engine/protocol';
 import type { Kind, Results, Settings } from '../model/answers';
 import { digits, fixed, signed } from '../model/numbers';
 import { store } from '../model/store';
+import { commandOf, kinematicsCommand } from '../model/texts';
+import { copy } from './away';
 import { useStore } from './hooks';
 
 const TOOLS = [
@@ -15,8 +18,8 @@ const LAWS = ['kelvin-voigt', 'hunt-crossley'];
 const REGIONS = ['skull', 'face', 'neck', 'back', 'chest', 'abdomen', 'pelvis', 'upper-arm', 'lower-arm', 'hand', 'thigh', 'lower-leg'];
 const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
 
-function Panel<K extends Kind>({ kind, title, children, result }: {
-  kind: K; title: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren;
+function Panel<K extends Kind>({ kind, title, children, result, command }: {
+  kind: K; title: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren; command(): string;
 }) {
   useStore();
   const { answers } = store;
@@ -27,8 +30,23 @@ function Panel<K extends Kind>({ kind, title, children, result }: {
       {children}
       <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
         {!found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
-          : 'refused' in found ? <p class="box warn">{found.refused.message}</p> : result(found.ok)}
+          : 'refused' in found ? <p class="box warn">{found.refused.message}</p> : <>{result(found.ok)}<CommandOfPanel text={command()} /></>}
       </div>
+    </details>
+  );
+}
+
+/** Command with the numbers of a panel. */
+function CommandOfPanel({ text }: { text: string }) {
+  const [copied, setCopied] = useState('');
+  return (
+    <details class="command">
+      <summary>The same as a command</summary>
+      <pre class="text" tabIndex={0}>{text}</pre>
+      <button onClick={async () => {
+        setCopied((await copy(text)) ? 'Copied' : 'Not permitted');
+        setTimeout(() => setCopied(''), 1500);
+      }}>{copied || 'Copy'}</button>
     </details>
   );
 }
@@ -65,32 +83,75 @@ function Rows({ of }: { of: [string, string | null][] }) {
 
 const quantity = (x: number | null, scale: number, unit: string) => (x === null ? null : `${digits(x * scale, 4)} ${unit}`);
 
+/** Texts of a damper that slides, and of one that turns: mass, damping, dissipation, force, penetration with its scale, speed. */
+const SLIDES = { mass: ['mass at the stop', 'kg'], damping: 'N·s/m', dissipation: 's/m', force: ['largest force', 'N'], depth: [1000, 'mm'], speed: 'm/s', stiffness: '200 N/mm', fast: '1 m/s' } as const;
+const TURNS = {
+  mass: ['inertia at the stop', 'kg·m²'], damping: 'N·m·s/rad', dissipation: 's/rad', force: ['largest moment', 'N·m'], depth: [180 / Math.PI, '°'], speed: 'rad/s',
+  stiffness: '2000 Nm/rad', fast: '1 rad/s',
+} as const;
+
+/** Stops of the joints with limits, as values of the setting. */
+function jointStops(): { value: string; label: string; isTurn: boolean }[] {
+  return (store.scene?.joints ?? []).flatMap(({ name, kind, limits }) => {
+    const isTurn = kind === 'revolute' || kind === 'continuous';
+    if (!limits || !(isTurn || kind === 'prismatic')) return [];
+    return (['lower', 'upper'] as const).map((end, i) => ({
+      value: `${name}:${end}`, isTurn, label: `${end} stop of ${name}, ${isTurn ? `${fixed((limits[i] * 180) / Math.PI, 1)}°` : `${fixed(limits[i] * 1000, 1)} mm`}`,
+    }));
+  });
+}
+
+/** Contact of the damper: that of the page, or the stop of a joint, with units of its motion. */
+function StopChoice() {
+  const stops = jointStops();
+  if (!stops.length) return null;
+  const { settings } = store.answers;
+  const turns = (value: string) => stops.some((stop) => stop.value === value && stop.isTurn);
+  return (
+    <label class="line"><span>contact</span>
+      <select value={settings.stop} onChange={(event) => {
+        const stop = event.currentTarget.value;
+        const units = turns(stop) ? TURNS : SLIDES;
+        store.answers.set({ stop, ...(turns(stop) === turns(settings.stop) ? {} : { stiffness: units.stiffness, speed: units.fast }) });
+      }}>
+        <option value="">the contact shown</option>
+        {stops.map(({ value, label }) => <option key={value} value={value}>{label}</option>)}
+      </select>
+    </label>
+  );
+}
+
 export function DamperPanel() {
   return (
-    <Panel kind="damper" title="Damper and simulator" result={({ exports, ...damper }) => (
-      <>
-        <Rows of={[
-          ['damping c', quantity(damper.damping, 1, 'N·s/m')],
-          ['damping ratio', damper.damping_ratio === null ? null : digits(damper.damping_ratio, 4)],
-          ['dissipation d', quantity(damper.dissipation, 1, 's/m')],
-          ['restitution of the law', digits(damper.achieved_restitution, 4)],
-          ['largest force', quantity(damper.peak_force, 1, 'N')],
-          ['largest penetration', quantity(damper.max_penetration, 1000, 'mm')],
-          ['duration of the contact', quantity(damper.contact_duration, 1000, 'ms')],
-          ['rebound speed', quantity(damper.rebound_speed, 1, 'm/s')],
-          ['lost energy', quantity(damper.energy_lost, 1, 'J')],
-        ]} />
-        {Object.entries(exports).map(([name, tool]) => (
-          <div key={name} class="simulator">
-            <h3>{tool.title}</h3>
-            {tool.error ? <p class="box warn">{tool.error}</p> : null}
-            {tool.snippet ? <pre class="text" tabIndex={0} aria-label={`parameters for ${tool.title}`}>{tool.snippet}</pre> : null}
-            {tool.time_step !== null ? <p>Time step at most {digits(tool.time_step * 1000, 3)} ms.</p> : null}
-            {tool.caution ? <p class="soft">{tool.caution}</p> : null}
-          </div>
-        ))}
-      </>
-    )}>
+    <Panel kind="damper" title="Damper and simulator" command={() => commandOf('damper', store.study!, store.answers.settings)} result={({ exports, ...damper }) => {
+      const units = damper.stop?.motion === 'turn' ? TURNS : SLIDES;
+      return (
+        <>
+          <Rows of={[
+            [units.mass[0], damper.stop ? quantity(damper.effective_mass, 1, units.mass[1]) : null],
+            ['damping c', quantity(damper.damping, 1, units.damping)],
+            ['damping ratio', damper.damping_ratio === null ? null : digits(damper.damping_ratio, 4)],
+            ['dissipation d', quantity(damper.dissipation, 1, units.dissipation)],
+            ['restitution of the law', digits(damper.achieved_restitution, 4)],
+            [units.force[0], quantity(damper.peak_force, 1, units.force[1])],
+            ['largest penetration', quantity(damper.max_penetration, units.depth[0], units.depth[1])],
+            ['duration of the contact', quantity(damper.contact_duration, 1000, 'ms')],
+            ['rebound speed', quantity(damper.rebound_speed, 1, units.speed)],
+            ['lost energy', quantity(damper.energy_lost, 1, 'J')],
+          ]} />
+          {Object.entries(exports).map(([name, tool]) => (
+            <div key={name} class="simulator">
+              <h3>{tool.title}</h3>
+              {tool.error ? <p class="box warn">{tool.error}</p> : null}
+              {tool.snippet ? <pre class="text" tabIndex={0} aria-label={`parameters for ${tool.title}`}>{tool.snippet}</pre> : null}
+              {tool.time_step !== null ? <p>Time step at most {digits(tool.time_step * 1000, 3)} ms.</p> : null}
+              {tool.caution ? <p class="soft">{tool.caution}</p> : null}
+            </div>
+          ))}
+        </>
+      );
+    }}>
+      <StopChoice />
       <Field name="restitution" label="restitution" />
       <Field name="stiffness" label="stiffness" hint="200 N/mm" />
       <Field name="speed" label="speed" hint="1 m/s" />
@@ -100,12 +161,16 @@ export function DamperPanel() {
   );
 }
 
+/** Impulses below this part of that of the contact are rounding. */
+const SMALL_IMPULSE = 1e-9;
+
 export function ImpactPanel() {
   return (
-    <Panel kind="impact" title="Impact" result={(found) => {
+    <Panel kind="impact" title="Impact" command={() => commandOf('impact', store.study!, store.answers.settings)} result={(found) => {
       const size = (force: (number | null)[]) => (force.some((f) => f === null) ? null : Math.hypot(...(force as number[])));
       const rows = found.reactions.map((r) => ({ name: r.name, place: r.place, on: r.on, size: size(r.force), open: r.open_by }))
-        .sort((a, b) => (b.size ?? 0) - (a.size ?? 0));
+        .sort((a, b) => (b.size ?? Infinity) - (a.size ?? Infinity));
+      const without = rows.filter((r) => r.size !== null && r.size <= SMALL_IMPULSE * found.impulse).length;
       return (
         <>
           <Rows of={[
@@ -115,13 +180,14 @@ export function ImpactPanel() {
           ]} />
           <table class="plain">
             <caption>impulses of joints, N·s; arrows in the view: on the second link</caption>
-            <tbody>{rows.map((r) => (
+            <tbody>{rows.slice(0, rows.length - without).map((r) => (
               <tr key={r.place + r.name}>
                 <th scope="row" title={r.on ?? 'ground'}>{r.name}</th>
                 <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
               </tr>
             ))}</tbody>
           </table>
+          {without ? <p class="soft">{without} further joints or frames have no impulse.</p> : null}
         </>
       );
     }}>
@@ -136,7 +202,7 @@ export function SafeSpeedPanel() {
   const { answers } = store;
   const unit = { force: 'N', pressure: 'N/cm2', energy: 'J', momentum: 'N·s' }[answers.settings.limit] ?? '';
   return (
-    <Panel kind="safe" title="Safe speed" result={([found]) => (
+    <Panel kind="safe" title="Safe speed" command={() => commandOf('safe', store.study!, store.answers.settings)} result={([found]) => (
       <>
         <p class="speed"><b>{fixed(found.reflected.speed, 3)}</b> m/s <span class="soft">for m̄ {found.reflected.robot_mass === null ? '= ∞' : `${digits(found.reflected.robot_mass, 4)} kg`}</span></p>
         <Rows of={[
@@ -165,7 +231,7 @@ const UNITS: Record<string, [string, number, number]> = {
 export function KinematicsPanel() {
   if (!store.opened?.scene.sheet || !store.opened.scene.motions.length) return null;
   return (
-    <Panel kind="kinematics" title="Camber, toe, motion ratios" result={(found) => {
+    <Panel kind="kinematics" title="Camber, toe, motion ratios" command={() => kinematicsCommand(store.study!, store.state())} result={(found) => {
       const row = found.rows[0];
       if (row?.problem) return <p class="box warn">{row.problem}</p>;
       const base = store.variants.at(-1)?.kinematics;

@@ -29,10 +29,10 @@ function Value({ report, stale }: { report: MassReport; stale: boolean }) {
   return (
     <div class={stale ? 'stale' : ''}>
       <p class="big" role="status" aria-live="polite" data-mass={m ?? report.status}>
-        <span class="symbol">m̄</span> <b>{big}</b> {report.status === 'immovable' ? '' : 'kg'}
+        <span class="symbol">m̄{report.singular_pose && m !== null ? ' ≥' : ''}</span> <b>{big}</b> {report.status === 'immovable' ? '' : 'kg'}
       </p>
       <p class="sub">
-        {report.status === 'finite' && error !== null ? (
+        {report.singular_pose ? <span>a bound for all branches · </span> : report.status === 'finite' && error !== null ? (
           <span title="Upper bound of the error: rounding, closing of the loops, and loops that the file leaves open">± {bound(error)} kg · </span>
         ) : null}
         at <b>{place}</b>{named ? `: ${contact.link} against ${other}` : ` against ${other}`}

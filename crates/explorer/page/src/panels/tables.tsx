@@ -5,6 +5,7 @@ import type { Triple } from '../engine/protocol';
 import { digits, fixed, signed } from '../model/numbers';
 import { store } from '../model/store';
 import { rampColour } from '../view/space';
+import { Details } from './details';
 import { NumberField } from './field';
 import { useStore } from './hooks';
 
@@ -51,47 +52,48 @@ export function Hardpoints() {
   const decimals = { m: 4, cm: 2, mm: 1, in: 3 }[sheet.unit] ?? 3;
   const step = { m: 0.001, cm: 0.1, mm: 1, in: 0.05 }[sheet.unit] ?? 0.001;
   return (
-    <details open={!matchMedia('(max-width: 760px)').matches}>
-      <summary><h2>Hardpoints, {sheet.unit}</h2></summary>
-      <p class="soft">Drag in the view, or type; arrow keys move by {step} {sheet.unit}. {sheet.axes}.</p>
-      <table class="points">
-        <thead><tr><th>name</th><th>x</th><th>y</th><th>z</th></tr></thead>
-        <tbody>
-          {sheet.hardpoints.map((point) => {
-            const by = store.moved(point.name);
-            // The scene has the moves of the last result; the numbers follow the study at once.
-            const opened = store.opened!.scene.sheet!.hardpoints.find((p) => p.name === point.name)!;
-            const initial = initialMove(point.name);
-            return (
-              <tr key={point.name} class={point.name === selected ? 'selected' : ''} onClick={() => store.set({ selected: point.name })}>
-                <th scope="row" title={by.some((x) => x !== 0) ? `Δ ${by.map((x) => signed(x * 1000, 1)).join(', ')} mm` : point.name}>{point.name}</th>
-                {[0, 1, 2].map((k) => {
-                  const metres = opened.coordinates[k] - initial[k] + by[k];
-                  return (
-                    <td key={k}>
-                      <NumberField label={`${point.name} ${'xyz'[k]}, ${sheet.unit}`} value={metres / sheet.unit_length} decimals={decimals} step={step} changed={by[k] !== 0}
-                        title={by[k] !== 0 ? `moved by ${signed(by[k] * 1000, 1)} mm` : undefined}
-                        set={(x) => {
-                          const to = [...store.moved(point.name)] as Triple;
-                          to[k] = x * sheet.unit_length - (opened.coordinates[k] - initial[k]);
-                          store.movePoint(point.name, to, `${point.name} ${'xyz'[k]}`);
-                        }} />
-                    </td>
-                  );
-                })}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-      {moved ? (
-        <p class="row"><button onClick={() => {
-          const { move, ...model } = store.study!.model;
-          void move;
-          store.change({ ...store.study!, model }, 'all hardpoints back');
-        }}>All hardpoints back ({moved} moved)</button></p>
-      ) : null}
-    </details>
+    <Details title={`Hardpoints, ${sheet.unit}`} startsOpen={!matchMedia('(max-width: 760px)').matches} content={() => (
+      <>
+        <p class="soft">Drag in the view, or type; arrow keys move by {step} {sheet.unit}. {sheet.axes}.</p>
+        <table class="points">
+          <thead><tr><th>name</th><th>x</th><th>y</th><th>z</th></tr></thead>
+          <tbody>
+            {sheet.hardpoints.map((point) => {
+              const by = store.moved(point.name);
+              // The scene has the moves of the last result; the numbers follow the study at once.
+              const opened = store.opened!.scene.sheet!.hardpoints.find((p) => p.name === point.name)!;
+              const initial = initialMove(point.name);
+              return (
+                <tr key={point.name} class={point.name === selected ? 'selected' : ''} onClick={() => store.set({ selected: point.name })}>
+                  <th scope="row" title={by.some((x) => x !== 0) ? `Δ ${by.map((x) => signed(x * 1000, 1)).join(', ')} mm` : point.name}>{point.name}</th>
+                  {[0, 1, 2].map((k) => {
+                    const metres = opened.coordinates[k] - initial[k] + by[k];
+                    return (
+                      <td key={k}>
+                        <NumberField label={`${point.name} ${'xyz'[k]}, ${sheet.unit}`} value={metres / sheet.unit_length} decimals={decimals} step={step} changed={by[k] !== 0}
+                          title={by[k] !== 0 ? `moved by ${signed(by[k] * 1000, 1)} mm` : undefined}
+                          set={(x) => {
+                            const to = [...store.moved(point.name)] as Triple;
+                            to[k] = x * sheet.unit_length - (opened.coordinates[k] - initial[k]);
+                            store.movePoint(point.name, to, `${point.name} ${'xyz'[k]}`);
+                          }} />
+                      </td>
+                    );
+                  })}
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+        {moved ? (
+          <p class="row"><button onClick={() => {
+            const { move, ...model } = store.study!.model;
+            void move;
+            store.change({ ...store.study!, model }, 'all hardpoints back');
+          }}>All hardpoints back ({moved} moved)</button></p>
+        ) : null}
+      </>
+    )} />
   );
 }
 
@@ -115,21 +117,22 @@ export function Masses() {
     store.change({ ...study, model }, `mass of ${name}`);
   };
   return (
-    <details>
-      <summary><h2>Masses, kg</h2></summary>
-      <table class="points">
-        <tbody>
-          {links.map((link) => (
-            <tr key={link.name}>
-              <th scope="row" title={link.name}>{link.name}</th>
-              <td><NumberField label={`mass of ${link.name}, kg`} value={changes[link.name] ?? link.mass} decimals={3} step={0.1} changed={changes[link.name] !== undefined} set={(x) => set(link.name, x)} /></td>
-              <td>{changes[link.name] !== undefined ? <button onClick={() => set(link.name, undefined)} aria-label={`mass of ${link.name} as in the file`}>↺</button> : null}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      <p class="soft">The moments of inertia about the centre of mass change in proportion.</p>
-    </details>
+    <Details title="Masses, kg" content={() => (
+      <>
+        <table class="points">
+          <tbody>
+            {links.map((link) => (
+              <tr key={link.name}>
+                <th scope="row" title={link.name}>{link.name}</th>
+                <td><NumberField label={`mass of ${link.name}, kg`} value={changes[link.name] ?? link.mass} decimals={3} step={0.1} changed={changes[link.name] !== undefined} set={(x) => set(link.name, x)} /></td>
+                <td>{changes[link.name] !== undefined ? <button onClick={() => set(link.name, undefined)} aria-label={`mass of ${link.name} as in the file`}>↺</button> : null}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        <p class="soft">The moments of inertia about the centre of mass change in proportion.</p>
+      </>
+    )} />
   );
 }
 
@@ -212,8 +215,7 @@ export function CurveTable() {
   const { curve, driver } = useStore();
   if (!driver || !curve || !('ok' in curve)) return null;
   return (
-    <details>
-      <summary><h2>Curve as a table</h2></summary>
+    <Details title="Curve as a table" content={() => (
       <table class="plain curve-table">
         <thead><tr><th>{driver.label}, {driver.unit.name}</th><th>m̄, kg</th></tr></thead>
         <tbody>
@@ -222,6 +224,6 @@ export function CurveTable() {
           ))}
         </tbody>
       </table>
-    </details>
+    )} />
   );
 }

@@ -5,6 +5,7 @@ import {
   LatheGeometry, MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector2, Vector3,
 } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
+import type { Wire } from './overlay';
 import { frame, pointAt, vectorAt } from './space';
 
 const UP = new Vector3(0, 1, 0);
@@ -50,6 +51,9 @@ const UNIT_BALL = new SphereGeometry(1, 14, 10);
 const GROUND_CONE = new CylinderGeometry(0.25, 1, 1.6, 4);
 const UNIT_SPRING = spring();
 const UNIT_TYRE = tyre();
+const DARK_PART = new MeshLambertMaterial({ color: DARK });
+const GREY_PART = new MeshLambertMaterial({ color: GREY });
+const PAINTED = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
 const DESIGN_LINE = new LineBasicMaterial({ color: '#9aa5b1' });
 const VARIANT_LINE = new LineBasicMaterial({ color: '#2f6fb0' });
 
@@ -66,17 +70,17 @@ export class Bodies {
   private elements: Element[] = [];
   private ghost: LineSegments | undefined;
   private variant: LineSegments | undefined;
-  private grey = new MeshLambertMaterial({ color: GREY });
-  private painted = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
-  private dark = new MeshLambertMaterial({ color: DARK });
   /** Geometries of the shapes of this scene. */
   private own: BufferGeometry[] = [];
 
-  constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number) {
+  /** `former`: bodies of the scene before, whose materials are taken; the renderer would prepare new ones for each answer of a drag. */
+  constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number, former?: Bodies) {
+    const isSame = former?.scene.links.length === scene.links.length && former.scene.wheels.length === scene.wheels.length;
+    const [links, tyres] = isSame ? [former.materials.splice(0), former.tyres.splice(0)] : [[], []];
     scene.links.forEach((link, i) => {
       const group = new Group();
       group.matrixAutoUpdate = false;
-      const material = new MeshLambertMaterial({ color: GREY, side: DoubleSide });
+      const material = links[i] ?? new MeshLambertMaterial({ color: GREY, side: DoubleSide });
       const corners = shapes[i];
       if (corners && corners.length) {
         const geometry = this.keep(new BufferGeometry());
@@ -115,11 +119,11 @@ export class Bodies {
       this.group.add(group);
     });
     this.addJoints();
-    this.addWheels();
+    this.addWheels(tyres.map((t) => t.material));
     for (const contact of scene.contacts) {
       const count = { spring: 1, damper: 2, stop: 2, patch: 0, other: 0 }[contact.kind];
       const geometry = contact.kind === 'spring' ? UNIT_SPRING : UNIT_BAR;
-      const meshes = Array.from({ length: count }, () => new Mesh(geometry, contact.kind === 'stop' ? this.dark : this.grey));
+      const meshes = Array.from({ length: count }, () => new Mesh(geometry, contact.kind === 'stop' ? DARK_PART : GREY_PART));
       for (const mesh of meshes) {
         mesh.matrixAutoUpdate = false;
         this.group.add(mesh);
@@ -147,7 +151,7 @@ export class Bodies {
 
   private addJoints() {
     const add = (link: number, at: Triple, isGround: boolean) => {
-      const mesh = new Mesh(isGround ? GROUND_CONE : UNIT_BALL, this.dark);
+      const mesh = new Mesh(isGround ? GROUND_CONE : UNIT_BALL, DARK_PART);
       mesh.position.set(...at);
       mesh.scale.setScalar(this.radius * JOINT * (isGround ? 1.2 : 0.85));
       if (isGround) mesh.rotation.x = Math.PI / 2;
@@ -172,9 +176,9 @@ export class Bodies {
     }
   }
 
-  private addWheels() {
-    for (const wheel of this.scene.wheels) {
-      const material = new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+  private addWheels(former: MeshLambertMaterial[]) {
+    for (const [i, wheel] of this.scene.wheels.entries()) {
+      const material = former[i] ?? new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
       const name = this.scene.links[wheel.link].name.replace('wheel_centre', 'wheel');
       this.tyres.push({ link: this.scene.links.findIndex((link) => link.name === name), material });
       const mesh = new Mesh(UNIT_TYRE, material);
@@ -183,6 +187,25 @@ export class Bodies {
       mesh.scale.setScalar(wheel.radius);
       this.links[wheel.link].add(mesh);
     }
+  }
+
+  /** The bodies as lines: links, rims of the wheels, springs and dampers. `colours`: of the links, or null for grey. */
+  wires(frames: number[], colours: Color[] | null): Wire[] {
+    const colour = (link: number) => (colours?.[link] ? `#${colours[link].getHexString()}` : '#6b7785');
+    const links = this.scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
+      .map((line) => ({ points: line.map((end) => pointAt(frames, i, end)), colour: colour(i), isThin: false })));
+    const wheels = this.scene.wheels.map((wheel, i) => {
+      const turn = new Quaternion().setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
+      const rim = Array.from({ length: 41 }, (_, k) => {
+        const spoke = new Vector3(Math.cos((k * Math.PI) / 20), 0, Math.sin((k * Math.PI) / 20)).multiplyScalar(wheel.radius).applyQuaternion(turn);
+        return pointAt(frames, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple);
+      });
+      return { points: rim, colour: colour(this.tyres[i].link), isThin: true };
+    });
+    const elements = this.scene.contacts.filter((c) => (c.kind === 'spring' || c.kind === 'damper') && c.normal !== 'fixed').map((c) => ({
+      points: [pointAt(frames, c.link, c.point), pointAt(frames, c.against ?? this.scene.root, c.vector)], colour: GREY, isThin: true,
+    }));
+    return [...links, ...wheels, ...elements];
   }
 
   pose(frames: number[]) {
@@ -238,7 +261,7 @@ export class Bodies {
         for (let k = 0; k < 3; k++) colour.toArray(values, 9 * i + 3 * k);
       });
       mesh.geometry.setAttribute('color', new BufferAttribute(values, 3));
-      mesh.material = this.painted;
+      mesh.material = PAINTED;
     }
   }
 
@@ -263,7 +286,7 @@ export class Bodies {
 
   dispose() {
     for (const geometry of this.own) geometry.dispose();
-    for (const material of [...this.materials, ...this.tyres.map((t) => t.material), this.grey, this.dark, this.painted]) material.dispose();
+    for (const material of [...this.materials, ...this.tyres.map((t) => t.material)]) material.dispose();
     this.outlines(false, undefined);
   }
 }

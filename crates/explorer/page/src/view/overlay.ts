@@ -16,9 +16,15 @@ export function element<K extends keyof SVGElementTagNameMap>(
 }
 
 export interface Mark { name: string; at: Vector3; isMoved: boolean }
-/** `reach`: nearest drawn point of the contact link. */
-export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; label: string; isStale: boolean }
+/** `reach`: nearest drawn point of the contact link; `far`: other end of its line or cable. */
+export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; far?: Vector3; label: string; isStale: boolean }
 
+/** Line in a browser without WebGL. */
+export interface Wire { points: Vector3[]; colour: string; isThin: boolean }
+
+/** In a view below this width, the buttons are in a row at the bottom of this height, pixels. */
+const NARROW = 600;
+const BUTTONS = 48;
 const ARROW = 74;
 const HEAD = 15;
 /** A label of a scale: lengths of bars, m. */
@@ -38,6 +44,10 @@ export class Overlay {
   /** Size of the view, pixels: reading it from the page would compute the layout once more for each drawing. */
   private width = 1;
   private height = 1;
+  /** Lower end of the part without buttons. */
+  private bottom = 1;
+  /** View of the axes drawn. */
+  private drawnAxes = '';
 
   constructor(parent: HTMLElement) {
     this.svg = element('svg', { class: 'overlay', 'aria-hidden': 'true' });
@@ -58,12 +68,16 @@ export class Overlay {
     this.width = width;
     this.height = height;
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    this.bottom = height - (width < NARROW ? BUTTONS : 0);
   }
 
-  drawWires(cameras: Cameras, lines: { ends: [Vector3, Vector3]; colour: string }[]) {
-    this.wires.replaceChildren(...lines.map(({ ends, colour }) => {
-      const [a, b] = ends.map((end) => cameras.project(end));
-      const line = element('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y });
+  drawWires(cameras: Cameras, wires: Wire[]) {
+    this.wires.replaceChildren(...wires.map(({ points, colour, isThin }) => {
+      const path = points.map((point) => {
+        const { x, y } = cameras.project(point);
+        return `${x.toFixed(1)} ${y.toFixed(1)}`;
+      });
+      const line = element('path', { d: `M${path.join('L')}`, class: isThin ? 'thin' : '' });
       line.style.stroke = colour;
       return line;
     }));
@@ -162,6 +176,10 @@ export class Overlay {
     if (base && Math.hypot(base.x - a.x, base.y - a.y) > 3) {
       parts.unshift(element('line', { x1: base.x, y1: base.y, x2: a.x, y2: a.y, class: 'reach' }));
     }
+    if (mark.far) {
+      const end = cameras.project(mark.far);
+      parts.unshift(element('line', { x1: end.x, y1: end.y, x2: a.x, y2: a.y, class: 'rope' }), element('circle', { cx: end.x, cy: end.y, r: 3.5, class: 'dot' }));
+    }
     const chip = element('g', { transform: `translate(${x.toFixed(1)},${y.toFixed(1)})`, class: 'chip' });
     element('rect', { width: width.toFixed(0), height: 26, rx: 5 }, chip);
     element('text', { x: (width / 2).toFixed(1), y: 18, 'text-anchor': 'middle' }, chip).textContent = mark.label;
@@ -187,11 +205,14 @@ export class Overlay {
     this.label.replaceChildren(...parts, group);
   }
 
+  /** Directions of the axes, which change only with the camera. */
   drawAxes(cameras: Cameras) {
-    const { height } = this;
-    const [cx, cy] = [44, height - 76];
-    const camera = cameras.camera;
-    const turn = camera.matrixWorldInverse;
+    const { bottom } = this;
+    const [cx, cy] = [44, bottom - 76];
+    const turn = cameras.camera.matrixWorldInverse;
+    const key = `${bottom} ${turn.elements.slice(0, 11).join()}`;
+    if (key === this.drawnAxes) return;
+    this.drawnAxes = key;
     const parts = (['x', 'y', 'z'] as const).flatMap((name, i) => {
       const v = new Vector3(...[0, 1, 2].map((k) => (k === i ? 1 : 0))).transformDirection(turn);
       if (Math.hypot(v.x, v.y) < 0.15) return [];
@@ -209,11 +230,11 @@ export class Overlay {
       this.scale.replaceChildren();
       return;
     }
-    const { width, height } = this;
+    const { width, bottom } = this;
     const pixel = cameras.pixel(centre);
     const length = BARS.find((l) => l / pixel > 60) ?? BARS.at(-1)!;
     const w = length / pixel;
-    const [x, y] = [width - w - 18, height - 24];
+    const [x, y] = [width - w - 18, bottom - 24];
     const text = element('text', { x: x + w / 2, y: y - 7, 'text-anchor': 'middle' });
     text.textContent = length < 1 ? `${length * 1000} mm` : `${length} m`;
     this.scale.replaceChildren(element('path', { d: `M${x} ${y - 4}v8M${x} ${y}h${w}M${x + w} ${y - 4}v8` }), text);

@@ -23,25 +23,25 @@ export function intoLink(frames: number[], link: number, vector: Vector3): Vecto
   return length === 0 ? vector.clone() : vector.clone().transformDirection(frame(frames, link).transpose().setPosition(0, 0, 0)).multiplyScalar(length);
 }
 
-/** Points that enclose everything drawn at the design pose, m. */
-export function outline(scene: Scene, shapes: (Float32Array | null)[]): Vector3[] {
+/** Points that enclose everything drawn at a pose, m. */
+export function outline(scene: Scene, frames: number[], shapes: (Float32Array | null)[]): Vector3[] {
   const points: Vector3[] = [];
   scene.links.forEach((link, i) => {
-    for (const line of link.lines) for (const end of line) points.push(pointAt(scene.design, i, end));
-    if (link.com && link.mass > 0) points.push(pointAt(scene.design, i, link.com));
+    for (const line of link.lines) for (const end of line) points.push(pointAt(frames, i, end));
+    if (link.com && link.mass > 0) points.push(pointAt(frames, i, link.com));
     const corners = shapes[i];
     // Every corner of a large mesh would take long; the outline needs only some.
     const step = corners ? 3 * Math.max(1, Math.floor(corners.length / 3 / 600)) : 1;
-    for (let k = 0; corners && k + 2 < corners.length; k += step) points.push(pointAt(scene.design, i, [corners[k], corners[k + 1], corners[k + 2]]));
+    for (let k = 0; corners && k + 2 < corners.length; k += step) points.push(pointAt(frames, i, [corners[k], corners[k + 1], corners[k + 2]]));
   });
   for (const wheel of scene.wheels) {
     const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...wheel.axis).normalize());
     for (let k = 0; k < 12; k++) {
       const spoke = new Vector3(Math.cos((k * Math.PI) / 6), Math.sin((k * Math.PI) / 6), 0).applyQuaternion(turn).multiplyScalar(wheel.radius);
-      points.push(pointAt(scene.design, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple));
+      points.push(pointAt(frames, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple));
     }
   }
-  for (const point of scene.sheet?.hardpoints ?? []) points.push(pointAt(scene.design, point.link, point.point));
+  for (const point of scene.sheet?.hardpoints ?? []) points.push(pointAt(frames, point.link, point.point));
   return points.length ? points : [new Vector3(-1, -1, -1), new Vector3(1, 1, 1)];
 }
 

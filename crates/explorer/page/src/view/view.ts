@@ -21,6 +21,8 @@ const SNAP = 0.001;
 /** Angle within which a dragged normal takes the direction of an axis, rad. */
 const SNAP_ANGLE = 0.1;
 
+/** Room for the arrow of the contact, as a part of the radius of the scene. */
+const ARROW_ROOM = 0.25;
 const MOST_TIMES = 400;
 
 interface Drag {
@@ -47,16 +49,16 @@ export class View {
   private bodies: Bodies | undefined;
   private cameras: Cameras;
   private overlay: Overlay;
-  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown } = {};
+  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown; pose?: string; answered?: unknown; isInside?: boolean } = {};
   private shapes: (Float32Array | null)[] = [];
   private centre = new Vector3();
-  private points: Vector3[] = [];
   private radius = 1;
   private tip: Vector3 | undefined;
   private drag: Drag | undefined;
   private press: { x: number; y: number } | undefined;
   private pointer: { x: number; y: number } | undefined;
   private hovered: string | undefined;
+  private box = new DOMRect();
   private pending = false;
   /** Times of drawings, ms. */
   private times: number[] = [];
@@ -116,8 +118,18 @@ export class View {
     return this.renderer.domElement.toDataURL('image/png');
   }
 
+  /** Shows the mechanism at its pose, and the contact. */
   fit() {
-    if (this.points.length) this.cameras.fit(this.points);
+    const { scene, frames, posed } = store;
+    if (!scene || !frames) return;
+    const points = outline(scene, frames, this.shapes);
+    if (posed) {
+      const point = new Vector3(...posed.report.contact.point_world);
+      points.push(point, point.clone().addScaledVector(new Vector3(...posed.report.contact.normal_world), ARROW_ROOM * this.radius));
+    }
+    const far = this.farEnd(frames);
+    if (far) points.push(far);
+    this.cameras.fit(points);
     this.invalidate();
   }
 
@@ -152,17 +164,17 @@ export class View {
     }
     if (this.bodies) this.stage.remove(this.bodies.group);
     if (isNewModel) {
-      this.points = outline(scene, this.shapes);
-      const low = this.points.reduce((a, p) => a.clone().min(p), this.points[0]);
-      const high = this.points.reduce((a, p) => a.clone().max(p), this.points[0]);
+      const points = outline(scene, scene.design, this.shapes);
+      const low = points.reduce((a, p) => a.clone().min(p), points[0]);
+      const high = points.reduce((a, p) => a.clone().max(p), points[0]);
       this.centre = low.clone().add(high).multiplyScalar(0.5);
       // A single point has no size.
       this.radius = high.distanceTo(low) / 2 || POINT_RADIUS;
       this.shown.fitted = store.opened;
-      this.cameras.fit(this.points);
+      this.fit();
       this.addGrid(scene);
     }
-    this.bodies = new Bodies(scene, this.shapes, this.radius);
+    this.bodies = new Bodies(scene, this.shapes, this.radius, this.bodies);
     this.stage.add(this.bodies.group);
     this.shown.scene = scene;
   }
@@ -192,6 +204,21 @@ export class View {
       this.cameras.show(store.view);
       if (this.grid) this.grid.visible = store.view === '3d';
     }
+    // A pose of the model may be far from the former one.
+    const pose = store.answered?.pose.file;
+    if (this.shown.pose !== pose && store.answered === store.study) {
+      this.shown.pose = pose;
+      this.fit();
+    }
+    if (store.isIdle && posed) {
+      // A driver that moves the contact out of the view takes the view along; a view that was moved by hand stays.
+      const { x, y } = this.cameras.project(new Vector3(...posed.report.contact.point_world));
+      const isInside = x > 0 && y > 0 && x < this.element.clientWidth && y < this.element.clientHeight;
+      const hasLeft = !isInside && this.shown.isInside && this.shown.answered !== store.answered;
+      if (hasLeft) this.fit();
+      this.shown.isInside = isInside || hasLeft;
+      this.shown.answered = store.answered;
+    }
     const bodies = this.bodies!;
     bodies.pose(frames);
     const shares = posed?.report.bodies.map((body) => body.share);
@@ -206,10 +233,7 @@ export class View {
     // Only now: the shader programs of the former bodies are those of the new ones, and are compiled again if nothing uses them.
     former?.dispose();
     if (!this.webgl) {
-      this.overlay.drawWires(this.cameras, scene.links.flatMap((link, i) => link.lines.map(([a, b]) => ({
-        ends: [pointAt(frames, i, a), pointAt(frames, i, b)] as [Vector3, Vector3],
-        colour: colours ? `#${colours[i].getHexString()}` : '#6b7785',
-      }))));
+      this.overlay.drawWires(this.cameras, bodies.wires(frames, colours));
     }
     this.overlay.drawAxes(this.cameras);
     this.overlay.drawScale(this.cameras, this.centre, store.view !== '3d');
@@ -221,6 +245,7 @@ export class View {
       point: new Vector3(...posed.report.contact.point_world),
       normal: new Vector3(...posed.report.contact.normal_world),
       reach: this.reach(frames),
+      far: this.farEnd(frames),
       label: this.value(),
       isStale: problem !== undefined,
     });
@@ -241,11 +266,18 @@ export class View {
     return nearest.sort((a, b) => a.distanceTo(point) - b.distanceTo(point))[0];
   }
 
+  /** Other end of the line or the cable of the contact. */
+  private farEnd(frames: number[]): Vector3 | undefined {
+    const line = store.study?.contact.along_line;
+    const link = store.scene!.links.findIndex((l) => l.name === line?.link);
+    return line && link >= 0 ? pointAt(frames, link, line.point) : undefined;
+  }
+
   private value(): string {
     const { report } = store.posed!;
     if (report.status === 'immovable') return 'm̄ = ∞';
     if (report.status === 'massless') return 'm̄ = 0 kg';
-    return `m̄ ${mass(report.effective_mass!, report.effective_mass_error)} kg`;
+    return `m̄ ${report.singular_pose ? '≥ ' : ''}${mass(report.effective_mass!, report.effective_mass_error)} kg`;
   }
 
   private marks(): Mark[] {
@@ -293,9 +325,11 @@ export class View {
 
   // ---- gestures ------------------------------------------------------------------------------------------------------
 
+  /** Position of the pointer in the view. During a drag, the place of the view is not read again: the browser would compute the layout
+   * for each event. */
   private at(event: PointerEvent) {
-    const box = this.element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+    if (!this.drag) this.box = this.element.getBoundingClientRect();
+    return { x: event.clientX - this.box.left, y: event.clientY - this.box.top };
   }
 
   private hit(x: number, y: number, kind: string): { what: Drag['what']; name: string } | undefined {
@@ -398,16 +432,18 @@ export class View {
   }
 
   private dragContact({ x, y }: { x: number; y: number }) {
-    const own = store.ownContact();
+    // The end of a line or a cable moves, its direction follows.
+    const given = store.study?.contact;
+    const own = given?.along_line && !given.frame ? given : store.ownContact();
     if (!own?.link) return;
     const link = store.scene!.links.findIndex((l) => l.name === own.link);
     const surface = this.shapes[link]?.length ? this.cast(x, y, link) : undefined;
     const contact = { ...own };
-    if (surface) {
-      contact.point = this.pointIn(link, surface.at);
+    if (surface) contact.point = this.pointIn(link, surface.at);
+    if (surface && !own.along_line) {
       contact.normal = this.normalIn(link, surface.normal);
       delete contact.normal_frame;
-    } else {
+    } else if (!surface) {
       contact.point = this.pointIn(link, this.cameras.inPlane(x, y, this.drag!.at));
     }
     store.setContact(contact, 'move the contact');
