@@ -10,7 +10,6 @@ mod identities {
     mod derivatives;
     mod energies;
     mod fallbacks;
-    mod held_points;
     mod invariances;
     mod maps;
     mod matrices;
@@ -36,12 +35,13 @@ mod loops {
 }
 
 /// Families of mechanisms with known results: rounded files, independent mechanisms in one file, loops drawn open,
-/// extreme sizes.
+/// extreme sizes, robots with held points.
 mod families {
     mod coverage;
     mod drawn_open;
     mod first_poses;
     mod gazebo_joints;
+    mod held_points;
     mod independent_groups;
     mod rigid;
     mod rounded_files;

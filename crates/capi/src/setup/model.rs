@@ -9,7 +9,7 @@ use crate::boundary::status::{
 #[cfg(feature = "suspensions")]
 use percuss::study::DiagnosticRecord;
 use percuss::{
-    Configuration, DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism,
+    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism,
     NamedPose, Problem, Severity, Source, Subject, load,
 };
 use std::ffi::{CString, c_char};
