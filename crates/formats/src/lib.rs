@@ -35,8 +35,8 @@ pub mod reading;
 mod load;
 mod meshes;
 mod mjcf;
-#[cfg(feature = "sdf")]
 mod sdf;
+mod shape;
 mod urdf;
 mod writing;
 pub use load::{load, load_file};
@@ -47,9 +47,8 @@ pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::report::NOT_READ;
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;
-#[cfg(feature = "sdf")]
 pub use sdf::write::{SdfError, write_sdf};
-pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
+pub use shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
 pub use writing::changes::{Change, Effect, ModelText, lost_pose};

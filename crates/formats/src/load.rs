@@ -1,11 +1,8 @@
 //! Entry point of all readers of models: the root element of the file selects the format.
 
-#[cfg(not(feature = "sdf"))]
-use crate::reading::report::Place;
 use crate::reading::report::Report;
 use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
-#[cfg(feature = "sdf")]
 use crate::sdf;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{DEFAULT_MAX_SIZE, LoadError, Source, mjcf, urdf};
@@ -27,15 +24,7 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     let text = &*tolerant_text(text);
     match xml::root_name(text) {
         Some("mujoco") => mjcf::load::load_text(&source.name, text, options, report),
-        #[cfg(feature = "sdf")]
         Some("sdf") => sdf::load::load_text(&source.name, text, options, report),
-        #[cfg(not(feature = "sdf"))]
-        Some("sdf") => {
-            let message =
-                "SDFormat is not read by this build; convert the model: percuss convert MODEL -o FILE.urdf";
-            report.error("format-not-built", Place::File, || message.to_owned());
-            Err(LoadError { diagnostics: report.finish(&source.name, text) })
-        }
         _ => urdf::load::load_text(&source.name, text, options, report),
     }
 }

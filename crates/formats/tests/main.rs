@@ -9,8 +9,12 @@ mod malformed;
 mod mjcf;
 mod mutation;
 mod plausible;
-mod round_trip;
 mod sdf;
 mod support;
 mod surfaces;
-mod written_shapes;
+
+/// Written files are read as the same models.
+mod writing {
+    mod round_trip;
+    mod shapes;
+}

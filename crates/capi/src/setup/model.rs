@@ -9,8 +9,8 @@ use crate::boundary::status::{
 #[cfg(feature = "suspensions")]
 use percuss::study::DiagnosticRecord;
 use percuss::{
-    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism,
-    NamedPose, Problem, Severity, Source, Subject, load,
+    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, NamedPose, Problem,
+    Severity, Source, Subject, load,
 };
 use std::ffi::{CString, c_char};
 use std::ptr::null;

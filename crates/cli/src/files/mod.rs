@@ -2,7 +2,6 @@
 
 pub(crate) mod csv;
 pub(crate) mod html;
-pub(crate) mod mesh_names;
 #[cfg(not(feature = "tables"))]
 mod no_tables;
 pub(crate) mod output;

@@ -20,7 +20,7 @@ use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
 use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
-use crate::urdf::elements::shapes::shape::Shape;
+use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, NamedPose};
 use percuss_mechanism::{

@@ -11,10 +11,6 @@ pub(crate) struct Element {
     pub attributes: Vec<Attribute>,
     pub children: Vec<ElementId>,
     /// Text of the element without comments and surrounding white space; empty in formats whose values are attributes.
-    #[cfg_attr(
-        not(feature = "sdf"),
-        expect(dead_code, reason = "values are texts of elements in SDFormat only")
-    )]
     pub text: String,
     pub parent: Option<ElementId>,
     /// Index of the file in [`ElementTree::files`].
@@ -77,13 +73,11 @@ impl ElementTree {
     }
 
     /// First child element with a tag.
-    #[cfg(feature = "sdf")]
     pub fn child(&self, id: ElementId, tag: &str) -> Option<ElementId> {
         self.children(id).iter().copied().find(|child| self.tag(*child) == tag)
     }
 
     /// Text of an element, without white space at its ends.
-    #[cfg(feature = "sdf")]
     pub fn text(&self, id: ElementId) -> &str {
         &self.element(id).text
     }

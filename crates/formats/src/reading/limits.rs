@@ -51,10 +51,8 @@ pub(crate) const MAX_ATTACH_STEPS: usize = 50_000_000;
 /// Deepest nesting of included files and of models within models.
 pub(crate) const MAX_MODEL_DEPTH: usize = 32;
 /// Longest chain of frames, each placed in the next one, that is multiplied without the poses in the world: the cost of a joint.
-#[cfg(feature = "sdf")]
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 /// Magnitude of a limit from which on SDFormat takes a joint for unlimited, rad or m.
-#[cfg(feature = "sdf")]
 pub(crate) const UNLIMITED: f64 = 1e16;
 
 // URDF: the elements.

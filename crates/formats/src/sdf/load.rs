@@ -11,7 +11,7 @@ use crate::sdf::frames::poses::resolve_poses;
 use crate::sdf::frames::walk::{collect_scopes, model_name};
 use crate::sdf::tree::assembly::assemble;
 use crate::sdf::tree::parts::Parts;
-use crate::urdf::elements::shapes::shape::Shape;
+use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
 use std::path::{Path, PathBuf};

@@ -3,12 +3,13 @@
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::reading::xml;
+use crate::shape::Shape;
 use crate::urdf::closing_pairs::close_pairs;
 use crate::urdf::consistency;
 use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::nodes::Nodes;
-use crate::urdf::elements::shapes::shape::{Shape, link_shapes};
+use crate::urdf::elements::shapes::shape::link_shapes;
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
 use crate::{Diagnostic, LoadError};

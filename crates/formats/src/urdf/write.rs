@@ -1,6 +1,6 @@
 //! Writer of mechanisms as URDF+.
 
-use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use crate::writing::changes::{ModelText, changed_names, lost_poses, lost_shape};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{

@@ -1,6 +1,6 @@
 //! Changes by a conversion: parts of a mechanism that have another form in the written file, or none.
 
-use crate::urdf::elements::shapes::shape::Shape;
+use crate::shape::Shape;
 use crate::writing::parts::ModelParts;
 use percuss_mechanism::{LinkId, Mechanism};
 use std::fmt;

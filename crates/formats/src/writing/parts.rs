@@ -1,6 +1,6 @@
 //! Input of the writers: a mechanism, the shapes of its links, and its named poses.
 
-use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use crate::writing::state::MechanismState;
 use percuss_mechanism::Mechanism;
 use std::path::PathBuf;

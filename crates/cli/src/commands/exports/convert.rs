@@ -1,7 +1,7 @@
 //! Command `percuss convert`.
 
+use super::mesh_names::MeshNames;
 use crate::args::{CheckFormat, ConvertArgs, ModelArgs, ModelFormat};
-use crate::files::mesh_names::MeshNames;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;

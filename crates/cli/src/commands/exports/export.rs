@@ -1,8 +1,8 @@
 //! Command `percuss export`.
 
 use super::convert::{change_lines, convert, refuse_warnings};
+use super::mesh_names::MeshNames;
 use crate::args::{CheckFormat, ExportArgs, ModelFormat};
-use crate::files::mesh_names::MeshNames;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;

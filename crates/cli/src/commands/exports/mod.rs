@@ -4,3 +4,4 @@ pub(crate) mod convert;
 pub(crate) mod explore;
 pub(crate) mod export;
 pub(crate) mod generate;
+mod mesh_names;

@@ -10,7 +10,7 @@ pub use orient::Orientation;
 
 use crate::meshes::files::{MeshError, MeshFolders, read_mesh};
 use crate::reading::limits::FACETS_PER_TURN;
-use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use grid::Patch;
 use nalgebra::Vector3;
 use percuss_spatial::Transform;

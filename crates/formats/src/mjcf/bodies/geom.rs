@@ -5,7 +5,7 @@ use crate::mjcf::values::orientation::{read_pose, rotation_to_z};
 use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::ElementId;
 use crate::reading::findings::Findings;
-use crate::urdf::elements::shapes::shape::{Purpose, Shape, Solid};
+use crate::shape::{Purpose, Shape, Solid};
 use percuss_spatial::{Transform, Vector3};
 
 /// Density of a geom without `density` and `mass`, kg/m³.

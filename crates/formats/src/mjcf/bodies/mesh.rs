@@ -12,7 +12,7 @@ use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::limits::{MAX_INERTIA_TRIANGLES, MAX_TOTAL_ATTRIBUTES};
 use crate::reading::report::quoted;
-use crate::urdf::elements::shapes::shape::Solid;
+use crate::shape::Solid;
 use percuss_mechanism::Severity;
 use percuss_spatial::{Matrix3, Transform, Vector3};
 use std::collections::HashMap;

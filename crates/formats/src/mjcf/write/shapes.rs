@@ -3,7 +3,7 @@
 use super::body_tree::{BodyTree, pose_attributes};
 use crate::meshes::files::binary_stl_facets;
 use crate::reading::unique_names::UniqueNames;
-use crate::urdf::elements::shapes::shape::{Purpose, Shape, Solid};
+use crate::shape::{Purpose, Shape, Solid};
 use crate::writing::changes::{Change, lost_shape};
 use crate::writing::parts::{ModelParts, has_positive_size};
 use crate::writing::structure::immovable_links;

@@ -6,7 +6,7 @@ use crate::sdf::elements::geometry::{Collision, read_shape};
 use crate::sdf::elements::inertia::{LinkInertia, read_inertia};
 use crate::sdf::frames::scopes::Scopes;
 use crate::sdf::values::read_pose;
-use crate::urdf::elements::shapes::shape::{Purpose, Shape};
+use crate::shape::{Purpose, Shape};
 use percuss_mechanism::{Geometry, Severity};
 use percuss_spatial::Transform;
 

@@ -3,8 +3,8 @@
 use crate::mjcf::bodies::solids::{self, UnitInertia};
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::MAX_SHAPE_SIZE;
+use crate::shape::Solid;
 use crate::urdf::elements::numbers::parse_numbers;
-use crate::urdf::elements::shapes::shape::Solid;
 use percuss_spatial::Transform;
 use std::f64::consts::PI;
 

@@ -11,7 +11,7 @@ use crate::sdf::tree::chain::{ChainBuilder, GROUND, StepNames, body_frame, body_
 use crate::sdf::tree::parts::{LinkOrigin, Parts};
 use crate::sdf::tree::relations::{add_closure, add_gearbox};
 use crate::sdf::tree::spanning::{SpanningTree, Support, grow_tree};
-use crate::urdf::elements::shapes::shape::Shape;
+use crate::shape::Shape;
 use percuss_mechanism::{JointDescription, JointKind, LinkDescription, Severity};
 use std::collections::{HashMap, HashSet};
 

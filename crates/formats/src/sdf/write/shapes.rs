@@ -2,7 +2,7 @@
 
 use super::bodies::{Bodies, Form, path_pose, pose_text};
 use crate::reading::unique_names::UniqueNames;
-use crate::urdf::elements::shapes::shape::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use crate::writing::changes::lost_shape;
 use crate::writing::parts::{ModelParts, has_positive_size};
 use crate::writing::xml_text::{escape_attribute, format_number, format_vector, scale_text};

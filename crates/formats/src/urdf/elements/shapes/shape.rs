@@ -2,78 +2,13 @@
 //! error.
 
 use crate::reading::limits::MAX_SHAPE_SIZE;
+use crate::shape::{Purpose, Shape, Solid};
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::origin::rotation_from_any_quaternion;
 use crate::urdf::elements::survey::{child, children};
 use nalgebra::Vector3;
 use percuss_spatial::{Transform, rotation_from_rpy};
 use roxmltree::Node;
-
-/// Purpose of a declared shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Purpose {
-    /// `<collision>`.
-    Collision,
-    /// `<visual>`.
-    Visual,
-}
-
-impl Purpose {
-    /// Name of the XML element.
-    pub fn name(self) -> &'static str {
-        match self {
-            Purpose::Collision => "collision",
-            Purpose::Visual => "visual",
-        }
-    }
-}
-
-/// Solid in its own frame.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Solid {
-    /// Box centred at the origin; edge lengths in m.
-    Box {
-        /// Edge lengths along x, y and z.
-        size: [f64; 3],
-    },
-    /// Sphere centred at the origin, m.
-    Sphere {
-        /// Radius.
-        radius: f64,
-    },
-    /// Cylinder about the z axis, centred at the origin, m.
-    Cylinder {
-        /// Radius.
-        radius: f64,
-        /// Length from end to end.
-        length: f64,
-    },
-    /// Cylinder about the z axis with hemispherical ends, centred at the origin, m.
-    Capsule {
-        /// Radius.
-        radius: f64,
-        /// Length of the cylinder without the hemispheres.
-        length: f64,
-    },
-    /// Triangle mesh.
-    Mesh {
-        /// File name in the URDF.
-        file: String,
-        /// Scale factors of x, y and z.
-        scale: [f64; 3],
-    },
-}
-
-/// Shape of a link.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
-    /// Declared purpose.
-    pub purpose: Purpose,
-    /// Solid in its own frame.
-    pub solid: Solid,
-    /// Pose of the solid's frame in the link frame.
-    pub frame: Transform<f64>,
-}
 
 /// Shapes of a link: collision shapes first, then visual shapes, each in the order of the file. Shapes with invalid
 /// numbers are left out; `geometry.rs` warns about them.

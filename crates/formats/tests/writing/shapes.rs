@@ -1,6 +1,6 @@
 //! Shapes that are written and read back are equal.
 
-use super::support::load_text;
+use crate::support::load_text;
 use approx::assert_relative_eq;
 use percuss_formats::{
     Change, LoadOptions, Loaded, MeshFile, ModelParts, Purpose, Shape, Solid, Source, load, write_mjcf,
