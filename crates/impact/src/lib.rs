@@ -39,9 +39,10 @@ pub use percussion::{
     worst_reaction_within,
 };
 pub use ranges::extreme_question::{
-    ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, SearchedContact,
+    SearchedPoses, SearchedQuantity,
 };
-pub use ranges::extremes::{extreme_effective_mass, extreme_quantity};
+pub use ranges::extremes::{extreme_along_path, extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,

@@ -86,8 +86,10 @@ pub use reports::impact::additions::{
     GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
 };
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenNormals, GivenQuantity,
-    GivenRange, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
+};
+pub use reports::impact::extremes_question::{
+    ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, Keep,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
@@ -132,6 +134,7 @@ pub use study_file::tables::contact::{
 pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
+pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
 pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};

@@ -64,7 +64,7 @@ pub struct Hold {
 }
 
 /// Splits `NAME[:X,Y,Z[:X,Y,Z]]` into the name, which may contain colons, and the texts of the triples.
-fn triples(text: &str) -> (&str, Vec<&str>) {
+pub(crate) fn triples(text: &str) -> (&str, Vec<&str>) {
     let (mut name, mut found) = (text, Vec::new());
     while found.len() < 2
         && let Some((rest, last)) = name.rsplit_once(':')

@@ -65,6 +65,9 @@ pub enum Fault {
     /// Extremes with a free body on the other side.
     #[error("extremes are those of the mechanism alone; expected no free body on the other side")]
     ExtremesOfMechanism,
+    /// Path with ranges or kept points in a search for extremes.
+    #[error("a path gives all positions of the search; expected neither ranges nor kept points with it")]
+    PathAndRanges,
     /// Joint with a position and a range in a search for extremes.
     #[error("joint \"{joint}\" has a range and a given position; expected one of the two")]
     SetAndRanged {

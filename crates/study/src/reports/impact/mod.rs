@@ -3,6 +3,7 @@
 pub(crate) mod additions;
 pub(crate) mod errors;
 pub(crate) mod extremes;
+pub(crate) mod extremes_question;
 pub(crate) mod friction;
 pub(crate) mod in_time;
 pub(crate) mod question;
