@@ -73,6 +73,9 @@ pub const LEAST_ENERGETIC: f64 = 0.01;
 /// Energy created by a law of restitution, relative to the energy of the closing motion, that is rounding.
 pub const CREATED_ENERGY: f64 = 1e-10;
 
+/// Part of the full friction that an impulse of friction lacks, up to which its direction is constant: a turn of the sliding by 1e-4 rad.
+pub const SAME_DIRECTION: f64 = 1e-9;
+
 /// Error of one step of an impact in time, relative to the penetration and the largest rate.
 pub const TIME_STEP_ERROR: f64 = 1e-12;
 

@@ -34,7 +34,7 @@ pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{ExportedImpact, ImpactExportError, export_impact, export_stop};
-pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
+pub use damper::joint_stop::{JointStop, StopEnd};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
@@ -62,6 +62,7 @@ pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
+pub use question::spelled_contact::{FurtherContact, StopRecord};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
@@ -93,7 +94,8 @@ pub use reports::impact::extremes_question::{
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
-pub use reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
+pub use reports::impact::masses::MassStateRecord;
+pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{
     BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,

@@ -3,7 +3,7 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::joint_stop::StopRecord;
+use crate::question::spelled_contact::StopRecord;
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
 use crate::model::loading::Input;

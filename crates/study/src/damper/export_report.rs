@@ -1,7 +1,7 @@
 //! Report of an exported impact.
 
 use crate::damper::exported_impact::ExportedImpact;
-use crate::damper::joint_stop::StopRecord;
+use crate::question::spelled_contact::StopRecord;
 use crate::model::conversion::{ChangeRecord, changes};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;

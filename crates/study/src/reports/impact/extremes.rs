@@ -276,6 +276,14 @@ impl ExtremesSearch<'_> {
         if !self.question.ranges.is_empty() || !self.question.keep.is_empty() {
             return Err(StudyError::input(Field::Path, Fault::PathAndRanges));
         }
+        let is_path = match source {
+            RowSource::Grid(ranges) => ranges.len() == 1,
+            RowSource::File(_) => true,
+            RowSource::Random { .. } => false,
+        };
+        if !is_path {
+            return Err(StudyError::input(Field::Path, Fault::NoPath));
+        }
         let sweep = Sweep::new(prepared.model, question, source)?;
         let mechanism = &prepared.model.mechanism;
         let varied: Vec<&str> = sweep.heading().varied.iter().filter_map(|column| column.joint.as_deref()).collect();
@@ -304,7 +312,7 @@ impl ExtremesSearch<'_> {
             rows = rows.iter().map(|row| moving.iter().map(|&k| row[k]).collect()).collect();
         }
         let path = DriverPath { joints: &joints, rows: &rows };
-        let search = |extreme| {
+        let search = |extreme| -> Result<(ExtremeMass, Option<f64>), StudyError> {
             let (system, start) = (&prepared.system, &prepared.configuration);
             let found = extreme_along_path(system, start, self.contact, self.quantity, &path, extreme);
             let ExtremeOnPath { extreme, row } = found.map_err(|error| search_error(error, Field::Path))?;

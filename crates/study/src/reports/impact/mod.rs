@@ -6,6 +6,7 @@ pub(crate) mod extremes;
 pub(crate) mod extremes_question;
 pub(crate) mod friction;
 pub(crate) mod in_time;
+pub(crate) mod masses;
 pub(crate) mod question;
 pub(crate) mod reactions;
 pub(crate) mod report;
