@@ -381,3 +381,77 @@ fn friction_of_mechanisms_balances_momentum_and_energy() {
     println!("{impacts} impacts, {several} with several motions");
     assert!(impacts > 500 && several > 300, "{impacts} {several}");
 }
+
+/// Compliant contact of stiffness `k` with Coulomb friction at a constant mobility: velocities over time by small steps. Returns the peak of
+/// the normal force, and the impulse of compression.
+fn compliant(w: &Matrix3<f64>, before: &Vector3<f64>, friction: f64, k: f64) -> (f64, Vector3<f64>) {
+    let (mut u, mut depth, mut impulse) = (*before, 0.0, Vector3::zeros());
+    let block = w.fixed_view::<2, 2>(1, 1).into_owned();
+    let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
+    let sticking = block.pseudo_inverse(1e-12).map_or(Vector2::zeros(), |inverse| -(inverse * coupling));
+    let step = 1e-5 / (k * w[(0, 0)]).sqrt();
+    let mut peak: f64 = 0.0;
+    while u[0] < 0.0 {
+        let force = k * (depth - 0.5 * step * u[0]);
+        let slip = Vector2::new(u[1], u[2]);
+        // A sliding speed that one step can reverse is zero.
+        let stops = slip.norm() <= friction * force * step * block.norm();
+        let tangential = if stops && sticking.norm() <= friction {
+            sticking
+        } else if stops {
+            sticking * (friction / sticking.norm())
+        } else {
+            -slip * (friction / slip.norm())
+        };
+        let change = Vector3::new(1.0, tangential[0], tangential[1]) * (force * step);
+        let next = u + w * change;
+        depth -= 0.5 * step * (u[0] + next[0]);
+        u = next;
+        impulse += change;
+        peak = peak.max(force);
+    }
+    (peak, impulse)
+}
+
+/// The compression of an impact with friction has the work of a contact without friction of the equivalent mass: the peak force of a
+/// compliant contact is c √(k m). The impulse, its reactions and the mass agree with small steps in time, for random mechanisms.
+#[test]
+fn the_compression_has_the_work_of_its_mass() {
+    let mut cases = 0;
+    for case in all(24) {
+        let pose = &case.pose;
+        let response = pose.respond(&case.contact).expect("a contact");
+        let EffectiveMass::Finite(mass) = response.effective_mass else { continue };
+        if !pose.rank().clear || pose.constraint_groups().iter().any(|g| g.least_singular_value < 1e-4) {
+            continue;
+        }
+        let speed = 0.8;
+        let law = FrictionLaw { coefficient: 0.3, restitution: RestitutionLaw::Energetic };
+        let Ok(impact) = RigidImpact::with_friction(pose, &response, speed, 0.4, law, None) else { continue };
+        let friction = impact.friction.expect("friction");
+        let Ok(delassus) = Delassus::new(pose, &[response.contact]) else { continue };
+        let w = delassus.block(0);
+        if w.norm() > 1e3 * w[(0, 0)] {
+            continue;
+        }
+        let velocities = delassus.velocities(pose, &impact.before);
+        let before = Vector3::new(-speed, velocities[1], velocities[2]);
+        let stiffness = 1e4 * mass;
+        let (peak, impulse) = compliant(&w, &before, 0.3, stiffness);
+        let compression = &friction.compression;
+        // Errors of the steps: 1e-5 of the duration, and the same part of the sliding.
+        let expected = speed * (stiffness * compression.equivalent_mass).sqrt();
+        assert!((peak / expected - 1.0).abs() < 1e-3, "{}: {peak} {expected}", case.name);
+        assert!((impulse[0] / compression.normal_impulse - 1.0).abs() < 1e-3, "{}", case.name);
+        let tangential = impulse.fixed_rows::<2>(1).norm();
+        let expected = compression.tangential_impulse.norm();
+        assert!((tangential - expected).abs() < 1e-3 * compression.normal_impulse, "{}", case.name);
+        if let Some(slope) = friction.slope {
+            let expected = mass / (1.0 + 0.3 * slope);
+            assert!((compression.equivalent_mass / expected - 1.0).abs() < ROUNDING, "{}", case.name);
+        }
+        assert!(compression.reactions.residual < 1e-9, "{}", case.name);
+        cases += 1;
+    }
+    assert!(cases > 12, "{cases}");
+}

@@ -286,11 +286,14 @@ impl ExtremesSearch<'_> {
         }
         let sweep = Sweep::new(prepared.model, question, source)?;
         let mechanism = &prepared.model.mechanism;
-        let varied: Vec<&str> = sweep.heading().varied.iter().filter_map(|column| column.joint.as_deref()).collect();
-        let mut joints: Vec<JointId> = varied.iter().filter_map(|name| mechanism.find_joint(name).ok()).collect();
+        let varied = sweep.heading().varied.iter().map(|column| column.joint.as_deref());
+        let of_column = |name: Option<&str>| mechanism.find_joint(name?).ok();
+        let columns: Vec<Option<JointId>> = varied.map(of_column).collect();
+        let mut joints: Vec<JointId> = columns.iter().flatten().copied().collect();
         joints.dedup();
-        if sweep.heading().varied.iter().any(|column| column.joint.is_none()) {
-            // A travel moves all drivers.
+        // A travel moves all drivers.
+        let is_travel = columns.contains(&None);
+        if is_travel {
             let single = |joint: &JointId| mechanism.joint(*joint).kind().dofs() == 1;
             joints = driving_joints(pose).into_iter().filter(single).collect();
         }
@@ -305,7 +308,7 @@ impl ExtremesSearch<'_> {
             ControlFlow::Continue(())
         })?;
         // Joints at rest, such as those of the other side of a vehicle, are no part of the path.
-        if joints.len() > varied.len() && rows.len() > 1 {
+        if is_travel && rows.len() > 1 {
             let moves = |k: &usize| rows.iter().any(|row: &Vec<f64>| row[*k] != rows[0][*k]);
             let moving: Vec<usize> = (0..joints.len()).filter(moves).collect();
             joints = moving.iter().map(|&k| joints[k]).collect();
@@ -381,14 +384,18 @@ fn range_findings<'a>(
     })
 }
 
-/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position.
+/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position (with kept points: of
+/// all driving joints with limits).
 fn ranges(
     prepared: &PreparedQuestion,
     pose: &Pose,
     question: &ExtremesQuestion,
 ) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
-    let is_set = |name: &str| prepared.question.set.iter().any(|(joint, _)| joint == name);
+    // With kept links and points the given positions are the pose that defines their places.
+    let is_set = |name: &str| {
+        question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name)
+    };
     if question.ranges.is_empty() {
         let mut drivers = driving_joints(pose);
         drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));

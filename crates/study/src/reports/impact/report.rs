@@ -369,8 +369,7 @@ fn peak_force(
     // With friction: the contact without friction that has the same work of compression.
     let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
     let damper = match compression {
-        Some(compression) => damper(&damping, compression.equivalent_mass)
-            .map_err(|error| StudyError::input(Field::Stiffness, error))?,
+        Some(compression) => damper(&damping, compression.equivalent_mass)?,
         None => report.damper,
     };
     let record = ImpactLawRecord {

@@ -61,7 +61,7 @@ pub struct ExtremesTable {
     ///
     /// The search covers the self-motion, for example of a redundant arm with a fixed tool point. LINK keeps position and orientation;
     /// with a direction (world axes) only the coordinate of the point (m, link's frame) along it is kept. The place is that at the set
-    /// pose. The point is free in the impact, unlike a held point.
+    /// pose, and joints with a set position vary too. The point is free in the impact, unlike a held point.
     #[cfg_attr(feature = "flags", arg(long, value_name = "LINK[:X,Y,Z]", help_heading = ANSWER))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
