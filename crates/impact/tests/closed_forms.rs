@@ -474,8 +474,8 @@ fn locked_joints_are_one_body() {
         }
         let inverse = inertia.try_inverse().expect("an inertia");
         let r = pose.link(contact.link).point(&contact.point) - com;
-        let mobility = Matrix3::from_diagonal_element(1.0 / mass)
-            - r.cross_matrix() * inverse * r.cross_matrix();
+        let mobility =
+            Matrix3::from_diagonal_element(1.0 / mass) - r.cross_matrix() * inverse * r.cross_matrix();
         let n = located.normal_world;
         let expected = 1.0 / (n.transpose() * mobility * n)[0];
         assert!((sliding / expected - 1.0).abs() < 1e-12, "{sliding} {expected}");
@@ -495,8 +495,9 @@ fn locked_joints_are_one_body() {
     }
 }
 
-/// The same contact against the root link.
+/// The same contact against the parent link.
 fn located_between(pose: &Pose, contact: &Contact) -> percuss_dynamics::LocatedContact {
-    let root = pose.mechanism().root();
-    pose.locate(&Contact { against: Some(root), ..*contact }).expect("a contact")
+    let mechanism = pose.mechanism();
+    let parent = mechanism.parent_joint(contact.link).map(|joint| mechanism.joint(joint).parent());
+    pose.locate(&Contact { against: parent, ..*contact }).expect("a contact")
 }

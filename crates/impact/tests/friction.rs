@@ -389,7 +389,7 @@ fn compliant(w: &Matrix3<f64>, before: &Vector3<f64>, friction: f64, k: f64) -> 
     let block = w.fixed_view::<2, 2>(1, 1).into_owned();
     let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
     let sticking = block.pseudo_inverse(1e-12).map_or(Vector2::zeros(), |inverse| -(inverse * coupling));
-    let step = 1e-5 / (k * w[(0, 0)]).sqrt();
+    let step = 1e-3 / (k * w[(0, 0)]).sqrt();
     let mut peak: f64 = 0.0;
     while u[0] < 0.0 {
         let force = k * (depth - 0.5 * step * u[0]);
@@ -439,13 +439,13 @@ fn the_compression_has_the_work_of_its_mass() {
         let stiffness = 1e4 * mass;
         let (peak, impulse) = compliant(&w, &before, 0.3, stiffness);
         let compression = &friction.compression;
-        // Errors of the steps: 1e-5 of the duration, and the same part of the sliding.
+        // Errors of the steps: 1e-3 of the duration at the end of the sliding.
         let expected = speed * (stiffness * compression.equivalent_mass).sqrt();
-        assert!((peak / expected - 1.0).abs() < 1e-3, "{}: {peak} {expected}", case.name);
-        assert!((impulse[0] / compression.normal_impulse - 1.0).abs() < 1e-3, "{}", case.name);
+        assert!((peak / expected - 1.0).abs() < 5e-3, "{}: {peak} {expected}", case.name);
+        assert!((impulse[0] / compression.normal_impulse - 1.0).abs() < 5e-3, "{}", case.name);
         let tangential = impulse.fixed_rows::<2>(1).norm();
         let expected = compression.tangential_impulse.norm();
-        assert!((tangential - expected).abs() < 1e-3 * compression.normal_impulse, "{}", case.name);
+        assert!((tangential - expected).abs() < 5e-3 * compression.normal_impulse, "{}", case.name);
         if let Some(slope) = friction.slope {
             let expected = mass / (1.0 + 0.3 * slope);
             assert!((compression.equivalent_mass / expected - 1.0).abs() < ROUNDING, "{}", case.name);
@@ -453,5 +453,6 @@ fn the_compression_has_the_work_of_its_mass() {
         assert!(compression.reactions.residual < 1e-9, "{}", case.name);
         cases += 1;
     }
+    println!("{cases} compressions");
     assert!(cases > 12, "{cases}");
 }

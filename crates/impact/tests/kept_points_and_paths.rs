@@ -27,18 +27,14 @@ impl Chain {
     }
 
     fn mechanism(&self) -> Arc<Mechanism> {
-        let inertial = |mass, length| Inertial {
-            mass,
-            com: Vector3::x() * length,
-            about_com: Matrix3::zeros(),
-        };
+        let inertial =
+            |mass, length| Inertial { mass, com: Vector3::x() * length, about_com: Matrix3::zeros() };
         let mut builder =
             MechanismBuilder::new("chain").link(LinkDescription::new("link0", inertial(0.0, 0.0)));
         for (k, (&length, &mass)) in self.lengths.iter().zip(&self.masses).enumerate() {
             let (parent, child) = (format!("link{k}"), format!("link{}", k + 1));
             builder = builder.link(LinkDescription::new(&child, inertial(mass, length)));
-            let mut hinge =
-                JointDescription::new(format!("hinge{k}"), JointKind::Continuous, parent, child);
+            let mut hinge = JointDescription::new(format!("hinge{k}"), JointKind::Continuous, parent, child);
             hinge.axis = Vector3::z();
             let at = if k == 0 { 0.0 } else { self.lengths[k - 1] };
             hinge.origin = Transform::from_translation(Vector3::new(at, 0.0, 0.0));
@@ -134,9 +130,8 @@ fn extremes_over_a_self_motion_are_those_of_the_inverse_kinematics() {
         let chain = Chain::random(&mut random, 3);
         let mechanism = chain.mechanism();
         let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
-        let limits: Vec<(f64, f64)> = (0..3)
-            .map(|_| (random.random_range(-3.1..-1.0), random.random_range(1.0..3.1)))
-            .collect();
+        let limits: Vec<(f64, f64)> =
+            (0..3).map(|_| (random.random_range(-3.1..-1.0), random.random_range(1.0..3.1))).collect();
         let own: Vec<f64> = limits.iter().map(|(a, b)| random.random_range(*a..*b)).collect();
         let angle: f64 = random.random_range(0.0..3.0);
         let normal = Vector2::new(angle.cos(), angle.sin());
@@ -148,7 +143,8 @@ fn extremes_over_a_self_motion_are_those_of_the_inverse_kinematics() {
             .collect();
         let kept = [KeptPoint { link: contact.link, point: contact.point, normal: None }];
         let tip = chain.tip(&own);
-        let inside = |q: &[f64]| q.iter().zip(&limits).all(|(q, (a, b))| (*a..=*b).contains(q));
+        // Positions at a limit have its rounding.
+        let inside = |q: &[f64]| q.iter().zip(&limits).all(|(q, (a, b))| (a - 1e-12..=b + 1e-12).contains(q));
         let scan: Vec<f64> = self_motion(&chain, tip, 20_000)
             .into_iter()
             .filter(|q| inside(q))
@@ -191,7 +187,7 @@ fn extremes_over_a_self_motion_are_those_of_the_inverse_kinematics() {
 #[test]
 fn the_smallest_mass_of_a_self_motion_is_that_of_the_tip() {
     let (mut found_all, mut searches) = (0, 0);
-    for seed in 100..140 {
+    for seed in 100..300 {
         let mut random = StdRng::seed_from_u64(seed);
         let chain = Chain { lengths: vec![1.0, 0.9, 0.4], ..Chain::random(&mut random, 3) };
         let mechanism = chain.mechanism();
@@ -200,7 +196,7 @@ fn the_smallest_mass_of_a_self_motion_is_that_of_the_tip() {
         let own = [random.random_range(-1.0..1.0), bend, random.random_range(-1.0..1.0)];
         // With the last rod in any direction the other two reach its foot.
         let distance = chain.tip(&own).norm();
-        if !(0.6..1.4).contains(&distance) {
+        if !(0.55..1.45).contains(&distance) {
             continue;
         }
         let normal = Vector2::new(angle.cos(), angle.sin());
@@ -210,9 +206,8 @@ fn the_smallest_mass_of_a_self_motion_is_that_of_the_tip() {
         let kept = [KeptPoint { link: contact.link, point: contact.point, normal: None }];
         let poses = SearchedPoses { ranges: &ranges, kept: &kept };
         let start = configuration(&mechanism, &own);
-        let found =
-            extreme_effective_mass(&system, &start, (&contact).into(), poses, ExtremeKind::Least, 8)
-                .expect("an extreme");
+        let found = extreme_effective_mass(&system, &start, (&contact).into(), poses, ExtremeKind::Least, 8)
+            .expect("an extreme");
         let mass = found.effective_mass.kilograms().expect("a finite mass");
         let last: f64 = found.positions.iter().sum();
         searches += 1;
@@ -281,7 +276,10 @@ fn extremes_with_a_kept_link_of_a_spatial_arm() {
             let own_value = inverse(&own);
             let value = inverse(&found.positions);
             let is_better = |a: f64, b: f64| if extreme == ExtremeKind::Least { a >= b } else { a <= b };
-            assert!(is_better(value * (1.0 + 1e-9 * if extreme == ExtremeKind::Least { 1.0 } else { -1.0 }), own_value));
+            assert!(is_better(
+                value * (1.0 + 1e-9 * if extreme == ExtremeKind::Least { 1.0 } else { -1.0 }),
+                own_value
+            ));
             // Small steps along ker J of the tool, in both directions, within the ranges.
             for direction in [1.0, -1.0] {
                 let mut q = found.positions.clone();
@@ -353,9 +351,8 @@ fn extremes_along_a_path_are_those_of_a_scan() {
             rows[first].iter().zip(&rows[next]).map(|(a, b)| a + part * (b - a)).collect()
         };
         let samples = 20_000 * (rows.len() - 1);
-        let scan: Vec<f64> = (0..=samples)
-            .map(|k| chain.inverse_mass(&at(k as f64 / 20_000.0), &normal))
-            .collect();
+        let scan: Vec<f64> =
+            (0..=samples).map(|k| chain.inverse_mass(&at(k as f64 / 20_000.0), &normal)).collect();
         let largest = scan.iter().copied().fold(0.0, f64::max);
         for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
             let start = system.configuration();
@@ -368,7 +365,10 @@ fn extremes_along_a_path_are_those_of_a_scan() {
                 EffectiveMass::Massless => panic!("{found:?}"),
             };
             let place = at(found.row);
-            assert!(place.iter().zip(&found.extreme.positions).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
+            assert!(
+                place.iter().zip(&found.extreme.positions).all(|(a, b)| (a - b).abs() < 1e-12),
+                "{found:?}"
+            );
             let exact = chain.inverse_mass(&place, &normal);
             assert!((inverse - exact).abs() < 1e-9 * largest, "{seed} {found:?}");
             let beyond = if extreme == ExtremeKind::Least {

@@ -134,9 +134,9 @@ pub use study_file::tables::contact::{
     BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
 };
 pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
+pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
-pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
 pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};

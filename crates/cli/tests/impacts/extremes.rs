@@ -220,7 +220,8 @@ fn a_kept_point_stays_in_place() {
             assert!(if key == "least" { a <= own } else { a >= own }, "{key}: {a} {own}");
             let axes = if keep.ends_with(":0,0,1") { vec![2] } else { vec![0, 1, 2] };
             for k in axes {
-                let coordinate = |report: &Value| report["contact"]["point_world"][k].as_f64().expect("a number");
+                let coordinate =
+                    |report: &Value| report["contact"]["point_world"][k].as_f64().expect("a number");
                 assert!((coordinate(&mass) - coordinate(&place)).abs() < 1e-9, "{key} {k}");
             }
         }
@@ -230,7 +231,9 @@ fn a_kept_point_stays_in_place() {
     // A six-hinge arm has no self-motion with a kept link.
     let none = percuss(&format!("extremes {contact} {set} --keep tool"));
     assert!(none.code == 2 && none.stderr.contains("leave no motion"), "{}", none.stderr);
-    for (keep, words) in [("tool:1,2", "--keep"), ("nope:0,0,0", "nope"), ("tool:0,0,0:0,0,0", "no direction")] {
+    for (keep, words) in
+        [("tool:1,2", "--keep"), ("nope:0,0,0", "nope"), ("tool:0,0,0:0,0,0", "no direction")]
+    {
         let outcome = percuss(&format!("extremes {contact} --keep {keep}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{keep}: {}", outcome.stderr);
     }
@@ -249,11 +252,8 @@ fn extremes_along_a_path() {
         let report = json(&format!("extremes {sheet} {path} --format json"));
         assert!(report["ranges"].as_array().expect("a list").is_empty() && report["path"]["unreached"] == 0);
         let sweep = percuss(&format!("sweep {sheet} {rows}")).stdout;
-        let masses: Vec<f64> = sweep
-            .lines()
-            .skip(1)
-            .filter_map(|line| line.split(',').nth(3)?.parse().ok())
-            .collect();
+        let masses: Vec<f64> =
+            sweep.lines().skip(1).filter_map(|line| line.split(',').nth(3)?.parse().ok()).collect();
         assert!(masses.len() > 200, "{sweep}");
         let of = |key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
         let least = masses.iter().copied().fold(f64::INFINITY, f64::min);
@@ -321,8 +321,14 @@ fn every_command_takes_a_contact_in_one_text() {
         ("mass models/six_r_arm.urdf --at tool:0,0,0", "--at"),
         ("mass models/planar_2r.urdf --at elbow:upper", "has no <limit>"),
         ("mass models/six_r_arm.urdf --at elbow:upper --against-mass 2", "--against-mass"),
-        ("impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --friction 0.2", "--friction"),
-        ("impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --sticking", "stop of a joint"),
+        (
+            "impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --friction 0.2",
+            "--friction",
+        ),
+        (
+            "impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --sticking",
+            "stop of a joint",
+        ),
     ] {
         let outcome = percuss(command);
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}", outcome.stderr);

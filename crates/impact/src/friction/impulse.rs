@@ -259,7 +259,8 @@ fn general_impulse(
         EffectiveMass::Finite(mass) => -total / mass,
         _ => 0.0,
     };
-    let closing = frictional_collision(&mobility, &velocity, law.coefficient, 0.0, RestitutionLaw::Energetic)?;
+    let closing =
+        frictional_collision(&mobility, &velocity, law.coefficient, 0.0, RestitutionLaw::Energetic)?;
     let friction_of_closing = in_link(&closing.impulse);
     // A sliding direction that turns leaves less than the full friction.
     let limit = law.coefficient * closing.impulse[0];

@@ -32,8 +32,11 @@ impl KeptPoint {
     /// Three points that keep the position and the orientation of a link: its origin, and points at the distance `arm` (m) along its
     /// x-axis and its y-axis.
     pub fn of_link(link: LinkId, arm: f64) -> [Self; 3] {
-        [Vector3::zeros(), Vector3::x() * arm, Vector3::y() * arm]
-            .map(|point| Self { link, point, normal: None })
+        [Vector3::zeros(), Vector3::x() * arm, Vector3::y() * arm].map(|point| Self {
+            link,
+            point,
+            normal: None,
+        })
     }
 }
 

@@ -128,8 +128,10 @@ pub fn extreme_along_path(
     {
         let masses = path.of_masses();
         let (ends, largest) = masses.run()?;
-        let unbounded: Vec<&PathEnd> =
-            ends.iter().filter(|end| path.segment(end.segment).is_unbounded(&end.point, largest, joint)).collect();
+        let unbounded: Vec<&PathEnd> = ends
+            .iter()
+            .filter(|end| path.segment(end.segment).is_unbounded(&end.point, largest, joint))
+            .collect();
         if let Some(end) = unbounded.first() {
             let search = path.segment(end.segment);
             let mut extreme = conclude(&search, &end.point, &[], largest, ends.len());
@@ -142,7 +144,11 @@ pub fn extreme_along_path(
     // Of equal values the end with the smaller residual: a row belongs to two segments.
     let order = |a: &&PathEnd, b: &&PathEnd| {
         let same = a.point.has_value_of(&b.point);
-        if same { a.point.residual.total_cmp(&b.point.residual) } else { a.point.value.total_cmp(&b.point.value) }
+        if same {
+            a.point.residual.total_cmp(&b.point.residual)
+        } else {
+            a.point.value.total_cmp(&b.point.value)
+        }
     };
     let best = ends.iter().min_by(order).ok_or(ExtremesError::NoStart)?;
     let found: Vec<Point> = ends.iter().map(|end| end.point.clone()).collect();
@@ -182,7 +188,18 @@ fn prepare<'a>(
         return Err(ExtremesError::NoAxis);
     }
     let (variables, kept) = (Vec::new(), KeptRows::default());
-    Ok(Search { system, configuration, contact, wheel, quantity, has_holds, variables, kept, normals, extreme })
+    Ok(Search {
+        system,
+        configuration,
+        contact,
+        wheel,
+        quantity,
+        has_holds,
+        variables,
+        kept,
+        normals,
+        extreme,
+    })
 }
 
 /// Refuses joints that cannot be varied.

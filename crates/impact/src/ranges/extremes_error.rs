@@ -25,7 +25,9 @@ pub enum ExtremesError {
     #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
     NormalsOfMass,
     /// The normal of a kept point has no direction.
-    #[error("the normal of kept point number {number} (from 1) has no direction; expected a finite vector other than 0,0,0")]
+    #[error(
+        "the normal of kept point number {number} (from 1) has no direction; expected a finite vector other than 0,0,0"
+    )]
     NoKeptNormal {
         /// Number of the kept point, from 1.
         number: usize,
@@ -40,7 +42,9 @@ pub enum ExtremesError {
         joints: Vec<String>,
     },
     /// A row of a path does not fit its joints.
-    #[error("row {row} of the path (from 0) has {got} numbers, or one that is not finite; expected {expected} finite numbers")]
+    #[error(
+        "row {row} of the path (from 0) has {got} numbers, or one that is not finite; expected {expected} finite numbers"
+    )]
     PathRow {
         /// Number of the row, from 0.
         row: usize,

@@ -82,7 +82,9 @@ impl<'a> PathSearch<'a> {
             for (segment, unit) in places.into_iter().flatten() {
                 let search = self.segment(segment);
                 let found = if self.is_at_rest(segment) {
-                    search.point(vec![unit], sample.pose.as_ref())?.map(|(point, _)| (point.clone(), point.inverse_mass))
+                    search
+                        .point(vec![unit], sample.pose.as_ref())?
+                        .map(|(point, _)| (point.clone(), point.inverse_mass))
                 } else {
                     search.run(vec![unit], largest, sample.pose.as_ref())?
                 };

@@ -97,14 +97,14 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
 
 /// Masses of a contact if all moving links are one free rigid body (the composite rigid body): of a sliding contact point, 1/(nᵀΛ⁻¹n), and
 /// of a point that cannot slide, nᵀΛn, with Λ⁻¹ = 1/m − [r]× I⁻¹ [r]×, r from the centre of mass to the point. Links that are fixed to the
-/// ground are left out; rotors have no effect. Immovable for a contact between two links. Source: Wang, Dehio and Kheddar 2022.
+/// ground are left out; rotors have no effect. Immovable for a contact between two moving links. Source: Wang, Dehio and Kheddar 2022.
 ///
 /// # Errors
 /// [`ReflectedError`]: inertias that are not positive semi-definite.
-pub fn locked_body_masses(pose: &Pose, contact: &LocatedContact) -> Result<[EffectiveMass; 2], ReflectedError> {
-    if contact.against.is_some() {
-        return Ok([EffectiveMass::Immovable; 2]);
-    }
+pub fn locked_body_masses(
+    pose: &Pose,
+    contact: &LocatedContact,
+) -> Result<[EffectiveMass; 2], ReflectedError> {
     let mechanism = pose.mechanism();
     let own = pose.link_in_root(contact.link);
     let point = own.point(&contact.point_link);
@@ -121,12 +121,16 @@ pub fn locked_body_masses(pose: &Pose, contact: &LocatedContact) -> Result<[Effe
             continue;
         }
         let frame = pose.link_in_root(link);
-        let own = Transform::new(frame.rotation, frame.translation - point).inertia(mechanism.link(link).inertia());
+        let own =
+            Transform::new(frame.rotation, frame.translation - point).inertia(mechanism.link(link).inertia());
         total = SpatialInertia::about_origin(
             total.mass + own.mass,
             total.first_moment + own.first_moment,
             total.rotational + own.rotational,
         );
+    }
+    if contact.against.is_some_and(|against| !rests[against.index()]) || rests[contact.link.index()] {
+        return Ok([EffectiveMass::Immovable; 2]);
     }
     let mut mass = DMatrix::zeros(6, 6);
     for k in 0..6 {

@@ -231,7 +231,7 @@ impl<'a> Search<'a> {
         let mut wanted = self.configuration.clone();
         let moves = self.variables.iter().flat_map(|variable| &variable.moves);
         for (range, position) in moves.zip(self.positions(unit)) {
-            wanted.set(self.system.mechanism().joint(range.joint).name(), &[position])?;
+            wanted.replace(self.system.mechanism().joint(range.joint).name(), &[position])?;
         }
         Ok(match from {
             None => self.system.pose(&wanted)?,

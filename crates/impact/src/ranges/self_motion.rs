@@ -178,7 +178,12 @@ impl Search<'_> {
     }
 
     /// Gradient of the Lagrangian f − λᵀc near a point.
-    fn lagrangian_gradient(&self, unit: Vec<f64>, pose: &Pose, multipliers: &DVector<f64>) -> Option<DVector<f64>> {
+    fn lagrangian_gradient(
+        &self,
+        unit: Vec<f64>,
+        pose: &Pose,
+        multipliers: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
         let (point, there) = self.point(unit, Some(pose)).ok()??;
         let jacobian = self.kept_jacobian(&point.unit, &there)?;
         Some(DVector::from_vec(point.gradient) - jacobian.tr_mul(multipliers))
@@ -238,7 +243,8 @@ impl Search<'_> {
                 let direction = self.newton_direction(&at, &pose, &tangent);
                 let step = &tangent.basis * direction;
                 let leaves = |k: &usize| {
-                    (at.unit[*k] <= AT_LIMIT && step[*k] < 0.0) || (at.unit[*k] >= 1.0 - AT_LIMIT && step[*k] > 0.0)
+                    (at.unit[*k] <= AT_LIMIT && step[*k] < 0.0)
+                        || (at.unit[*k] >= 1.0 - AT_LIMIT && step[*k] > 0.0)
                 };
                 let outwards: Vec<usize> = (0..n).filter(|k| !blocked[*k]).filter(leaves).collect();
                 if outwards.is_empty() {
@@ -280,10 +286,19 @@ impl Search<'_> {
         }
         for _ in 0..50 {
             let moved: Vec<f64> = (0..n).map(|k| (at.unit[k] + length * step[k]).clamp(0.0, 1.0)).collect();
-            let snap = |x: f64| if x <= AT_LIMIT { 0.0 } else if x >= 1.0 - AT_LIMIT { 1.0 } else { x };
+            let snap = |x: f64| {
+                if x <= AT_LIMIT {
+                    0.0
+                } else if x >= 1.0 - AT_LIMIT {
+                    1.0
+                } else {
+                    x
+                }
+            };
             let moved: Vec<f64> = moved.into_iter().map(snap).collect();
-            let fixed: Vec<bool> =
-                (0..n).map(|k| tangent.fixed[k] || (step[k] != 0.0 && (moved[k] == 0.0 || moved[k] == 1.0))).collect();
+            let fixed: Vec<bool> = (0..n)
+                .map(|k| tangent.fixed[k] || (step[k] != 0.0 && (moved[k] == 0.0 || moved[k] == 1.0)))
+                .collect();
             if let Some((unit, near)) = self.project(moved, Some(pose), &fixed)
                 && let Some((mut point, there)) = self.point(unit, Some(&near))?
             {

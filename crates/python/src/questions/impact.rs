@@ -38,8 +38,7 @@ pub struct Impact<'py> {
 }
 
 /// Rows of a path: ranges, file with ignored columns, random rows.
-type PathRows<'py> =
-    (Option<Vec<Bound<'py, PyAny>>>, Option<(String, Vec<String>)>, Option<(usize, u64)>);
+type PathRows<'py> = (Option<Vec<Bound<'py, PyAny>>>, Option<(String, Vec<String>)>, Option<(usize, u64)>);
 
 /// Rates by joint, from numbers or text such as "30deg/s".
 fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRates)>> {

@@ -100,7 +100,10 @@ impl MassQuestion {
     ///
     /// # Errors
     /// A text with a colon that is neither a contact of the model nor one of these forms.
-    pub(crate) fn spelled_contact(&self, mechanism: &Mechanism) -> Result<Option<FurtherContact>, StudyError> {
+    pub(crate) fn spelled_contact(
+        &self,
+        mechanism: &Mechanism,
+    ) -> Result<Option<FurtherContact>, StudyError> {
         let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
         let Some(text) = self.at.as_ref().filter(is_spelled) else { return Ok(None) };
         let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
@@ -109,7 +112,9 @@ impl MassQuestion {
 
     /// Joint whose stop `at` spells, with the kind of its motion; `None` for other contacts.
     pub(crate) fn stop_of_joint(&self, mechanism: &Mechanism) -> Option<(JointId, StopMotion)> {
-        let Ok(Some(FurtherContact::JointStop { joint, .. })) = self.spelled_contact(mechanism) else { return None };
+        let Ok(Some(FurtherContact::JointStop { joint, .. })) = self.spelled_contact(mechanism) else {
+            return None;
+        };
         let id = mechanism.find_joint(&joint).ok()?;
         Some((id, stop_motion(mechanism.joint(id))?))
     }
@@ -148,18 +153,26 @@ impl MassQuestion {
             }
             FurtherContact::JointStop { joint, is_upper } => {
                 if self.against_mass.is_some() {
-                    return refuse(Field::AgainstMass, "the stop of a joint has no free body on the other side");
+                    return refuse(
+                        Field::AgainstMass,
+                        "the stop of a joint has no free body on the other side",
+                    );
                 }
                 let unknown = |error| StudyError::input(Field::At, error);
                 let id = mechanism.find_joint(joint).map_err(unknown)?;
                 let declared = mechanism.joint(id);
-                let no_stop =
-                    || StudyError::input(Field::At, Fault::NoStop { joint: joint.clone(), kind: declared.kind() });
+                let no_stop = || {
+                    StudyError::input(
+                        Field::At,
+                        Fault::NoStop { joint: joint.clone(), kind: declared.kind() },
+                    )
+                };
                 let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(no_stop)?;
                 let name = |link| mechanism.link(link).name().to_owned();
                 let (normal, frame) = Normal::of_direction(contact.normal, name);
                 let against = Some(name(declared.parent()));
-                let mut question = of_text(&name(declared.child()), contact.point.into(), normal, frame, against);
+                let mut question =
+                    of_text(&name(declared.child()), contact.point.into(), normal, frame, against);
                 let is_given = self.set.iter().any(|(set, _)| set == joint) || self.gives_pose();
                 if !is_given {
                     let limits = declared.limits().ok_or_else(|| {
@@ -167,7 +180,9 @@ impl MassQuestion {
                     })?;
                     let at = if *is_upper { limits.upper } else { limits.lower };
                     let position = GivenPosition::from_numbers(&[at]);
-                    let wrong = |source| StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source });
+                    let wrong = |source| {
+                        StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source })
+                    };
                     question.set.push((joint.clone(), position.map_err(wrong)?));
                 }
                 Ok(question)

@@ -8,7 +8,8 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
-    ExtremeRecord, ExtremesQuestion, ExtremesReport, KeptRecord, MassQuestion, Model, RowSource, Status, extremes,
+    ExtremeRecord, ExtremesQuestion, ExtremesReport, KeptRecord, MassQuestion, Model, RowSource, Status,
+    extremes,
 };
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
@@ -62,9 +63,9 @@ fn text(report: &ExtremesReport) -> String {
             out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
         }
         let starts = if report.path.is_some() { "local searches" } else { "starts" };
-        let kept = record.kept_error.map_or_else(String::new, |error| {
-            format!("; kept in place to {} m", short_number(error))
-        });
+        let kept = record
+            .kept_error
+            .map_or_else(String::new, |error| format!("; kept in place to {} m", short_number(error)));
         out += &fact_line(
             "  search",
             &format!(

@@ -119,7 +119,8 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         },
     ));
     facts.extend(report.friction.iter().flat_map(|friction| friction_facts(friction, report)));
-    let sliding = report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
+    let sliding =
+        report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
     if report.mass.joint_stop.is_some() {
         // A stop has no contact point that could slide.
         facts.push(("effective mass", sliding));
@@ -160,7 +161,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         let force = if is_stop { "N·m" } else { "N" };
         facts.push((
             "peak force",
-            format!("{} {force} at the contact ({}, {stiffness}){change}{friction}", number(law.peak_force), law.law),
+            format!(
+                "{} {force} at the contact ({}, {stiffness}){change}{friction}",
+                number(law.peak_force),
+                law.law
+            ),
         ));
     }
     facts.extend(in_time::facts(report));

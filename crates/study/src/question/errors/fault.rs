@@ -111,7 +111,9 @@ pub enum Fault {
         message: String,
     },
     /// Result that the stop of a joint does not have.
-    #[error("the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal")]
+    #[error(
+        "the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal"
+    )]
     OfJointStop {
         /// The result.
         result: &'static str,

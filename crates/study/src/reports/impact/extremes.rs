@@ -16,8 +16,8 @@ use crate::reports::impact::extremes_question::{ExtremesQuestion, GivenRange, Ke
 use crate::sweep::sweep_rows::Sweep;
 use percuss_dynamics::{Gap, Pose};
 use percuss_impact::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint, SearchedContact,
-    SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint,
+    SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
@@ -182,7 +182,7 @@ pub fn extremes(
     let gap_at = |extreme: &ExtremeMass| {
         let mut configuration = prepared.configuration.clone();
         for (joint, position) in found.joints.iter().zip(&extreme.positions) {
-            configuration.set(mechanism.joint(*joint).name(), &[*position]).ok()?;
+            configuration.replace(mechanism.joint(*joint).name(), &[*position]).ok()?;
         }
         let there = prepared.system.pose_from(&pose, &configuration).ok()?;
         Some(gap.as_ref()?.at(&there))
@@ -258,7 +258,8 @@ impl ExtremesSearch<'_> {
         let mechanism = &self.prepared.model.mechanism;
         let mut points = Vec::new();
         for keep in &self.question.keep {
-            let link = mechanism.find_link(&keep.link).map_err(|error| StudyError::input(Field::Keep, error))?;
+            let link =
+                mechanism.find_link(&keep.link).map_err(|error| StudyError::input(Field::Keep, error))?;
             match keep.point {
                 None => points.extend(KeptPoint::of_link(link, mechanism.characteristic_length())),
                 Some(point) => {
@@ -297,7 +298,8 @@ impl ExtremesSearch<'_> {
             let single = |joint: &JointId| mechanism.joint(*joint).kind().dofs() == 1;
             joints = driving_joints(pose).into_iter().filter(single).collect();
         }
-        let names: Vec<String> = joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect();
+        let names: Vec<String> =
+            joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect();
         let (mut rows, mut numbers) = (Vec::new(), Vec::new());
         let end = sweep.run(&mut |row| {
             let position = |name: &String| row.pose.get(name).and_then(|values| values.first()).copied();
@@ -339,7 +341,9 @@ fn search_error(error: ExtremesError, field: Field) -> StudyError {
     match error {
         ExtremesError::Assembly(error) => StudyError::from(error),
         ExtremesError::Contact(error) => StudyError::from(error),
-        ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => StudyError::input(Field::Keep, error),
+        ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => {
+            StudyError::input(Field::Keep, error)
+        }
         error => StudyError::input(field, error),
     }
 }
@@ -393,9 +397,8 @@ fn ranges(
 ) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
     // With kept links and points the given positions are the pose that defines their places.
-    let is_set = |name: &str| {
-        question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name)
-    };
+    let is_set =
+        |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
     if question.ranges.is_empty() {
         let mut drivers = driving_joints(pose);
         drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));

@@ -98,7 +98,10 @@ impl GivenQuantity {
     }
 
     /// Quantity of the search, and its unit.
-    pub(crate) fn searched(&self, mechanism: &Mechanism) -> Result<(SearchedQuantity, &'static str), StudyError> {
+    pub(crate) fn searched(
+        &self,
+        mechanism: &Mechanism,
+    ) -> Result<(SearchedQuantity, &'static str), StudyError> {
         let Some(name) = self.joint() else { return Ok((SearchedQuantity::EffectiveMass, "kg")) };
         let joint = find_joint(mechanism, Field::Quantity, name)?;
         let held = matches!(self, Self::Held(_));

@@ -50,9 +50,11 @@ pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassState
     let located = &evaluated.result.response.contact;
     let locked = locked_body_masses(pose, located).map_err(|error| StudyError::input(Field::Link, error))?;
     let decoupled = response(&changed_pose(evaluated, &decoupled)?)?;
-    let all = [("rotors-decoupled", decoupled), ("rotors-coupled", response(pose)?), ("joints-locked", locked)];
+    let all =
+        [("rotors-decoupled", decoupled), ("rotors-coupled", response(pose)?), ("joints-locked", locked)];
     let record = |(state, masses): (&'static str, [EffectiveMass; 2])| {
-        let [sliding, sticking] = masses.map(|mass| Status::classify(mass.against_mass(prepared.other_mass())));
+        let [sliding, sticking] =
+            masses.map(|mass| Status::classify(mass.against_mass(prepared.other_mass())));
         MassStateRecord {
             state,
             sliding: sliding.1,

@@ -3,8 +3,8 @@
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::reports::impact::errors::impact_error;
 use crate::question::spelled_contact::FurtherContact;
+use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::thresholds::SAME_FRICTION;
 use nalgebra::DVector;

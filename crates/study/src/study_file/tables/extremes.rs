@@ -28,9 +28,9 @@ impl std::str::FromStr for GivenPath {
     type Err = String;
     /// Reads a range, or the name of a file that ends in .csv or .parquet; `-` is the standard input.
     fn from_str(text: &str) -> Result<Self, String> {
-        let is_file = Path::new(text).extension().is_some_and(|end| {
-            ["csv", "parquet"].iter().any(|kind| end.eq_ignore_ascii_case(kind))
-        });
+        let is_file = Path::new(text)
+            .extension()
+            .is_some_and(|end| ["csv", "parquet"].iter().any(|kind| end.eq_ignore_ascii_case(kind)));
         if is_file || text == "-" {
             return Ok(Self::File(text.to_owned()));
         }
@@ -133,7 +133,10 @@ impl ExtremesTable {
             return refuse("extremes.ignore", "it removes columns of the file of `path`; give that file");
         }
         if motions.len() + usize::from(self.path.is_some()) > 1 {
-            return refuse("extremes.path", "a search has one path; expected one file, or one range of a motion");
+            return refuse(
+                "extremes.path",
+                "a search has one path; expected one file, or one range of a motion",
+            );
         }
         let path = match (&self.path, motions.into_iter().next()) {
             (Some(GivenPath::File(file)), _) => Some(RowSource::File(PositionFile {
@@ -145,7 +148,10 @@ impl ExtremesTable {
             (None, motion) => motion.map(RowSource::from),
         };
         if path.is_some() && !(self.range.is_empty() && self.keep.is_empty()) {
-            return refuse("extremes.path", "it gives all positions of the search; expected neither `range` nor `keep`");
+            return refuse(
+                "extremes.path",
+                "it gives all positions of the search; expected neither `range` nor `keep`",
+            );
         }
         let starts = self.starts.map_or(DEFAULT_STARTS, usize::from);
         if !(1..=MOST_STARTS).contains(&starts) {
