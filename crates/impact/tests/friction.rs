@@ -398,7 +398,13 @@ fn compliant(
     let (mut u, mut depth, mut impulse) = (*before, 0.0, Vector3::zeros());
     let block = w.fixed_view::<2, 2>(1, 1).into_owned();
     let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
-    let sticking = block.pseudo_inverse(1e-12).map_or(Vector2::zeros(), |inverse| -(inverse * coupling));
+    let eigen = block.symmetric_eigen();
+    let mut sticking = Vector2::zeros();
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value > 1e-12 * eigen.eigenvalues.amax() {
+            sticking -= vector * (vector.dot(&coupling) / value);
+        }
+    }
     let step = 1e-4 / (k * w[(0, 0)]).sqrt();
     let mut peak: f64 = 0.0;
     for _ in 0..MOST_COMPRESSION_STEPS {

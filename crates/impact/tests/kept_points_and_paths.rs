@@ -306,7 +306,14 @@ fn extremes_with_a_kept_link_of_a_spatial_arm() {
                         });
                         let jacobians = rows.map(|point| pose.point_jacobian(link, &point));
                         let stacked = nalgebra::DMatrix::from_fn(9, 7, |r, c| jacobians[r / 3][(r % 3, c)]);
-                        let step = stacked.svd(true, true).solve(&error, 1e-9).expect("a step");
+                        // Least norm: Jᵀ (J Jᵀ)⁺ e, by the eigenvectors of J Jᵀ.
+                        let eigen = (&stacked * stacked.transpose()).symmetric_eigen();
+                        let weights = (0..9).map(|k| {
+                            let (value, vector) = (eigen.eigenvalues[k], eigen.eigenvectors.column(k));
+                            let part = if value > 1e-12 { vector.dot(&error) / value } else { 0.0 };
+                            vector * part
+                        });
+                        let step = stacked.transpose() * weights.sum::<nalgebra::DVector<f64>>();
                         q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= s);
                     }
                     if !q.iter().zip(&ranges).all(|(q, range)| (range.lower..=range.upper).contains(q)) {

@@ -13,7 +13,8 @@ use crate::ranges::extremes_error::ExtremesError;
 use crate::ranges::quasi_newton::{AT_LIMIT, Point};
 use crate::ranges::search::{IMMOVABLE, MOST_STEPS, OPTIMAL, Search};
 use crate::tolerances::DIFFERENCE_STEP;
-use nalgebra::{DMatrix, DVector, SVD, SymmetricEigen};
+use faer::Mat;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use percuss_dynamics::Pose;
 
 /// Singular value of the Jacobian of the kept points, relative to the largest, that is zero: rounding of difference quotients is about
@@ -81,22 +82,22 @@ fn kernel_and_multipliers(
     gradient: &[f64],
 ) -> (DVector<f64>, DMatrix<f64>) {
     let (m, f) = (jacobian.nrows(), free.len());
-    // Zero rows make the decomposition contain the whole kernel.
-    let padded = DMatrix::from_fn(m.max(f), f, |r, c| if r < m { jacobian[(r, free[c])] } else { 0.0 });
+    let none = || (DVector::zeros(m), DMatrix::zeros(gradient.len(), 0));
     if f == 0 {
-        return (DVector::zeros(m), DMatrix::zeros(gradient.len(), 0));
+        return none();
     }
-    let svd = SVD::new(padded, true, true);
-    let (Some(u), Some(v)) = (svd.u, svd.v_t) else {
-        return (DVector::zeros(m), DMatrix::zeros(gradient.len(), 0));
-    };
+    let Ok(svd) = Mat::from_fn(m, f, |r, c| jacobian[(r, free[c])]).svd() else { return none() };
+    let (u, sigma, v) = (svd.U(), svd.S().column_vector(), svd.V());
     let least = ZERO_SINGULAR * jacobian.amax();
     let mut multipliers = DVector::zeros(m);
     let mut kernel = Vec::new();
-    for (k, sigma) in svd.singular_values.iter().enumerate() {
-        let along: f64 = free.iter().zip(v.row(k).iter()).map(|(&c, v)| v * gradient[c]).sum();
-        if *sigma > least {
-            multipliers += u.column(k).rows(0, m) * (along / sigma);
+    for k in 0..f {
+        if k < m.min(f) && sigma[k] > least {
+            let along: f64 =
+                free.iter().enumerate().map(|(c, &variable)| v[(c, k)] * gradient[variable]).sum();
+            for r in 0..m {
+                multipliers[r] += u[(r, k)] * along / sigma[k];
+            }
         } else {
             kernel.push(k);
         }
@@ -104,7 +105,7 @@ fn kernel_and_multipliers(
     let mut basis = DMatrix::zeros(gradient.len(), kernel.len());
     for (column, k) in kernel.into_iter().enumerate() {
         for (c, &variable) in free.iter().enumerate() {
-            basis[(variable, column)] = v[(k, c)];
+            basis[(variable, column)] = v[(c, k)];
         }
     }
     (multipliers, basis)
@@ -329,12 +330,15 @@ fn step_within(
     loop {
         let free: Vec<usize> = (0..n).filter(|k| !fixed[*k]).collect();
         let mut step = DVector::zeros(n);
-        let reduced = DMatrix::from_fn(jacobian.nrows(), free.len(), |r, c| jacobian[(r, free[c])]);
-        if !free.is_empty() {
-            let svd = SVD::new(reduced, true, true);
+        let reduced = Mat::from_fn(jacobian.nrows(), free.len(), |r, c| jacobian[(r, free[c])]);
+        if let Ok(svd) = reduced.thin_svd() {
+            let (u, sigma, v) = (svd.U(), svd.S().column_vector(), svd.V());
             let least = ZERO_SINGULAR * jacobian.amax();
-            if let Ok(solution) = svd.solve(residuals, least) {
-                free.iter().zip(solution.iter()).for_each(|(&k, s)| step[k] = -s);
+            for k in (0..sigma.nrows()).filter(|k| sigma[*k] > least) {
+                let along: f64 = (0..residuals.len()).map(|r| u[(r, k)] * residuals[r]).sum();
+                free.iter()
+                    .enumerate()
+                    .for_each(|(c, &variable)| step[variable] -= v[(c, k)] * along / sigma[k]);
             }
         }
         let leaves = |k: &usize| (unit[*k] <= 0.0 && step[*k] < 0.0) || (unit[*k] >= 1.0 && step[*k] > 0.0);
