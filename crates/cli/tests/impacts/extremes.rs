@@ -1,6 +1,6 @@
 //! Extremes over ranges of joints: command `extremes`.
 
-use crate::support::{json, percuss};
+use crate::support::{Scratch, json, percuss, root};
 use serde_json::Value;
 
 /// Rounding of a few operations.
@@ -333,4 +333,34 @@ fn every_command_takes_a_contact_in_one_text() {
         let outcome = percuss(command);
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}", outcome.stderr);
     }
+}
+
+/// The table `[extremes]` of a study gives the output of the command; the file of a path is relative to the study.
+#[test]
+fn a_study_searches_for_extremes() {
+    let folder = Scratch::new("extremes-study");
+    let model = root().join("models/planar_2r.urdf");
+    let file = folder.write("path.csv", "shoulder,elbow,time\n0,0.4,0\n0.3,1.2,1\n-0.2,2.0,2\n");
+    let contact = "--link outer --point 0.4,0,0 --normal 0,1,0";
+    for (table, flags) in [
+        ("range = [\"elbow=0.4:2\"]\nstarts = 4\n".to_owned(), "--range elbow=0.4:2 --starts 4".to_owned()),
+        ("path = \"path.csv\"\nignore = \"time\"\n".to_owned(), format!("--path {file} --ignore time")),
+    ] {
+        let study = folder.write(
+            "study.toml",
+            &format!(
+                "[model]\npath = {:?}\n[contact]\nlink = \"outer\"\npoint = [0.4, 0, 0]\nnormal = [0, 1, 0]\n[extremes]\n{table}",
+                model.to_string_lossy()
+            ),
+        );
+        let of_study = percuss(&format!("run {study}"));
+        let of_command = percuss(&format!("extremes models/planar_2r.urdf {contact} {flags}"));
+        assert_eq!((of_study.code, of_command.code), (0, 0), "{}{}", of_study.stderr, of_command.stderr);
+        assert!(of_study.stdout.ends_with(&of_command.stdout), "{}", of_study.stdout);
+    }
+    let study = folder.write(
+        "study.toml",
+        "[model]\npath = \"x.urdf\"\n[extremes]\npath = \"path.csv\"\nrange = [\"elbow=0:1\"]\n",
+    );
+    assert_eq!(percuss(&format!("run {study}")).code, 2);
 }
