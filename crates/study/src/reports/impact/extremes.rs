@@ -292,11 +292,12 @@ impl ExtremesSearch<'_> {
         let columns: Vec<Option<JointId>> = varied.map(of_column).collect();
         let mut joints: Vec<JointId> = columns.iter().flatten().copied().collect();
         joints.dedup();
-        // A travel moves all drivers.
-        let is_travel = columns.contains(&None);
+        // A travel, or the range of a joint that drives the rows only, moves all drivers of the pose.
+        let drivers = driving_joints(pose);
+        let is_travel = columns.iter().any(|joint| joint.is_none_or(|joint| !drivers.contains(&joint)));
         if is_travel {
             let single = |joint: &JointId| mechanism.joint(*joint).kind().dofs() == 1;
-            joints = driving_joints(pose).into_iter().filter(single).collect();
+            joints = drivers.into_iter().filter(single).collect();
         }
         let names: Vec<String> =
             joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect();
