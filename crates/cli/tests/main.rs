@@ -23,6 +23,7 @@ mod impacts {
     mod designs;
     mod extremes;
     mod free_body;
+    mod masses_and_peaks;
     mod rigid_impact;
     mod safe_speed;
 }

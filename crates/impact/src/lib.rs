@@ -29,7 +29,7 @@ mod tolerances;
 
 pub use error::ImpactError;
 pub use friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
-pub use friction::impulse::{Friction, FrictionLaw, LawResult};
+pub use friction::impulse::{Friction, FrictionLaw, FrictionalCompression, LawResult};
 pub use friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw};
 pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
@@ -39,12 +39,13 @@ pub use percussion::{
     worst_reaction_within,
 };
 pub use ranges::extreme_question::{
-    ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, SearchedContact,
+    SearchedPoses, SearchedQuantity,
 };
-pub use ranges::extremes::{extreme_effective_mass, extreme_quantity};
+pub use ranges::extremes::{extreme_along_path, extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
 pub use ranges::reflected::{
-    ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
+    ReflectedError, ReflectedInertia, driving_joints, held_point_mass, locked_body_masses, reflected_inertia,
 };
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};

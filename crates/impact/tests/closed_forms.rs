@@ -6,8 +6,8 @@ use percuss_formats::load_file;
 use percuss_impact::{
     Component, DriverRate, FrictionLaw, JointRates, PercussionError, RatesError, RestitutionLaw, RigidImpact,
     centre_of_percussion, centre_of_percussion_in_plane, closing_speed, greatest_closing_speed,
-    greatest_closing_speed_of_gears, held_point_mass, rates_from_drivers, reactions_to_unit_impulse,
-    reflected_inertia, worst_reaction_within,
+    greatest_closing_speed_of_gears, held_point_mass, locked_body_masses, rates_from_drivers,
+    reactions_to_unit_impulse, reflected_inertia, worst_reaction_within,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -424,4 +424,80 @@ fn the_greatest_speed_of_gears_reaches_the_limit() {
     let contact = Contact::new(rod.joint(hinge).child(), [0.4, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let response = pose.respond(&contact).expect("a contact");
     assert_eq!(greatest_closing_speed_of_gears(&pose, &response, 0.2, &[(hinge, 0, 0.1)]), None);
+}
+
+/// Locked joints: the mass of one free body, 1/(1/m + (r × n)ᵀ I⁻¹ (r × n)), by the centre of mass and the inertia of all links. For a
+/// floating base the mass is that with all joints locked. The locked body is never lighter than the mechanism on a floating base.
+#[test]
+fn locked_joints_are_one_body() {
+    let mechanism = model("six_r_arm");
+    let set = [("shoulder", -0.7), ("elbow", 1.2), ("yaw", 0.4)];
+    let names: Vec<String> = mechanism
+        .joints()
+        .iter()
+        .filter(|joint| joint.kind().dofs() > 0)
+        .map(|joint| joint.name().to_owned())
+        .collect();
+    let contact = Contact {
+        link: mechanism.find_link("tool").expect("the tool"),
+        against: None,
+        point: Vector3::new(0.08, 0.01, -0.02),
+        normal: Direction::Along(Vector3::new(0.2, 0.5, -1.0), Frame::World),
+    };
+    for (base, is_floating) in [(Base::Fixed, false), (Base::Floating, true)] {
+        let pose = pose_of(&mechanism, &Conditions::new().base(base), &set);
+        let located = pose.locate(&contact).expect("a contact");
+        let [sliding, sticking] = locked_body_masses(&pose, &located).expect("masses").map(finite);
+        let (mut mass, mut moment) = (0.0, Vector3::zeros());
+        let parts: Vec<(f64, Vector3<f64>, Matrix3<f64>)> = mechanism
+            .link_ids()
+            .filter(|link| is_floating || *link != mechanism.root())
+            .map(|link| {
+                let (frame, inertia) = (pose.link(link), mechanism.link(link).inertia());
+                let com = inertia.first_moment / inertia.mass.max(f64::MIN_POSITIVE);
+                let about_origin = inertia.rotational;
+                let shift = Matrix3::from_diagonal_element(com.norm_squared()) - com * com.transpose();
+                let about_com = about_origin - shift * inertia.mass;
+                let rotated = frame.rotation * about_com * frame.rotation.transpose();
+                (inertia.mass, frame.point(&com), rotated)
+            })
+            .collect();
+        for (m, com, _) in &parts {
+            mass += m;
+            moment += com * *m;
+        }
+        let com = moment / mass;
+        let mut inertia = Matrix3::zeros();
+        for (m, own, about) in &parts {
+            let d = own - com;
+            inertia += about + (Matrix3::from_diagonal_element(d.norm_squared()) - d * d.transpose()) * *m;
+        }
+        let inverse = inertia.try_inverse().expect("an inertia");
+        let r = pose.link(contact.link).point(&contact.point) - com;
+        let mobility =
+            Matrix3::from_diagonal_element(1.0 / mass) - r.cross_matrix() * inverse * r.cross_matrix();
+        let n = located.normal_world;
+        let expected = 1.0 / (n.transpose() * mobility * n)[0];
+        assert!((sliding / expected - 1.0).abs() < 1e-12, "{sliding} {expected}");
+        let expected = (n.transpose() * mobility.try_inverse().expect("a mobility") * n)[0];
+        assert!((sticking / expected - 1.0).abs() < 1e-12, "{sticking} {expected}");
+        assert!(sticking >= sliding * (1.0 - ROUNDING));
+        if is_floating {
+            let locked = names.iter().fold(Conditions::new().base(base), |c, name| c.lock(name));
+            let locked = pose_of(&mechanism, &locked, &set);
+            let mass = finite(locked.respond(&contact).expect("a response").effective_mass);
+            assert!((sliding / mass - 1.0).abs() < 1e-10, "{sliding} {mass}");
+            let free = finite(pose.respond(&contact).expect("a response").effective_mass);
+            assert!(sliding >= free * (1.0 - ROUNDING), "{sliding} {free}");
+        }
+        let between = located_between(&pose, &contact);
+        assert_eq!(locked_body_masses(&pose, &between).expect("masses"), [EffectiveMass::Immovable; 2]);
+    }
+}
+
+/// The same contact against the parent link.
+fn located_between(pose: &Pose, contact: &Contact) -> percuss_dynamics::LocatedContact {
+    let mechanism = pose.mechanism();
+    let parent = mechanism.parent_joint(contact.link).map(|joint| mechanism.joint(joint).parent());
+    pose.locate(&Contact { against: parent, ..*contact }).expect("a contact")
 }

@@ -381,3 +381,99 @@ fn friction_of_mechanisms_balances_momentum_and_energy() {
     println!("{impacts} impacts, {several} with several motions");
     assert!(impacts > 500 && several > 300, "{impacts} {several}");
 }
+
+/// Largest number of steps of a compression: three times those of a frictionless one.
+const MOST_COMPRESSION_STEPS: usize = 48_000;
+
+/// Compliant contact of stiffness `k` with Coulomb friction at a constant mobility: velocities over time by small steps. Returns the peak of
+/// the normal force, and the impulse of compression. Without `sticks` the point stops only at the end of compression: one relative motion. `None` if the compression
+/// takes many steps, as near a jam.
+fn compliant(
+    w: &Matrix3<f64>,
+    before: &Vector3<f64>,
+    friction: f64,
+    k: f64,
+    sticks: bool,
+) -> Option<(f64, Vector3<f64>)> {
+    let (mut u, mut depth, mut impulse) = (*before, 0.0, Vector3::zeros());
+    let block = w.fixed_view::<2, 2>(1, 1).into_owned();
+    let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
+    let eigen = block.symmetric_eigen();
+    let mut sticking = Vector2::zeros();
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value > 1e-12 * eigen.eigenvalues.amax() {
+            sticking -= vector * (vector.dot(&coupling) / value);
+        }
+    }
+    let step = 1e-4 / (k * w[(0, 0)]).sqrt();
+    let mut peak: f64 = 0.0;
+    for _ in 0..MOST_COMPRESSION_STEPS {
+        if u[0] >= 0.0 {
+            return Some((peak, impulse));
+        }
+        let force = k * (depth - 0.5 * step * u[0]);
+        let slip = Vector2::new(u[1], u[2]);
+        // A sliding speed that one step can reverse is zero.
+        let stops = sticks && slip.norm() <= friction * force * step * block.norm();
+        let tangential = if stops && sticking.norm() <= friction {
+            sticking
+        } else if stops {
+            sticking * (friction / sticking.norm())
+        } else {
+            -slip * (friction / slip.norm().max(f64::MIN_POSITIVE))
+        };
+        let change = Vector3::new(1.0, tangential[0], tangential[1]) * (force * step);
+        let next = u + w * change;
+        depth -= 0.5 * step * (u[0] + next[0]);
+        u = next;
+        impulse += change;
+        peak = peak.max(force);
+    }
+    None
+}
+
+/// The compression of an impact with friction has the work of a contact without friction of the equivalent mass: the peak force of a
+/// compliant contact is c √(k m). The impulse, its reactions and the mass agree with small steps in time, for random mechanisms.
+#[test]
+fn the_compression_has_the_work_of_its_mass() {
+    let mut cases = 0;
+    for case in all(2) {
+        let pose = &case.pose;
+        let response = pose.respond(&case.contact).expect("a contact");
+        let EffectiveMass::Finite(mass) = response.effective_mass else { continue };
+        if !pose.rank().clear || pose.constraint_groups().iter().any(|g| g.least_singular_value < 1e-4) {
+            continue;
+        }
+        let speed = 0.8;
+        let law = FrictionLaw { coefficient: 0.3, restitution: RestitutionLaw::Energetic };
+        let Ok(impact) = RigidImpact::with_friction(pose, &response, speed, 0.4, law, None) else { continue };
+        let friction = impact.friction.expect("friction");
+        let Ok(delassus) = Delassus::new(pose, &[response.contact]) else { continue };
+        let w = delassus.block(0);
+        if w.norm() > 1e3 * w[(0, 0)] {
+            continue;
+        }
+        let velocities = delassus.velocities(pose, &impact.before);
+        let before = Vector3::new(-speed, velocities[1], velocities[2]);
+        let stiffness = 1e4 * mass;
+        let found = compliant(&w, &before, 0.3, stiffness, friction.slope.is_none());
+        let Some((peak, impulse)) = found else { continue };
+        let compression = &friction.compression;
+        // Errors of the steps: 1e-4 of the duration, times the ratio of the sliding to the closing speed.
+        let expected = speed * (stiffness * compression.equivalent_mass).sqrt();
+        assert!((peak / expected - 1.0).abs() < 5e-3, "{}: {peak} {expected}", case.name);
+        let normal = impulse[0] / compression.normal_impulse;
+        assert!((normal - 1.0).abs() < 5e-3, "{}: {normal}, slope {:?}, {before}", case.name, friction.slope);
+        let tangential = impulse.fixed_rows::<2>(1).norm();
+        let expected = compression.tangential_impulse.norm();
+        assert!((tangential - expected).abs() < 5e-3 * compression.normal_impulse, "{}", case.name);
+        if let Some(slope) = friction.slope {
+            let expected = mass / (1.0 + 0.3 * slope);
+            assert!((compression.equivalent_mass / expected - 1.0).abs() < ROUNDING, "{}", case.name);
+        }
+        assert!(compression.reactions.residual < 1e-9, "{}", case.name);
+        cases += 1;
+    }
+    println!("{cases} compressions");
+    assert!(cases > 12, "{cases}");
+}

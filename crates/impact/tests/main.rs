@@ -4,6 +4,7 @@ mod cases;
 mod closed_forms;
 mod friction;
 mod in_time;
+mod kept_points_and_paths;
 mod maximal_coordinates;
 mod mobility;
 mod properties;

@@ -279,6 +279,17 @@ def test_extremes() -> None:
     assert wide.least["effective_mass"] == pytest.approx(report.least["effective_mass"], rel=1e-9)
     with pytest.raises(percuss.InputError, match="nope"):
         percuss.extremes(model, contact, ranges={"nope": (0.0, 1.0)})
+    # The tip keeps its height; the path has the positions of a sweep.
+    ranges = {"shoulder": (-3.0, 3.0), "elbow": (0.3, 2.5)}
+    bent = percuss.Conditions(set={"elbow": 1.0})
+    kept = percuss.extremes(model, contact, bent, ranges=ranges, keep=["outer:0.4,0,0:0,1,0"])
+    assert kept.kept[0]["link"] == "outer" and kept.most["kept_error"] < 1e-9
+    path = percuss.extremes(model, contact, vary=("elbow", 0.3, 2.5, 5))
+    assert path.ranges == [] and path.path is not None and path.path["rows"] == 5
+    assert path.least["effective_mass"] == pytest.approx(report.least["effective_mass"], rel=1e-9)
+    assert path.most["effective_mass"] == pytest.approx(report.most["effective_mass"], rel=1e-9)
+    with pytest.raises(percuss.InputError, match="neither ranges nor kept points"):
+        percuss.extremes(model, contact, ranges=ranges, vary=("elbow", 0.3, 2.5, 5))
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)

@@ -36,7 +36,7 @@ pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{
     ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
 };
-pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
+pub use damper::joint_stop::{JointStop, StopEnd};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
@@ -65,6 +65,7 @@ pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
+pub use question::spelled_contact::{FurtherContact, StopRecord};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
@@ -89,12 +90,15 @@ pub use reports::impact::additions::{
     GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
 };
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenNormals, GivenQuantity,
-    GivenRange, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
+};
+pub use reports::impact::extremes_question::{
+    ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, Keep,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
-pub use reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
+pub use reports::impact::masses::MassStateRecord;
+pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{
     BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
@@ -133,6 +137,7 @@ pub use study_file::tables::contact::{
     BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
 };
 pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
+pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};

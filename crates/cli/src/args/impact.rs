@@ -1,9 +1,11 @@
 //! Flags of `percuss impact` and `percuss extremes`.
 
 use super::{CheckFormat, ContactArgs, ModelArgs};
+use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, ImpactTable};
+use percuss_study::{ExtremesQuestion, ExtremesTable, GivenPath, ImpactTable};
+use std::path::Path;
 
 /// Flags of `percuss impact`.
 #[derive(Debug, Args)]
@@ -31,39 +33,23 @@ pub struct ExtremesArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Range of a driving joint; default: the limits of all.
-    ///
-    /// With --range only the given joints vary, and the other joints are held at their --set positions (0 without one). Without --range all
-    /// driving joints with limits vary over their limits, except those with --set.
-    #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
-    pub range: Vec<GivenRange>,
-    /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT.
-    ///
-    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint per closing speed, of a
-    /// plastic impact; an impact has (1+e) times this impulse.
-    #[arg(long, value_name = "QUANTITY", default_value = "mass", help_heading = ANSWER)]
-    pub quantity: GivenQuantity,
-    /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
-    ///
-    /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
-    #[arg(long, value_name = "NORMALS", default_value = "given", allow_hyphen_values = true, help_heading = ANSWER)]
-    pub normals: GivenNormals,
-    /// Number of starts of the search.
-    #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..=10_000), help_heading = ANSWER)]
-    pub starts: u16,
+    #[command(flatten)]
+    pub extremes: ExtremesTable,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
 }
 
 impl ExtremesArgs {
-    /// Ranges and number of starts.
-    pub fn question(&self) -> ExtremesQuestion {
-        ExtremesQuestion {
-            ranges: self.range.clone(),
-            quantity: self.quantity.clone(),
-            normals: self.normals,
-            starts: usize::from(self.starts),
+    /// Positions, quantity and number of starts. Ranges of the wheels form a path.
+    pub fn question(&self) -> Result<ExtremesQuestion, Failure> {
+        let is_input = matches!(&self.extremes.path, Some(GivenPath::File(path)) if path == "-");
+        if is_input && self.model.model == "-" {
+            return Err(Failure::bad_input(
+                "--path -: the model is already read from the standard input; give a file name for one of the two",
+            ));
         }
+        let max_size = self.model.reading.max_size;
+        Ok(self.extremes.question(self.contact.ranges()?, Path::new(""), max_size)?)
     }
 }

@@ -142,10 +142,10 @@ pub enum Command {
         override_usage = "percuss impact MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E (--speed V | --rates JOINT=RATE…) …"
     )]
     Impact(Box<ImpactArgs>),
-    /// Smallest and largest effective mass over ranges of joints.
+    /// Smallest and largest effective mass over joint ranges or a path.
     #[command(
         after_help = examples::EXTREMES,
-        override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
+        override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--keep LINK] [--path FILE] …"
     )]
     Extremes(Box<ExtremesArgs>),
     /// Page in which the mechanism moves and the effective mass follows.

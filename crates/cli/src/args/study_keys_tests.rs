@@ -44,13 +44,14 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 7] = [
+const KEPT: [(&str, &str); 8] = [
     ("mass", "mass"),
     ("damp", "damping"),
     ("sweep", "sweep"),
     ("map", "map"),
     ("safe-speed", "safe_speed"),
     ("impact", "impact"),
+    ("extremes", "extremes"),
     ("compare", "sweep"),
 ];
 /// Tables that several commands share.

@@ -12,6 +12,7 @@ use crate::terminal::report::{
 };
 use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty};
 use crate::terminal::wrap::{self, fact_line};
+use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, SheetPoint, Status,
     StudyMass, Tolerance, explain, mass, mass_with_damper, tolerance_report,
@@ -63,7 +64,8 @@ fn show_all_contacts(
 
 /// Refuses several contacts, which `percuss compare` evaluates.
 pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -> Result<(), Failure> {
-    let several = at.filter(|names| *names == ALL_CONTACTS || names.contains(','));
+    // The commas of a contact in one text, such as foot:0,0,0:0,0,-1, are those of its numbers.
+    let several = at.filter(|names| *names == ALL_CONTACTS || (names.contains(',') && !names.contains(':')));
     match several.filter(|names| model.mechanism.find_contact(names).is_err()) {
         Some(names) => Err(Failure::bad_input(format!(
             "--at {names}: {command} has one contact; percuss compare MODEL --at {names} has all of them"
@@ -215,10 +217,20 @@ pub fn headline(report: &MassReport) -> String {
                     let [mass, spread] = [mass, spread].map(|x| within_uncertainty(x, spread));
                     format!("{mass} ± {spread} kg (tolerances, root sum square)")
                 }
-                _ => format!("{} kg", number(mass)),
+                _ => format!("{} {}", number(mass), mass_unit(report)),
             }
         }
     }
+}
+
+/// Unit of m̄: that of an inertia for the stop of a hinge.
+pub fn mass_unit(report: &MassReport) -> &'static str {
+    if is_stop_of_hinge(report) { "kg·m²" } else { "kg" }
+}
+
+/// True if the contact is the stop of a joint that turns.
+pub fn is_stop_of_hinge(report: &MassReport) -> bool {
+    report.joint_stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn)
 }
 
 /// Classical estimate, its error, and the contributions that it leaves out.
@@ -295,7 +307,7 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
         if text.is_empty() { "none".into() } else { text }
     };
     let assumed = &report.assumptions;
-    let mut facts = vec![
+    let of_point = vec![
         ("contact link", format!("{} at {} m, in the link frame", contact.link, triple(&contact.point_link))),
         ("normal", format!("{} in the link frame, out of {}", triple(&contact.normal_link), contact.link)),
         (
@@ -308,6 +320,10 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
             ),
         ),
     ];
+    let mut facts = match &report.joint_stop {
+        Some(stop) => vec![("stop of joint", stop.joint.clone())],
+        None => of_point,
+    };
     facts.extend(report.point_in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
     facts.extend([
         ("against", other_side(report)),

@@ -4,7 +4,7 @@ use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::commands::compare;
 use crate::commands::contact_list;
 use crate::commands::damp;
-use crate::commands::impacts::{rigid_impact, safe_speed};
+use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
 use crate::commands::map;
 use crate::commands::mass;
 use crate::commands::mass::MassRequests;
@@ -47,6 +47,7 @@ fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
     let rows = study.sweep.iter().map(|sweep| &sweep.rows);
     let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.as_ref()));
+    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.path.as_ref()));
     let of_rows =
         rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path.clone()) } else { None });
     of_models.chain(poses).chain(of_rows)
@@ -108,6 +109,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     }
     if let (Some(question), Some(requested)) = (&study.question, &study.impact) {
         rigid_impact::show(&study.model, question, requested, CheckFormat::Text, strict)?;
+    }
+    if let (Some(question), Some(requested)) = (&study.question, &study.extremes) {
+        extremes::show(&study.model, question, requested, CheckFormat::Text, strict)?;
     }
     if let Some(requested) = &study.kinematics {
         kinematics::show_of_study(study, requested, strict)?;
@@ -175,6 +179,7 @@ fn note_single_contact(study: &StudyFile) {
     let tables = [
         ("[mass]", study.mass != StudyMass::default()),
         ("[impact]", study.impact.is_some()),
+        ("[extremes]", study.extremes.is_some()),
         ("[safe_speed]", study.safe_speed.is_some()),
     ];
     let single: Vec<&str> =

@@ -1,6 +1,6 @@
 //! Extremes over ranges of joints: command `extremes`.
 
-use crate::support::{json, percuss};
+use crate::support::{Scratch, json, percuss, root};
 use serde_json::Value;
 
 /// Rounding of a few operations.
@@ -191,4 +191,176 @@ fn an_open_stop_is_marked() {
         "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --range elbow=0.4:1 --format json",
     );
     assert!(plain["least"]["gap"].is_null());
+}
+
+/// A kept tool point: the extremes are those of `percuss mass` at their positions, at which the point has not moved. `--set` gives the place.
+#[test]
+fn a_kept_point_stays_in_place() {
+    let set = "--set shoulder=-40deg --set elbow=70deg";
+    let contact = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world";
+    let place = json(&format!("mass {contact} {set} --format json"));
+    let own = place["effective_mass"].as_f64().expect("a mass");
+    for keep in ["tool:0.08,0,0", "tool:0.08,0,0:0,0,1"] {
+        let report = json(&format!("extremes {contact} {set} --keep {keep} --starts 4 --format json"));
+        assert_eq!(report["ranges"].as_array().expect("ranges").len(), 6);
+        assert_eq!(report["kept"][0]["link"], "tool");
+        for key in ["least", "most"] {
+            let found = &report[key];
+            assert!(found["kept_error"].as_f64().expect("an error") < 1e-9, "{found}");
+            let at: Vec<String> = found["positions"]
+                .as_array()
+                .expect("positions")
+                .iter()
+                .map(|p| format!("--set {}={}", p["joint"].as_str().expect("a name"), p["position"]))
+                .collect();
+            let mass = json(&format!("mass {contact} {} --format json", at.join(" ")));
+            let (a, b) = (found["effective_mass"].as_f64(), mass["effective_mass"].as_f64());
+            let (a, b) = (a.expect("a mass"), b.expect("a mass"));
+            assert!((a / b - 1.0).abs() < 1e-9, "{key}: {a} {b}");
+            assert!(if key == "least" { a <= own } else { a >= own }, "{key}: {a} {own}");
+            let axes = if keep.ends_with(":0,0,1") { vec![2] } else { vec![0, 1, 2] };
+            for k in axes {
+                let coordinate =
+                    |report: &Value| report["contact"]["point_world"][k].as_f64().expect("a number");
+                assert!((coordinate(&mass) - coordinate(&place)).abs() < 1e-9, "{key} {k}");
+            }
+        }
+    }
+    let text = percuss(&format!("extremes {contact} {set} --keep tool:0.08,0,0 --starts 2")).stdout;
+    assert!(text.contains("optimality residual") && text.contains("tool: point (0.08, 0, 0) m"), "{text}");
+    // A six-hinge arm has no self-motion with a kept link, except at a singular wrist (pitch 0).
+    let none = percuss(&format!("extremes {contact} {set} --set wrist_pitch=30deg --keep tool"));
+    assert!(none.code == 2 && none.stderr.contains("the kept points leave"), "{}", none.stderr);
+    for (keep, words) in
+        [("tool:1,2", "--keep"), ("nope:0,0,0", "nope"), ("tool:0,0,0:0,0,0", "no direction")]
+    {
+        let outcome = percuss(&format!("extremes {contact} --keep {keep}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{keep}: {}", outcome.stderr);
+    }
+}
+
+/// A path of a travel, of a range and of a file: no row of a fine sweep is beyond the extremes, which have the mass of their positions.
+#[test]
+fn extremes_along_a_path() {
+    let sheet = "models/suspensions/double-wishbone.toml --at spring";
+    let paths = [
+        ("--wheel-travel=-70mm:70mm:9", "--wheel-travel=-70mm:70mm:281"),
+        ("--path wheel-travel=-70mm:70mm:9", "--wheel-travel=-70mm:70mm:281"),
+        ("--path lower_arm_hinge=-8deg:8deg:3", "--vary lower_arm_hinge=-8deg:8deg:321"),
+    ];
+    for (path, rows) in paths {
+        let report = json(&format!("extremes {sheet} {path} --format json"));
+        assert!(report["ranges"].as_array().expect("a list").is_empty() && report["path"]["unreached"] == 0);
+        let sweep = percuss(&format!("sweep {sheet} {rows}")).stdout;
+        let masses: Vec<f64> =
+            sweep.lines().skip(1).filter_map(|line| line.split(',').nth(3)?.parse().ok()).collect();
+        assert!(masses.len() > 200, "{sweep}");
+        let of = |key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
+        let least = masses.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = masses.iter().copied().fold(0.0, f64::max);
+        assert!(of("least") <= least * (1.0 + 1e-9) && of("least") > least * (1.0 - 1e-4), "{path} {least}");
+        assert!(of("most") >= most * (1.0 - 1e-9) && of("most") < most * (1.0 + 1e-4), "{path} {most}");
+        assert!(report["most"]["row"].as_f64().expect("a row") <= 8.0);
+    }
+    let text = percuss(&format!("extremes {sheet} --wheel-travel=-70mm:70mm:9")).stdout;
+    assert!(text.contains("place") && text.contains("path                 9 rows of"), "{text}");
+    for (more, words) in [
+        ("--path heave=-1mm:1mm:3 --range lower_arm_hinge=0:0.1", "--range"),
+        ("--path nothing.txt", "--path"),
+        ("--path missing.csv", "missing.csv"),
+        ("--path lower_arm_hinge=0:0.1:3 --wheel-travel=-1mm:1mm:3", "one path"),
+        ("--ignore time", "--path"),
+    ] {
+        let outcome = percuss(&format!("extremes {sheet} {more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
+/// One text for a contact, the same for `--at` of all commands as for `--also`: point with normal, cable, stop of a joint.
+#[test]
+fn every_command_takes_a_contact_in_one_text() {
+    let mass = |command: &str| json(&format!("mass {command} --format json"));
+    let value = |report: &Value| report["effective_mass"].as_f64().expect("a mass");
+    let arm = "models/planar_2r.urdf";
+    let point = mass(&format!("{arm} --at outer:0.4,0,0:0,1,0 --set elbow=0.7"));
+    let given = "--link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world --set elbow=0.7";
+    assert_eq!(value(&point), value(&mass(&format!("{arm} {given}"))));
+    let cable = mass(&format!("{arm} --at outer:0.4,0,0=ground:0,1,0 --set elbow=0.7"));
+    let given = "--link outer --point 0.4,0,0 --along-line ground:0,1,0 --cable --set elbow=0.7";
+    assert_eq!(value(&cable), value(&mass(&format!("{arm} {given}"))));
+    // The stop of a hinge: the inertia of the damper of this stop, in all commands.
+    let robot = "models/six_r_arm.urdf";
+    let stop = mass(&format!("{robot} --at elbow:upper"));
+    let damper = json(&format!(
+        "damp --mass-from {robot} --limit elbow:upper --restitution 0.3 --stiffness 500 --format json"
+    ));
+    assert_eq!(stop["effective_mass"], damper["effective_mass"]);
+    assert_eq!(stop["joint_stop"], serde_json::json!({"joint": "elbow", "motion": "turn"}));
+    assert!(stop["diagnostics"].to_string().contains("joint-stop"));
+    assert!(!stop["diagnostics"].to_string().contains("far-point"));
+    let limit = stop["pose"]["elbow"][0].as_f64().expect("a position");
+    assert_eq!(limit, 2.6);
+    let text = percuss(&format!("mass {robot} --at elbow:upper")).stdout;
+    assert!(text.contains("kg·m²") && text.contains("stop of joint        elbow"), "{text}");
+    let impact = json(&format!("impact {robot} --at elbow:upper --restitution 0.2 --speed 2 --format json"));
+    let expected = 1.2 * 2.0 * value(&stop);
+    assert!((impact["impulse"].as_f64().expect("an impulse") / expected - 1.0).abs() < 1e-12);
+    // The jump of the rate of the joint is (1+e) times its speed.
+    let rates = impact["rates"].as_array().expect("rates");
+    let elbow = rates.iter().find(|rate| rate["joint"] == "elbow").expect("the elbow");
+    let jump = elbow["after"][0].as_f64().expect("a rate") - elbow["before"][0].as_f64().expect("a rate");
+    assert!((jump + 1.2 * 2.0).abs() < 1e-12, "{elbow}");
+    let text = percuss(&format!("impact {robot} --at elbow:upper --restitution 0.2 --speed 2")).stdout;
+    assert!(text.contains("N·m·s") && text.contains("rad/s, restitution 0.2"), "{text}");
+    let rows = percuss(&format!("sweep {robot} --at elbow:upper --vary wrist_pitch=0:1:3")).stdout;
+    assert_eq!(rows.lines().count(), 4, "{rows}");
+    let extremes = json(&format!("extremes {robot} --at elbow:upper --range wrist_pitch=0:1 --format json"));
+    assert!(extremes["least"]["effective_mass"].as_f64().expect("a mass") > 0.0);
+    for (command, words) in [
+        ("mass models/six_r_arm.urdf --at nope:upper", "nope"),
+        ("mass models/six_r_arm.urdf --at tool:0,0,0", "--at"),
+        ("mass models/planar_2r.urdf --at elbow:upper", "has no <limit>"),
+        ("mass models/six_r_arm.urdf --at elbow:upper --against-mass 2", "--against-mass"),
+        (
+            "impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --friction 0.2",
+            "--friction",
+        ),
+        (
+            "impact models/six_r_arm.urdf --at elbow:upper --restitution 0 --speed 1 --sticking",
+            "stop of a joint",
+        ),
+    ] {
+        let outcome = percuss(command);
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}", outcome.stderr);
+    }
+}
+
+/// The table `[extremes]` of a study gives the output of the command; the file of a path is relative to the study.
+#[test]
+fn a_study_searches_for_extremes() {
+    let folder = Scratch::new("extremes-study");
+    let model = root().join("models/planar_2r.urdf");
+    let file = folder.write("path.csv", "shoulder,elbow,time\n0,0.4,0\n0.3,1.2,1\n-0.2,2.0,2\n");
+    let contact = "--link outer --point 0.4,0,0 --normal 0,1,0";
+    for (table, flags) in [
+        ("range = [\"elbow=0.4:2\"]\nstarts = 4\n".to_owned(), "--range elbow=0.4:2 --starts 4".to_owned()),
+        ("path = \"path.csv\"\nignore = \"time\"\n".to_owned(), format!("--path {file} --ignore time")),
+    ] {
+        let study = folder.write(
+            "study.toml",
+            &format!(
+                "[model]\npath = {:?}\n[contact]\nlink = \"outer\"\npoint = [0.4, 0, 0]\nnormal = [0, 1, 0]\n[extremes]\n{table}",
+                model.to_string_lossy()
+            ),
+        );
+        let of_study = percuss(&format!("run {study}"));
+        let of_command = percuss(&format!("extremes models/planar_2r.urdf {contact} {flags}"));
+        assert_eq!((of_study.code, of_command.code), (0, 0), "{}{}", of_study.stderr, of_command.stderr);
+        assert!(of_study.stdout.ends_with(&of_command.stdout), "{}", of_study.stdout);
+    }
+    let study = folder.write(
+        "study.toml",
+        "[model]\npath = \"x.urdf\"\n[extremes]\npath = \"path.csv\"\nrange = [\"elbow=0:1\"]\n",
+    );
+    assert_eq!(percuss(&format!("run {study}")).code, 2);
 }

@@ -6,7 +6,9 @@ use crate::friction::one_motion::OneMotion;
 use crate::friction::phases::{Phase, PhaseKind, RestitutionLaw, add_phase};
 use crate::mobility::delassus::Delassus;
 use crate::motion::joint_rates::JointRates;
-use crate::tolerances::CREATED_ENERGY;
+use crate::reactions::reaction::Reactions;
+use crate::reactions::reaction_map::ReactionMap;
+use crate::tolerances::{CREATED_ENERGY, SAME_DIRECTION};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose};
 
@@ -47,8 +49,30 @@ pub struct Friction {
     /// µ_j = a_nn/|a_tn|: coefficient of friction above which sliding can jam; for one relative motion 1/t, above which it
     /// wedges. `None` if no sliding jams.
     pub jamming_threshold: Option<f64>,
+    /// Compression phase, by the energetic law.
+    pub compression: FrictionalCompression,
     /// Results of all laws of restitution with the same e.
     pub laws: Vec<LawResult>,
+}
+
+/// Compression of an impact with friction, from the touch to the end of the closing motion.
+///
+/// The contact force is largest in compression. In a compliant contact with the spring energy U(δ), constant pose and little damping, the
+/// largest penetration follows from U(δ) = W with the work W of compression, whatever the friction does. A contact without friction with
+/// the mass 2W/c² has the same work at the closing speed c, so its peak force is that of the contact with friction. If the point slides
+/// in one direction, or sticks, during the whole compression, the direction of the force is constant and equals that of the impulse.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrictionalCompression {
+    /// Normal impulse, N·s.
+    pub normal_impulse: f64,
+    /// Impulse of the friction on the contact link, N·s, in the link's axes.
+    pub tangential_impulse: Vector3<f64>,
+    /// Mass 2W/c² of a contact without friction with the same work W of compression, kg. m̄/(1+µt) for one relative motion.
+    pub equivalent_mass: f64,
+    /// True if the direction of the force is constant: the compression has one phase in which the point sticks, or slides in a plane.
+    pub has_constant_direction: bool,
+    /// Reactions to the impulse of compression.
+    pub reactions: Reactions,
 }
 
 /// Result of one law of restitution.
@@ -98,6 +122,7 @@ pub struct FrictionLaw {
 /// [`ImpactError`]: a coefficient of friction out of range; a motion without mass; an impact without an end.
 pub(crate) fn frictional_impulse(
     pose: &Pose,
+    map: &ReactionMap,
     response: &ContactResponse,
     speed: f64,
     restitution: f64,
@@ -112,14 +137,15 @@ pub(crate) fn frictional_impulse(
         return Err(ImpactError::Immovable);
     }
     match OneMotion::new(pose, response) {
-        Some(motion) => one_motion_impulse(pose, response, &motion, speed, restitution, law),
-        None => general_impulse(pose, response, speed, restitution, law, before),
+        Some(motion) => one_motion_impulse(pose, map, response, &motion, speed, restitution, law),
+        None => general_impulse(pose, map, response, speed, restitution, law, before),
     }
 }
 
 /// Contact of one relative motion.
 fn one_motion_impulse(
     pose: &Pose,
+    map: &ReactionMap,
     response: &ContactResponse,
     motion: &OneMotion,
     speed: f64,
@@ -145,6 +171,21 @@ fn one_motion_impulse(
         add_phase(&mut phases, PhaseKind::Slip, false, found.impulses[0]);
         add_phase(&mut phases, PhaseKind::ReverseSlip, true, found.impulses[1]);
     }
+    let closing = motion.impact(speed, 0.0, law.coefficient, RestitutionLaw::Energetic);
+    let compression = FrictionalCompression {
+        normal_impulse: closing.impulses[0],
+        tangential_impulse: motion.direction * closing.frictions[0],
+        // The speed is proportional to the remaining impulse, so the work is half the impulse times the speed.
+        equivalent_mass: closing.impulses[0] / speed,
+        has_constant_direction: true,
+        reactions: reactions_to(
+            pose,
+            map,
+            response,
+            closing.impulses[0],
+            &(motion.direction * closing.frictions[0]),
+        )?,
+    };
     let friction = Friction {
         coefficient: law.coefficient,
         law: law.restitution,
@@ -157,6 +198,7 @@ fn one_motion_impulse(
         phases,
         sticking_threshold: None,
         jamming_threshold: (motion.slope > 0.0).then(|| 1.0 / motion.slope),
+        compression,
         laws: all.to_vec(),
     };
     let normal = found.impulses[0] + found.impulses[1];
@@ -176,6 +218,7 @@ fn one_motion_impulse(
 /// Contact with several relative motions.
 fn general_impulse(
     pose: &Pose,
+    map: &ReactionMap,
     response: &ContactResponse,
     speed: f64,
     restitution: f64,
@@ -216,6 +259,22 @@ fn general_impulse(
         EffectiveMass::Finite(mass) => -total / mass,
         _ => 0.0,
     };
+    let closing =
+        frictional_collision(&mobility, &velocity, law.coefficient, 0.0, RestitutionLaw::Energetic)?;
+    let friction_of_closing = in_link(&closing.impulse);
+    // A sliding direction that turns leaves less than the full friction.
+    let limit = law.coefficient * closing.impulse[0];
+    let is_full = closing.impulse[1].hypot(closing.impulse[2]) >= limit * (1.0 - SAME_DIRECTION);
+    let compression = FrictionalCompression {
+        normal_impulse: closing.impulse[0],
+        tangential_impulse: friction_of_closing,
+        equivalent_mass: -2.0 * closing.normal_work[0] / (speed * speed),
+        has_constant_direction: match &closing.phases[..] {
+            [phase] => phase.kind == PhaseKind::Stick || is_full,
+            _ => false,
+        },
+        reactions: reactions_to(pose, map, response, closing.impulse[0], &friction_of_closing)?,
+    };
     let friction = Friction {
         coefficient: law.coefficient,
         law: law.restitution,
@@ -228,6 +287,7 @@ fn general_impulse(
         phases: found.phases,
         sticking_threshold: sticking_threshold(&mobility),
         jamming_threshold: jamming_threshold(&mobility),
+        compression,
         laws: all.to_vec(),
     };
     Ok(FrictionalImpulse {
@@ -251,6 +311,18 @@ fn law_result(
 ) -> LawResult {
     let creates_energy = energy_loss < -CREATED_ENERGY * size;
     LawResult { law, normal_impulse, tangential_impulse, separation_speed, energy_loss, creates_energy }
+}
+
+/// Reactions to a normal impulse and an impulse of friction. `tangential`: friction on the contact link, in its axes.
+fn reactions_to(
+    pose: &Pose,
+    map: &ReactionMap,
+    response: &ContactResponse,
+    normal: f64,
+    tangential: &Vector3<f64>,
+) -> Result<Reactions, ImpactError> {
+    let (total, whole) = whole_response(pose, response, normal, tangential)?;
+    Ok(map.reactions(&whole, total)?)
 }
 
 /// Magnitude of the whole impulse, and the response of the mechanism along it. `tangential`: friction on the contact link, in

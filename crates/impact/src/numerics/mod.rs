@@ -3,3 +3,4 @@
 pub(crate) mod extrapolation;
 pub(crate) mod multistep;
 pub(crate) mod pivoted_qr;
+pub(crate) mod runge_kutta;

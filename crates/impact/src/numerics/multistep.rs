@@ -1,6 +1,7 @@
 //! Ordinary differential equations by the predictor and corrector of Adams, Bashforth and Moulton.
 
 use crate::numerics::extrapolation::controlled_step;
+use crate::numerics::runge_kutta;
 use std::collections::VecDeque;
 
 /// Number of rates in the formulas, which is their order.
@@ -43,13 +44,16 @@ fn lagrange_integrals(end: f64, newest: f64) -> [f64; ORDER] {
 
 /// Integrator of y′ = f(y) with steps of at most `largest`.
 ///
-/// Extrapolation takes the first steps, and all steps near a point at which f is not smooth. After ten rates at equal distances
+/// Extrapolation takes the first step, and all steps near a point at which f is not smooth. Runge-Kutta steps of order 8, with eleven
+/// evaluations of f, take the next ones if the first of them agrees with the extrapolation. After ten rates at equal distances
 /// `largest`, a step of predictor and corrector takes two evaluations of f instead of more than ten. Source: Hairer, Nørsett and
 /// Wanner 1993, §III.1.
 pub(crate) struct MultistepIntegrator {
     largest: f64,
     tolerance: f64,
     proposal: f64,
+    /// True if the last step by extrapolation agrees with a Runge-Kutta step, which then takes the next steps.
+    is_smooth: bool,
     /// Weights of the rates at 0, −1, … steps from the state.
     predictor: [f64; ORDER],
     /// Weights of the rates at 1, 0, −1, … steps from the state.
@@ -65,6 +69,7 @@ impl MultistepIntegrator {
             largest,
             tolerance,
             proposal: largest,
+            is_smooth: false,
             predictor: lagrange_integrals(1.0, 0.0),
             corrector: lagrange_integrals(1.0, 1.0),
             rates: VecDeque::from([rate]),
@@ -90,9 +95,21 @@ impl MultistepIntegrator {
             AdamsStep::Ends => return (None, self.largest),
             AdamsStep::Refused => {}
         }
+        if self.is_smooth {
+            let next = runge_kutta::step(f, y, self.rate(), self.largest);
+            if !ends() {
+                self.push_rate(f, &next);
+                return (Some(next), self.largest);
+            }
+        }
         let h = self.proposal.min(self.largest);
         let (next, taken, proposal) = controlled_step(f, y, h, self.tolerance);
         self.proposal = proposal;
+        self.is_smooth = taken == self.largest && self.rates.len() < ORDER && {
+            let other = runge_kutta::step(f, y, self.rate(), taken);
+            let error = |(a, b): (&f64, &f64)| (a - b).abs() / (1.0 + a.abs());
+            next.iter().zip(&other).map(error).all(|error| error <= self.tolerance)
+        };
         if taken < self.largest {
             self.rates.clear();
         }
@@ -133,6 +150,7 @@ impl MultistepIntegrator {
         if self.rates.len() < ORDER {
             return AdamsStep::Refused;
         }
+        self.is_smooth = false;
         let weighted = |weights: &[f64], i: usize| -> f64 {
             weights.iter().zip(&self.rates).map(|(w, rate)| w * rate[i]).sum()
         };

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, EffectiveMass, LowestPoint};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, LinkId};
 
 /// Range of a driving joint with one velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,67 @@ pub struct JointRange {
     pub lower: f64,
     /// Upper end, rad or m.
     pub upper: f64,
+}
+
+/// Point of a link that stays at its place in the world over a search, such as the tool point of a redundant arm: the search covers the
+/// self-motion of the mechanism. The point is free in the impact; contrast a held contact
+/// ([`Conditions::hold`](percuss_dynamics::Conditions::hold)), which constrains the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KeptPoint {
+    /// The link.
+    pub link: LinkId,
+    /// Point in the frame of the link, m.
+    pub point: Vector3<f64>,
+    /// Direction (world axes) along which the coordinate of the point is kept; `None` for all directions.
+    pub normal: Option<Vector3<f64>>,
+}
+
+impl KeptPoint {
+    /// Three points that keep the position and the orientation of a link: its origin, and points at the distance `arm` (m) along its
+    /// x-axis and its y-axis.
+    pub fn of_link(link: LinkId, arm: f64) -> [Self; 3] {
+        [Vector3::zeros(), Vector3::x() * arm, Vector3::y() * arm].map(|point| Self {
+            link,
+            point,
+            normal: None,
+        })
+    }
+}
+
+/// Positions over which an extreme is searched: ranges of driving joints, and points that stay in place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearchedPoses<'a> {
+    /// Ranges of the driving joints that vary.
+    pub ranges: &'a [JointRange],
+    /// Points that stay at their places in the pose of the configuration; empty for all positions within the ranges.
+    pub kept: &'a [KeptPoint],
+}
+
+impl<'a> From<&'a [JointRange]> for SearchedPoses<'a> {
+    fn from(ranges: &'a [JointRange]) -> Self {
+        Self { ranges, kept: &[] }
+    }
+}
+
+impl<'a> From<&'a Vec<JointRange>> for SearchedPoses<'a> {
+    fn from(ranges: &'a Vec<JointRange>) -> Self {
+        ranges.as_slice().into()
+    }
+}
+
+impl<'a, const N: usize> From<&'a [JointRange; N]> for SearchedPoses<'a> {
+    fn from(ranges: &'a [JointRange; N]) -> Self {
+        ranges.as_slice().into()
+    }
+}
+
+/// Path of driving joints with one velocity: straight lines between given rows of positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriverPath<'a> {
+    /// The joints.
+    pub joints: &'a [JointId],
+    /// Rows of positions, one number (rad or m) per joint.
+    pub rows: &'a [Vec<f64>],
 }
 
 /// Extreme to search.
@@ -92,8 +153,20 @@ pub struct ExtremeMass {
     /// of the constrained problem, and for an immovable contact. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared
     /// impulse. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
     pub residual: f64,
-    /// Number of starts.
+    /// Largest distance of a kept point from its place, m; 0 without kept points.
+    pub kept_error: f64,
+    /// Number of starts; on a path the number of local searches.
     pub starts: usize,
     /// Number of starts that reached this value to six digits.
     pub agreeing: usize,
+}
+
+/// Extreme along a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExtremeOnPath {
+    /// The extreme. The positions are those of the joints of the path; there are no active limits.
+    pub extreme: ExtremeMass,
+    /// Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to the
+    /// second.
+    pub row: f64,
 }

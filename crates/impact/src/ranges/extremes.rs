@@ -1,12 +1,17 @@
-//! Extreme effective masses over ranges of joint positions.
+//! Extreme effective masses over ranges of joint positions and along paths.
 
 use crate::ranges::extreme_question::{
-    ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, SearchedContact,
+    SearchedPoses, SearchedQuantity,
 };
 use crate::ranges::extremes_error::{ExtremesError, no_driver, variable_joints};
+use crate::ranges::kept_points::KeptRows;
+use crate::ranges::path::{PathEnd, PathSearch};
 use crate::ranges::quasi_newton::Point;
-use crate::ranges::search::{IMMOVABLE, Search};
+use crate::ranges::search::{IMMOVABLE, Search, Variable};
+use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ConstraintSource, EffectiveMass, System};
+use percuss_mechanism::JointId;
 
 /// Relative difference of values up to which two searches agree.
 const SAME_VALUE: f64 = 1e-6;
@@ -20,18 +25,22 @@ const SAME_VALUE: f64 = 1e-6;
 /// immovable. Each start has two searches: from one point of a Halton sequence, and from the best of eight points of this sequence. The
 /// method is deterministic and does not prove a global extreme; the number of agreeing starts indicates the confidence.
 ///
+/// With kept points ([`SearchedPoses::kept`]) the search covers the self-motion: the starts are moved to positions at which the points are
+/// in place, and each step follows the tangent of the self-motion by Newton's method. The first start has a third search, from the
+/// configuration itself.
+///
 /// # Errors
 /// [`ExtremesError`].
-pub fn extreme_effective_mass(
+pub fn extreme_effective_mass<'a>(
     system: &System,
     configuration: &Configuration,
     contact: SearchedContact,
-    ranges: &[JointRange],
+    poses: impl Into<SearchedPoses<'a>>,
     extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
     let quantity = SearchedQuantity::EffectiveMass;
-    extreme_quantity(system, configuration, contact, quantity, ranges, extreme, starts)
+    extreme_quantity(system, configuration, contact, quantity, poses, extreme, starts)
 }
 
 /// Extreme of a quantity over ranges of driving joints, by the searches of [`extreme_effective_mass`].
@@ -42,54 +51,36 @@ pub fn extreme_effective_mass(
 ///
 /// # Errors
 /// [`ExtremesError`].
-pub fn extreme_quantity(
+pub fn extreme_quantity<'a>(
     system: &System,
     configuration: &Configuration,
     contact: SearchedContact,
     quantity: SearchedQuantity,
-    ranges: &[JointRange],
+    poses: impl Into<SearchedPoses<'a>>,
     extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
-    let of_mass = quantity == SearchedQuantity::EffectiveMass;
-    if !of_mass && contact.normals != NormalRange::Given {
-        return Err(ExtremesError::NormalsOfMass);
-    }
-    if let SearchedQuantity::ReflectedInertia { joint, .. } = quantity
-        && system.mechanism().joint(joint).kind().dofs() != 1
-    {
-        return Err(no_driver(system.pose(configuration).ok().as_ref(), system, joint));
-    }
+    let SearchedPoses { ranges, kept } = poses.into();
     if ranges.is_empty() {
         return Err(ExtremesError::NoJoint);
     }
-    let mechanism = system.mechanism();
-    let start = system.pose(configuration).ok();
-    let variable = start.as_ref().map(|start| variable_joints(system, start));
-    // Held contacts constrain the impact, not the pose: the pose moves along motions outside ker A, and the closed form does not apply.
-    let has_holds = start.iter().flat_map(|start| start.constraint_groups()).any(|group| {
-        group.constraints.iter().any(|action| matches!(action.source, ConstraintSource::Hold(_)))
-    });
     for range in ranges {
-        let joint = mechanism.joint(range.joint);
-        let name = || joint.name().to_owned();
         let (lower, upper) = (range.lower, range.upper);
         if !(lower.is_finite() && upper.is_finite() && lower < upper) {
-            return Err(ExtremesError::Range { joint: name(), lower, upper });
-        }
-        let varies = variable.as_ref().is_none_or(|variable| variable.contains(&range.joint));
-        if joint.kind().dofs() != 1 || !varies {
-            return Err(no_driver(start.as_ref(), system, range.joint));
+            let joint = system.mechanism().joint(range.joint).name().to_owned();
+            return Err(ExtremesError::Range { joint, lower, upper });
         }
     }
-    let SearchedContact { contact, wheel, normals } = contact;
-    if let NormalRange::Across(axis) = normals
-        && !(axis.norm().is_finite() && axis.norm() > 0.0)
-    {
-        return Err(ExtremesError::NoAxis);
+    let mut search = prepare(system, configuration, contact, quantity, extreme)?;
+    check_varied(system, configuration, ranges.iter().map(|range| range.joint))?;
+    search.variables = ranges.iter().map(|range| Variable { moves: vec![*range] }).collect();
+    if !kept.is_empty() {
+        search.kept = KeptRows::new(&system.pose(configuration)?, checked_kept(kept)?);
+        if search.self_motions() == Some(0) {
+            let name = |range: &JointRange| system.mechanism().joint(range.joint).name().to_owned();
+            return Err(ExtremesError::NoSelfMotion { joints: ranges.iter().map(name).collect() });
+        }
     }
-    let search =
-        Search { system, configuration, contact, wheel, quantity, has_holds, ranges, normals, extreme };
     if let SearchedQuantity::BearingImpulse { joint } = quantity
         && extreme == ExtremeKind::Most
         && let Some(unbounded) = search.unbounded_impulse(joint, starts)?
@@ -97,8 +88,148 @@ pub fn extreme_quantity(
         return Ok(unbounded);
     }
     let (found, largest) = search.run_all(starts)?;
-    let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
+    let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?;
     let largest = largest.max(search.typical()?);
+    Ok(conclude(&search, best, &found, largest, starts.max(1)))
+}
+
+/// Extreme of a quantity along a path of driving joints.
+///
+/// The path is sampled at all rows, and between the rows at equal distances, each pose from the previous one, so that loops follow their
+/// branch. Local searches as those of [`extreme_quantity`] begin at the best samples that exceed both neighbours. The extremes of a
+/// quantity with one extreme between neighbouring samples are found exactly.
+///
+/// # Errors
+/// [`ExtremesError`].
+pub fn extreme_along_path(
+    system: &System,
+    configuration: &Configuration,
+    contact: SearchedContact,
+    quantity: SearchedQuantity,
+    path: &DriverPath,
+    extreme: ExtremeKind,
+) -> Result<ExtremeOnPath, ExtremesError> {
+    let (joints, expected) = (path.joints, path.joints.len());
+    if joints.is_empty() {
+        return Err(ExtremesError::NoJoint);
+    }
+    if path.rows.is_empty() {
+        return Err(ExtremesError::NoRows);
+    }
+    let is_invalid = |row: &Vec<f64>| row.len() != expected || row.iter().any(|x| !x.is_finite());
+    if let Some((row, values)) = path.rows.iter().enumerate().find(|(_, values)| is_invalid(values)) {
+        return Err(ExtremesError::PathRow { row, got: values.len(), expected });
+    }
+    let search = prepare(system, configuration, contact, quantity, extreme)?;
+    check_varied(system, configuration, joints.iter().copied())?;
+    let path = PathSearch::new(search, path);
+    if let SearchedQuantity::BearingImpulse { joint } = quantity
+        && extreme == ExtremeKind::Most
+    {
+        let masses = path.of_masses();
+        let (ends, largest) = masses.run()?;
+        let unbounded: Vec<&PathEnd> = ends
+            .iter()
+            .filter(|end| path.segment(end.segment).is_unbounded(&end.point, largest, joint))
+            .collect();
+        if let Some(end) = unbounded.first() {
+            let search = path.segment(end.segment);
+            let mut extreme = conclude(&search, &end.point, &[], largest, ends.len());
+            extreme.effective_mass = EffectiveMass::Immovable;
+            (extreme.residual, extreme.agreeing) = (0.0, unbounded.len());
+            return Ok(ExtremeOnPath { extreme, row: end.row() });
+        }
+    }
+    let (ends, largest) = path.run()?;
+    // Of equal values the end with the smaller residual: a row belongs to two segments.
+    let order = |a: &&PathEnd, b: &&PathEnd| {
+        let same = a.point.has_value_of(&b.point);
+        if same {
+            a.point.residual.total_cmp(&b.point.residual)
+        } else {
+            a.point.value.total_cmp(&b.point.value)
+        }
+    };
+    let best = ends.iter().min_by(order).ok_or(ExtremesError::NoStart)?;
+    let found: Vec<Point> = ends.iter().map(|end| end.point.clone()).collect();
+    let search = path.segment(best.segment);
+    Ok(ExtremeOnPath {
+        extreme: conclude(&search, &best.point, &found, largest, ends.len()),
+        row: best.row(),
+    })
+}
+
+/// Search without variables, after checks of the contact and the quantity.
+fn prepare<'a>(
+    system: &'a System,
+    configuration: &'a Configuration,
+    contact: SearchedContact<'a>,
+    quantity: SearchedQuantity,
+    extreme: ExtremeKind,
+) -> Result<Search<'a>, ExtremesError> {
+    let of_mass = quantity == SearchedQuantity::EffectiveMass;
+    if !of_mass && contact.normals != NormalRange::Given {
+        return Err(ExtremesError::NormalsOfMass);
+    }
+    let start = system.pose(configuration).ok();
+    if let SearchedQuantity::ReflectedInertia { joint, .. } = quantity
+        && system.mechanism().joint(joint).kind().dofs() != 1
+    {
+        return Err(no_driver(start.as_ref(), system, joint));
+    }
+    // Held contacts constrain the impact, not the pose: the pose moves along motions outside ker A, and the closed form does not apply.
+    let has_holds = start.iter().flat_map(|start| start.constraint_groups()).any(|group| {
+        group.constraints.iter().any(|action| matches!(action.source, ConstraintSource::Hold(_)))
+    });
+    let SearchedContact { contact, wheel, normals } = contact;
+    if let NormalRange::Across(axis) = normals
+        && !(axis.norm().is_finite() && axis.norm() > 0.0)
+    {
+        return Err(ExtremesError::NoAxis);
+    }
+    let (variables, kept) = (Vec::new(), KeptRows::default());
+    Ok(Search {
+        system,
+        configuration,
+        contact,
+        wheel,
+        quantity,
+        has_holds,
+        variables,
+        kept,
+        normals,
+        extreme,
+    })
+}
+
+/// Refuses joints that cannot be varied.
+fn check_varied(
+    system: &System,
+    configuration: &Configuration,
+    joints: impl Iterator<Item = JointId>,
+) -> Result<(), ExtremesError> {
+    let start = system.pose(configuration).ok();
+    let variable = start.as_ref().map(|start| variable_joints(system, start));
+    for joint in joints {
+        let varies = variable.as_ref().is_none_or(|variable| variable.contains(&joint));
+        if system.mechanism().joint(joint).kind().dofs() != 1 || !varies {
+            return Err(no_driver(start.as_ref(), system, joint));
+        }
+    }
+    Ok(())
+}
+
+/// Kept points with usable normals.
+fn checked_kept(kept: &[KeptPoint]) -> Result<&[KeptPoint], ExtremesError> {
+    let has_direction = |normal: Vector3<f64>| normal.norm().is_finite() && normal.norm() > 0.0;
+    match kept.iter().position(|point| !point.normal.is_none_or(has_direction)) {
+        Some(number) => Err(ExtremesError::NoKeptNormal { number: number + 1 }),
+        None => Ok(kept),
+    }
+}
+
+/// Result of a search. `found`: ends of all starts; `largest`: largest measure of the search.
+fn conclude(search: &Search, best: &Point, found: &[Point], largest: f64, starts: usize) -> ExtremeMass {
     // A smallest value that is immovable: the contact is immovable at every pose of the search.
     let is_immovable = search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
     // A squared impulse that is rounding of zero has no relative accuracy: its residual is relative to the largest squared impulse.
@@ -107,11 +238,11 @@ pub fn extreme_quantity(
     let close =
         if search.is_reciprocal() { SAME_VALUE * size } else { (SAME_VALUE * size).max(IMMOVABLE * largest) };
     let same = |point: &&Point| (point.inverse_mass - best.inverse_mass).abs() <= close;
-    let is_zero = match quantity {
+    let is_zero = match search.quantity {
         SearchedQuantity::BearingImpulse { joint } => search.transmits_nothing(&best.unit, joint),
         _ => false,
     };
-    Ok(ExtremeMass {
+    ExtremeMass {
         effective_mass: if is_immovable {
             EffectiveMass::Immovable
         } else if is_zero {
@@ -123,8 +254,9 @@ pub fn extreme_quantity(
         positions: search.positions(&best.unit),
         normal_world: best.normal_world,
         active_limits: search.active_limits(&best.unit),
-        residual: if is_immovable { 0.0 } else { best.residual() / if vanishes { largest } else { size } },
-        starts: starts.max(1),
+        residual: if is_immovable { 0.0 } else { best.residual / if vanishes { largest } else { size } },
+        kept_error: search.kept_error(&best.unit),
+        starts,
         agreeing: found.iter().filter(same).count(),
-    })
+    }
 }

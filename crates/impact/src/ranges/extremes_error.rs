@@ -24,6 +24,38 @@ pub enum ExtremesError {
     /// A range of normals for a quantity other than an effective mass.
     #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
     NormalsOfMass,
+    /// The normal of a kept point has no direction.
+    #[error(
+        "the normal of kept point number {number} (from 1) has no direction; expected a finite vector other than 0,0,0"
+    )]
+    NoKeptNormal {
+        /// Number of the kept point, from 1.
+        number: usize,
+    },
+    /// The kept points leave no motion of the varied joints.
+    #[error(
+        "the kept points leave no motion of the varied joints ({}): there is one pose only; vary more joints, or keep fewer directions",
+        joints.join(", ")
+    )]
+    NoSelfMotion {
+        /// Varied joints.
+        joints: Vec<String>,
+    },
+    /// A row of a path does not fit its joints.
+    #[error(
+        "row {row} of the path (from 0) has {got} numbers, or one that is not finite; expected {expected} finite numbers"
+    )]
+    PathRow {
+        /// Number of the row, from 0.
+        row: usize,
+        /// Number of its numbers.
+        got: usize,
+        /// Number of joints of the path.
+        expected: usize,
+    },
+    /// A path without rows.
+    #[error("the path has no rows; expected at least one row of positions")]
+    NoRows,
     /// No joint varies.
     #[error("no joint varies; give the range of at least one driving joint")]
     NoJoint,

@@ -1,9 +1,12 @@
-//! Results over ranges of joint positions: extreme effective masses, reflected inertia of a driver.
+//! Results over ranges of joint positions and paths: extreme effective masses, reflected inertia of a driver.
 
 pub(crate) mod extreme_question;
 pub(crate) mod extremes;
 pub(crate) mod extremes_error;
+mod kept_points;
+mod path;
 mod quasi_newton;
 pub(crate) mod reflected;
 pub(crate) mod reflected_range;
 mod search;
+mod self_motion;

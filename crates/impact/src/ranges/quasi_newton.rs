@@ -20,24 +20,39 @@ pub(super) struct Point {
     pub gradient: Vec<f64>,
     /// Normal, world axes; `None` for that of the contact.
     pub normal_world: Option<Vector3<f64>>,
+    /// Largest component of the projected gradient.
+    pub residual: f64,
 }
 
 impl Point {
-    /// Largest component of the projected gradient.
-    pub fn residual(&self) -> f64 {
+    /// Point with the gradient `slopes` of the measure `inverse_mass`; `sign` is the sign of the measure in the function to be
+    /// minimised. The residual is that of a search without kept points.
+    pub fn new(
+        unit: Vec<f64>,
+        inverse_mass: f64,
+        sign: f64,
+        slopes: &[f64],
+        normal_world: Option<Vector3<f64>>,
+    ) -> Self {
+        let gradient: Vec<f64> = slopes.iter().map(|slope| sign * slope).collect();
         let component = |k: usize| {
-            let blocked = (self.unit[k] <= AT_LIMIT && self.gradient[k] > 0.0)
-                || (self.unit[k] >= 1.0 - AT_LIMIT && self.gradient[k] < 0.0);
-            if blocked { 0.0 } else { self.gradient[k].abs() }
+            let blocked = (unit[k] <= AT_LIMIT && gradient[k] > 0.0)
+                || (unit[k] >= 1.0 - AT_LIMIT && gradient[k] < 0.0);
+            if blocked { 0.0 } else { gradient[k].abs() }
         };
-        (0..self.unit.len()).map(component).fold(0.0, f64::max)
+        let residual = (0..unit.len()).map(component).fold(0.0, f64::max);
+        Self { unit, inverse_mass, value: sign * inverse_mass, gradient, normal_world, residual }
+    }
+
+    /// True if another point has the same value to rounding.
+    pub fn has_value_of(&self, other: &Self) -> bool {
+        (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
     }
 
     /// True if another point has the same value to rounding and a smaller residual. Values locate an extreme to the square root of the
     /// rounding only; residuals locate it to the rounding.
     pub fn is_equal_but_worse_than(&self, other: &Self) -> bool {
-        (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
-            && other.residual() < self.residual()
+        self.has_value_of(other) && other.residual < self.residual
     }
 }
 

@@ -6,7 +6,7 @@ use crate::motion::driver_rates::lengths;
 use nalgebra::{DMatrix, Vector3};
 use percuss_dynamics::{EffectiveMass, LocatedContact, MatrixError, MatrixOptions, MatrixView, Pose};
 use percuss_mechanism::JointId;
-use percuss_spatial::plane_basis;
+use percuss_spatial::{SpatialInertia, Transform, Twist, plane_basis};
 
 /// Error of a reflected inertia.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -93,6 +93,65 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
     let (t1, t2) = plane_basis(&normal);
     let row: Vec<f64> = along(normal);
     Ok(system.least_mass(&row, &[along(t1), along(t2)])?)
+}
+
+/// Masses of a contact if all moving links are one free rigid body (the composite rigid body): of a sliding contact point, 1/(nᵀΛ⁻¹n), and
+/// of a point that cannot slide, nᵀΛn, with Λ⁻¹ = 1/m − [r]× I⁻¹ [r]×, r from the centre of mass to the point. Links that are fixed to the
+/// ground are left out; rotors have no effect. Immovable for a contact between two moving links. Source: Wang, Dehio and Kheddar 2022.
+///
+/// # Errors
+/// [`ReflectedError`]: inertias that are not positive semi-definite.
+pub fn locked_body_masses(
+    pose: &Pose,
+    contact: &LocatedContact,
+) -> Result<[EffectiveMass; 2], ReflectedError> {
+    let mechanism = pose.mechanism();
+    let own = pose.link_in_root(contact.link);
+    let point = own.point(&contact.point_link);
+    let is_floating = pose.coordinate_joints().first().is_some_and(|(joint, _)| joint.is_none());
+    let mut rests = vec![false; mechanism.links().len()];
+    let mut total = SpatialInertia::zero();
+    for &link in mechanism.order() {
+        rests[link.index()] = !is_floating
+            && mechanism.parent_joint(link).is_none_or(|joint| {
+                let joint = mechanism.joint(joint);
+                joint.kind().dofs() == 0 && rests[joint.parent().index()]
+            });
+        if rests[link.index()] {
+            continue;
+        }
+        let frame = pose.link_in_root(link);
+        let own =
+            Transform::new(frame.rotation, frame.translation - point).inertia(mechanism.link(link).inertia());
+        total = SpatialInertia::about_origin(
+            total.mass + own.mass,
+            total.first_moment + own.first_moment,
+            total.rotational + own.rotational,
+        );
+    }
+    if contact.against.is_some_and(|against| !rests[against.index()]) || rests[contact.link.index()] {
+        return Ok([EffectiveMass::Immovable; 2]);
+    }
+    let mut mass = DMatrix::zeros(6, 6);
+    for k in 0..6 {
+        let unit = |first: usize| Vector3::from_fn(|i, _| f64::from(u8::from(i + first == k)));
+        let momentum = total.momentum(&Twist::new(unit(0), unit(3)));
+        for i in 0..3 {
+            (mass[(i, k)], mass[(i + 3, k)]) = (momentum.moment[i], momentum.force[i]);
+        }
+    }
+    let size = mechanism.characteristic_length();
+    let system = PoseMatrices {
+        coordinates: Vec::new(),
+        lengths: vec![size, size, size, 1.0, 1.0, 1.0],
+        mass,
+        constraints: Vec::new(),
+    };
+    let normal = own.vector(&contact.normal_link);
+    let (t1, t2) = plane_basis(&normal);
+    let row = |v: Vector3<f64>| vec![0.0, 0.0, 0.0, v.x, v.y, v.z];
+    let sliding = system.least_mass(&row(normal), &[])?;
+    Ok([sliding, system.least_mass(&row(normal), &[row(t1), row(t2)])?])
 }
 
 /// Velocities that drive at a pose: those of the drivers of the loops, and those outside loops.

@@ -4,6 +4,7 @@ use crate::mobility::delassus::Delassus;
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 use crate::ranges::extreme_question::{ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedQuantity};
 use crate::ranges::extremes_error::{ExtremesError, no_driver};
+use crate::ranges::kept_points::KeptRows;
 use crate::ranges::quasi_newton::{AT_LIMIT, Point, identity, update};
 use crate::ranges::reflected::{driving_velocities, reflected_inertia};
 use crate::reactions::reaction_map::ReactionMap;
@@ -16,9 +17,9 @@ use percuss_mechanism::JointId;
 use percuss_spatial::{Twist, plane_basis};
 
 /// Largest number of steps of one search.
-const MOST_STEPS: usize = 200;
+pub(super) const MOST_STEPS: usize = 200;
 /// Projected gradient over the ranges, relative to the value, at which a search ends.
-const OPTIMAL: f64 = 1e-9;
+pub(super) const OPTIMAL: f64 = 1e-9;
 /// 1/m̄ relative to its largest value at which a contact is immovable.
 pub(super) const IMMOVABLE: f64 = 1e-12;
 /// Reaction per impulse at the contact that is rounding of zero. The search locates a zero to the square root of the rounding, about
@@ -29,6 +30,7 @@ const NO_REACTION: f64 = 1e-6;
 const SAMPLES: usize = 8;
 
 /// Search for an extreme: question and ranges.
+#[derive(Clone)]
 pub(super) struct Search<'a> {
     pub system: &'a System,
     pub configuration: &'a Configuration,
@@ -37,13 +39,21 @@ pub(super) struct Search<'a> {
     pub quantity: SearchedQuantity,
     /// True if contacts are held.
     pub has_holds: bool,
-    pub ranges: &'a [JointRange],
+    pub variables: Vec<Variable>,
+    pub kept: KeptRows,
     pub normals: NormalRange,
     pub extreme: ExtremeKind,
 }
 
+/// Variable of a search: joints that move together, in proportion, from `lower` at 0 to `upper` at 1.
+#[derive(Clone, Debug)]
+pub(super) struct Variable {
+    pub moves: Vec<JointRange>,
+}
+
 impl<'a> Search<'a> {
-    /// Better end of the two local searches of each start, and the largest measure of all points.
+    /// Better end of the local searches of each start, and the largest measure of all points. With kept points the first start has a
+    /// third search, from the positions of the configuration.
     pub fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64), ExtremesError> {
         let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
         for start in 0..starts.max(1) {
@@ -52,9 +62,10 @@ impl<'a> Search<'a> {
             let scale = samples.iter().map(|(_, measure)| *measure).fold(0.0, f64::max);
             let best = samples.iter().min_by(|a, b| (self.sign() * a.1).total_cmp(&(self.sign() * b.1)));
             let mut ends: Vec<Point> = Vec::new();
-            let begin = [Some(self.halton_point(start + 1)), best.map(|(unit, _)| unit.clone())];
+            let own = self.own_point().filter(|_| start == 0 && !self.kept.is_empty());
+            let begin = [Some(self.halton_point(start + 1)), best.map(|(unit, _)| unit.clone()), own];
             for unit in begin.into_iter().flatten() {
-                if let Some((point, at_start)) = self.run(unit, scale)? {
+                if let Some((point, at_start)) = self.run(unit, scale, None)? {
                     largest = largest.max(scale).max(at_start).max(point.inverse_mass);
                     ends.push(point);
                 }
@@ -66,20 +77,43 @@ impl<'a> Search<'a> {
 
     /// Point of the Halton sequence, as parts of the ranges.
     fn halton_point(&self, index: usize) -> Vec<f64> {
-        (0..self.ranges.len()).map(|k| halton(index, PRIMES[k % PRIMES.len()])).collect()
+        (0..self.variables.len()).map(|k| halton(index, PRIMES[k % PRIMES.len()])).collect()
     }
 
-    /// Point of the Halton sequence with its measure; `None` if the measure is not finite.
+    /// Positions of the configuration as parts of the ranges; `None` outside the ranges.
+    fn own_point(&self) -> Option<Vec<f64>> {
+        let pose = self.system.pose(self.configuration).ok()?;
+        let part = |variable: &Variable| {
+            let range = variable.moves.first()?;
+            let part = (pose.joint(range.joint)[0] - range.lower) / (range.upper - range.lower);
+            (-AT_LIMIT..=1.0 + AT_LIMIT).contains(&part).then_some(part.clamp(0.0, 1.0))
+        };
+        self.variables.iter().map(part).collect()
+    }
+
+    /// Point of the Halton sequence with its measure; `None` if the measure is not finite. With kept points the point is moved onto the
+    /// self-motion.
     fn sample(&self, index: usize) -> Option<(Vec<f64>, f64)> {
         let unit = self.halton_point(index);
-        let measure = self.measure(&self.pose(&unit, None).ok()?)?;
+        let (unit, pose) = if self.kept.is_empty() {
+            let pose = self.pose(&unit, None).ok()?;
+            (unit, pose)
+        } else {
+            self.project(unit, None, &vec![false; self.variables.len()])?
+        };
+        let measure = self.measure(&pose)?;
         Some((unit, measure))
     }
 
     /// Sign of the measure in the function to be minimised.
-    fn sign(&self) -> f64 {
+    pub fn sign(&self) -> f64 {
         let increases = (self.extreme == ExtremeKind::Most) == self.is_reciprocal();
         if increases { 1.0 } else { -1.0 }
+    }
+
+    /// The same search for the effective mass of the contact.
+    pub fn of_masses(&self) -> Search<'a> {
+        Search { quantity: SearchedQuantity::EffectiveMass, ..self.clone() }
     }
 
     /// Result for an unbounded bearing impulse: m̄ |R| grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if
@@ -89,23 +123,28 @@ impl<'a> Search<'a> {
         joint: JointId,
         starts: usize,
     ) -> Result<Option<ExtremeMass>, ExtremesError> {
-        let masses: Search<'a> = Search { quantity: SearchedQuantity::EffectiveMass, ..*self };
+        let masses = self.of_masses();
         let (found, largest) = masses.run_all(starts)?;
         let largest = largest.max(masses.typical()?);
-        let is_unbounded = |point: &&Point| {
-            point.inverse_mass <= IMMOVABLE * largest
-                && self.reaction(&point.unit, joint).is_some_and(|r| r > NO_REACTION)
-        };
-        let unbounded: Vec<&Point> = found.iter().filter(is_unbounded).collect();
+        let unbounded: Vec<&Point> =
+            found.iter().filter(|point| self.is_unbounded(point, largest, joint)).collect();
         Ok(unbounded.first().map(|point| ExtremeMass {
             effective_mass: EffectiveMass::Immovable,
             positions: self.positions(&point.unit),
             normal_world: None,
             active_limits: self.active_limits(&point.unit),
             residual: 0.0,
+            kept_error: self.kept_error(&point.unit),
             starts: starts.max(1),
             agreeing: unbounded.len(),
         }))
+    }
+
+    /// True if the impulse in the bearing `joint` grows without bound towards a point of a search for the mass: an immovable contact
+    /// with a reaction. `largest`: the largest 1/m̄ of this search.
+    pub fn is_unbounded(&self, point: &Point, largest: f64, joint: JointId) -> bool {
+        point.inverse_mass <= IMMOVABLE * largest
+            && self.reaction(&point.unit, joint).is_some_and(|r| r > NO_REACTION)
     }
 
     /// Magnitude of the determinate components of the reaction force in a joint, per impulse at the contact; `None` if all are open.
@@ -120,14 +159,19 @@ impl<'a> Search<'a> {
         self.reaction(unit, joint).is_some_and(|reaction| reaction <= NO_REACTION)
     }
 
-    /// Joints at a limit, true for the upper one.
+    /// Joints at a limit, true for the upper one; empty for joints that move together.
     pub fn active_limits(&self, unit: &[f64]) -> Vec<(JointId, bool)> {
-        let at_limit = |(range, x): (&JointRange, &f64)| match *x {
-            x if x <= AT_LIMIT => Some((range.joint, false)),
-            x if x >= 1.0 - AT_LIMIT => Some((range.joint, true)),
+        let at_limit = |(variable, x): (&Variable, &f64)| match (&variable.moves[..], *x) {
+            ([range], x) if x <= AT_LIMIT => Some((range.joint, false)),
+            ([range], x) if x >= 1.0 - AT_LIMIT => Some((range.joint, true)),
             _ => None,
         };
-        self.ranges.iter().zip(unit).filter_map(at_limit).collect()
+        self.variables.iter().zip(unit).filter_map(at_limit).collect()
+    }
+
+    /// Largest distance of a kept point from its place, m.
+    pub fn kept_error(&self, unit: &[f64]) -> f64 {
+        self.pose(unit, None).map_or(0.0, |pose| self.kept.largest_error(&pose))
     }
 
     /// True if the search uses the reciprocal of the quantity, which is smooth where a mass or an inertia is infinite.
@@ -137,7 +181,7 @@ impl<'a> Search<'a> {
 
     /// Reciprocal of a mass or an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth
     /// where the impulse vanishes.
-    fn measure(&self, pose: &Pose) -> Option<f64> {
+    pub fn measure(&self, pose: &Pose) -> Option<f64> {
         match self.quantity {
             SearchedQuantity::EffectiveMass => {
                 reciprocal(pose.respond(&self.contact_at(pose)?.0).ok()?.effective_mass)
@@ -168,20 +212,26 @@ impl<'a> Search<'a> {
         let slope = |k: usize| {
             Some((8.0 * (at(k, h)? - at(k, -h)?) - (at(k, 2.0 * h)? - at(k, -2.0 * h)?)) / (12.0 * h))
         };
-        let gradient = (0..unit.len()).map(|k| Some(sign * slope(k)?)).collect::<Option<Vec<f64>>>()?;
+        let slopes = (0..unit.len()).map(slope).collect::<Option<Vec<f64>>>()?;
         let of_mass = self.quantity == SearchedQuantity::EffectiveMass;
         let normal_world = if of_mass { self.contact_at(&pose)?.1 } else { None };
-        Some((Point { unit, inverse_mass, value: sign * inverse_mass, gradient, normal_world }, pose))
+        Some((Point::new(unit, inverse_mass, sign, &slopes, normal_world), pose))
     }
 
+    /// Positions of the moved joints, in the order of the variables.
     pub fn positions(&self, unit: &[f64]) -> Vec<f64> {
-        self.ranges.iter().zip(unit).map(|(r, x)| r.lower + x * (r.upper - r.lower)).collect()
+        let position = |range: &JointRange, x: f64| range.lower + x * (range.upper - range.lower);
+        let of_variable = |(variable, x): (&'_ Variable, &f64)| -> Vec<f64> {
+            variable.moves.iter().map(|range| position(range, *x)).collect()
+        };
+        self.variables.iter().zip(unit).flat_map(of_variable).collect()
     }
 
-    fn pose(&self, unit: &[f64], from: Option<&Pose>) -> Result<Pose, ExtremesError> {
+    pub fn pose(&self, unit: &[f64], from: Option<&Pose>) -> Result<Pose, ExtremesError> {
         let mut wanted = self.configuration.clone();
-        for (range, position) in self.ranges.iter().zip(self.positions(unit)) {
-            wanted.set(self.system.mechanism().joint(range.joint).name(), &[position])?;
+        let moves = self.variables.iter().flat_map(|variable| &variable.moves);
+        for (range, position) in moves.zip(self.positions(unit)) {
+            wanted.replace(self.system.mechanism().joint(range.joint).name(), &[position])?;
         }
         Ok(match from {
             None => self.system.pose(&wanted)?,
@@ -215,9 +265,12 @@ impl<'a> Search<'a> {
         Some((Contact { normal: Direction::Along(normal, Frame::World), ..contact }, Some(normal)))
     }
 
-    /// Measure at the middle of the ranges, a scale for the thresholds; 0 if it is not finite.
+    /// Measure at the middle of the ranges (with kept points at the configuration), a scale for the thresholds; 0 if it is not finite.
     pub fn typical(&self) -> Result<f64, ExtremesError> {
-        let pose = self.pose(&vec![0.5; self.ranges.len()], None)?;
+        let pose = match self.kept.is_empty() {
+            true => self.pose(&vec![0.5; self.variables.len()], None)?,
+            false => self.system.pose(self.configuration)?,
+        };
         if self.quantity != SearchedQuantity::EffectiveMass {
             return Ok(self.measure(&pose).unwrap_or(0.0));
         }
@@ -227,7 +280,7 @@ impl<'a> Search<'a> {
     }
 
     /// Value and gradient. `None` if the pose is not reachable, or the contact is massless.
-    fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
+    pub fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
         if self.has_holds || self.quantity != SearchedQuantity::EffectiveMass {
             return Ok(self.point_by_differences(unit, from));
         }
@@ -237,22 +290,23 @@ impl<'a> Search<'a> {
         let Some(gradient) = pose.effective_mass_gradient(&contact)? else {
             return Ok(match pose.respond(&contact)?.effective_mass {
                 EffectiveMass::Immovable => {
-                    let gradient = vec![0.0; unit.len()];
-                    Some((Point { unit, inverse_mass: 0.0, value: 0.0, gradient, normal_world }, pose))
+                    let slopes = vec![0.0; unit.len()];
+                    Some((Point::new(unit, 0.0, sign, &slopes, normal_world), pose))
                 }
                 _ => None,
             });
         };
         let inverse_mass = 1.0 / gradient.effective_mass;
         let drivers = driving_velocities(&pose);
-        let mut derivatives = Vec::with_capacity(unit.len());
-        for range in self.ranges {
-            if !drivers.contains(&(range.joint, 0)) {
+        let mut slopes = Vec::with_capacity(unit.len());
+        for variable in &self.variables {
+            if let Some(range) = variable.moves.iter().find(|range| !drivers.contains(&(range.joint, 0))) {
                 return Err(no_driver(Some(&pose), self.system, range.joint));
             }
             let mut rates: Vec<DriverRate> = Vec::new();
             for &(joint, k) in &drivers {
-                let rate = f64::from(u8::from(joint == range.joint));
+                let moved = variable.moves.iter().find(|range| range.joint == joint);
+                let rate = moved.map_or(0.0, |range| range.upper - range.lower);
                 match rates.last_mut() {
                     Some(last) if last.joint == joint => last.rates.push(0.0),
                     _ if k == 0 => rates.push(DriverRate { joint, rates: vec![rate] }),
@@ -269,25 +323,31 @@ impl<'a> Search<'a> {
             if let Some(wheel) = self.wheel {
                 slope += wheel.mass_rate(&pose, &contact, &motion.coordinates(&pose))?;
             }
-            derivatives.push(-sign * slope * inverse_mass * inverse_mass * (range.upper - range.lower));
+            slopes.push(-slope * inverse_mass * inverse_mass);
         }
-        let value = sign * inverse_mass;
-        Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
+        Ok(Some((Point::new(unit, inverse_mass, sign, &slopes, normal_world), pose)))
     }
 
     /// Local search from one point: its end, and `inverse_mass` at its beginning; `None` if the value is not finite at the beginning.
-    /// `scale`: a typical `inverse_mass`.
-    fn run(&self, unit: Vec<f64>, scale: f64) -> Result<Option<(Point, f64)>, ExtremesError> {
+    /// `scale`: a typical `inverse_mass`; `from`: a pose near the beginning.
+    pub fn run(
+        &self,
+        unit: Vec<f64>,
+        scale: f64,
+        from: Option<&Pose>,
+    ) -> Result<Option<(Point, f64)>, ExtremesError> {
+        if !self.kept.is_empty() {
+            return self.run_on_self_motion(unit, scale);
+        }
         let n = unit.len();
-        let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
+        let Some((mut at, mut pose)) = self.point(unit, from)? else { return Ok(None) };
         let at_start = at.inverse_mass;
         let scale = scale.max(at_start);
         let mut inverse_hessian = identity(n);
         // Before the first update of the Hessian the step is a quarter of the range: the gradient alone determines no length.
         let mut has_curvature = false;
         for _ in 0..MOST_STEPS {
-            let residual = at.residual();
-            if residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
+            if at.residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
                 break;
             }
             let is_free: Vec<bool> = (0..n)

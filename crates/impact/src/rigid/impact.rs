@@ -106,7 +106,8 @@ impl RigidImpact {
     ) -> Result<Self, ImpactError> {
         let map = ReactionMap::new(pose);
         let smooth = Self::with_reaction_map(pose, &map, response, closing_speed, restitution, before)?;
-        let found = frictional_impulse(pose, response, closing_speed, restitution, friction, &smooth.before)?;
+        let found =
+            frictional_impulse(pose, &map, response, closing_speed, restitution, friction, &smooth.before)?;
         Ok(Self {
             impulse: found.normal,
             energy_loss: found.energy_loss,

@@ -855,8 +855,15 @@ def extremes(
     quantity: str,
     normals: str,
     starts: int,
+    keep: Sequence[str],
+    rows: tuple[
+        Sequence[str | tuple[str, float, float, int]] | None,
+        tuple[str, Sequence[str]] | None,
+        tuple[int, int] | None,
+    ],
 ) -> str:
-    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO"."""
+    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO", with kept links or
+    points, or along a path of rows."""
 def safe_speed(
     model: Model,
     contact: Contact | str,

@@ -3,11 +3,11 @@
 use crate::analysis::model::Model;
 use crate::conversion::arrays::list;
 use crate::conversion::errors::input;
-use crate::questions::question::{Conditions, Damping, GivenContact};
+use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows};
 use crate::questions::reports::contact_report;
 use percuss::impact::RestitutionLaw;
 use percuss::study::{
-    self, ExtremesQuestion, FurtherContact, GivenRange, GivenRates, ImpactQuestion, PercussionRequest,
+    self, ExtremesQuestion, FurtherContact, GivenRange, GivenRates, ImpactQuestion, Keep, PercussionRequest,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -36,6 +36,9 @@ pub struct Impact<'py> {
     reflected: Vec<String>,
     percussion: Vec<String>,
 }
+
+/// Rows of a path: ranges, file with ignored columns, random rows.
+type PathRows<'py> = (Option<Vec<Bound<'py, PyAny>>>, Option<(String, Vec<String>)>, Option<(usize, u64)>);
 
 /// Rates by joint, from numbers or text such as "30deg/s".
 fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRates)>> {
@@ -104,7 +107,8 @@ impl Impact<'_> {
     }
 }
 
-/// Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO".
+/// Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO", with kept links or points, or
+/// along a path of rows.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "arguments of the Python function")]
 pub fn extremes(
@@ -116,7 +120,15 @@ pub fn extremes(
     quantity: &str,
     normals: &str,
     starts: usize,
+    keep: Vec<String>,
+    rows: PathRows<'_>,
 ) -> PyResult<String> {
+    let (vary, input_file, random) = rows;
+    let path = optional_rows(vary, input_file, random)?;
+    let kept = |text: &String| {
+        text.parse::<Keep>().map_err(|error| input(format_args!("keep: \"{text}\": {error}")))
+    };
+    let keep = keep.iter().map(kept).collect::<PyResult<_>>()?;
     let range = |text: &String| {
         text.parse::<GivenRange>().map_err(|error| input(format_args!("ranges: \"{text}\": {error}")))
     };
@@ -124,7 +136,7 @@ pub fn extremes(
         quantity.parse().map_err(|error| input(format_args!("quantity: \"{quantity}\": {error}")))?;
     let normals = normals.parse().map_err(|error| input(format_args!("normals: \"{normals}\": {error}")))?;
     let ranges = ranges.iter().map(range).collect::<PyResult<_>>()?;
-    let requested = ExtremesQuestion { ranges, quantity, normals, starts };
+    let requested = ExtremesQuestion { ranges, keep, path, quantity, normals, starts };
     contact_report(py, model, contact, &conditions, |model, question| {
         study::extremes(model, question, &requested)
     })

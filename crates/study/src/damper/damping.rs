@@ -3,13 +3,13 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::joint_stop::StopRecord;
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
+use crate::question::spelled_contact::StopRecord;
 use percuss_contact::exports::{Options, Request};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,

@@ -4,10 +4,11 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::spelled_contact::{StopRecord, stop_motion};
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Frame};
-use percuss_mechanism::{Joint, JointId, JointKind, near_names};
+use percuss_mechanism::{Joint, JointId, near_names};
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -29,16 +30,6 @@ pub struct JointStop {
     /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
     /// position in the pose, against motion in the positive direction.
     pub end: Option<StopEnd>,
-}
-
-/// Stop of a joint, in reports.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct StopRecord {
-    /// The joint.
-    pub joint: String,
-    /// Motion of the joint. `turn`: the mass is an inertia in kg·m², the stiffness is in N·m/rad, the speed in
-    /// rad/s, and so on. `slide`: kg, N/m, m/s.
-    pub motion: StopMotion,
 }
 
 impl FromStr for JointStop {
@@ -125,14 +116,5 @@ impl JointStop {
             question.set.push((self.joint.clone(), position.map_err(wrong)?));
         }
         Ok((question, StopRecord { joint: self.joint.clone(), motion }))
-    }
-}
-
-/// Motion of a joint into a stop; `None` unless the joint has exactly one position.
-fn stop_motion(joint: &Joint) -> Option<StopMotion> {
-    match joint.kind() {
-        JointKind::Revolute | JointKind::Continuous => Some(StopMotion::Turn),
-        JointKind::Prismatic => Some(StopMotion::Slide),
-        JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => None,
     }
 }

@@ -19,6 +19,7 @@ use crate::question::pose_file::{GivenPose, GivenPoseError};
 use crate::thresholds::{LEAST_OTHER_MASS, MOST_TURNS_SET};
 use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
+use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
     EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
@@ -250,6 +251,18 @@ impl<'a> PreparedQuestion<'a> {
         })
     }
 
+    /// Note about the units of the stop of a hinge; `None` for other contacts.
+    fn joint_stop_finding(&self) -> Option<Finding> {
+        let mechanism = self.system.mechanism();
+        let (joint, motion) = self.question.stop_of_joint(mechanism)?;
+        let message = format!(
+            "the contact is the stop of joint \"{}\", which turns: masses are inertias in kg·m², speeds rad/s, impulses N·m·s, forces N·m",
+            mechanism.joint(joint).name()
+        );
+        (motion == StopMotion::Turn)
+            .then(|| Finding::new(FindingKind::JointStop, FindingSubject::Joint(joint), message))
+    }
+
     /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
         let pose = self.question.pose.iter().filter_map(GivenPose::file);
@@ -272,6 +285,11 @@ impl<'a> PreparedQuestion<'a> {
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));
         findings.extend(self.many_turns());
+        if let Some(finding) = self.joint_stop_finding() {
+            // The contact point is chosen by percuss, 1 m from the axis.
+            findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
+            findings.push(finding);
+        }
         for held in &self.held_contacts {
             findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
         }

@@ -111,6 +111,10 @@ pub enum Field {
     Quantity,
     /// Range of a joint in a search for extremes.
     Range,
+    /// Link or point that stays in place in a search for extremes.
+    Keep,
+    /// Path of a search for extremes.
+    Path,
     /// Joint of a reflected inertia.
     Reflected,
     /// Joint of a centre of percussion.
@@ -166,8 +170,10 @@ impl Field {
             Field::JointSpring => ("--joint-spring", "impact.joint_spring"),
             Field::GearLimit => ("--gear-limit", "impact.gear_limit"),
             Field::PointError => ("--point-error", "impact.point_error"),
-            Field::Quantity => ("--quantity", "quantity"),
-            Field::Range => ("--range", "range"),
+            Field::Quantity => ("--quantity", "extremes.quantity"),
+            Field::Range => ("--range", "extremes.range"),
+            Field::Keep => ("--keep", "extremes.keep"),
+            Field::Path => ("--path", "extremes.path"),
             Field::Reflected => ("--reflected", "impact.reflected"),
             Field::Percussion => ("--percussion", "impact.percussion"),
         }

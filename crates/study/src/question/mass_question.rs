@@ -64,7 +64,7 @@ pub struct Hold {
 }
 
 /// Splits `NAME[:X,Y,Z[:X,Y,Z]]` into the name, which may contain colons, and the texts of the triples.
-fn triples(text: &str) -> (&str, Vec<&str>) {
+pub(crate) fn triples(text: &str) -> (&str, Vec<&str>) {
     let (mut name, mut found) = (text, Vec::new());
     while found.len() < 2
         && let Some((rest, last)) = name.rsplit_once(':')
@@ -179,6 +179,11 @@ impl MassQuestion {
     /// # Errors
     /// Unknown contact.
     pub(crate) fn resolve_contact(&self, mechanism: &Mechanism) -> Result<Cow<'_, Self>, StudyError> {
+        if self.link.is_empty()
+            && let Some(spelled) = self.spelled_contact(mechanism)?
+        {
+            return Ok(Cow::Owned(self.with_spelled(&spelled, mechanism)?));
+        }
         let contact = self.named_contact(mechanism)?.filter(|_| self.link.is_empty());
         let Some(contact) = contact else { return Ok(Cow::Borrowed(self)) };
         let name = |link: LinkId| mechanism.link(link).name().to_owned();
@@ -207,11 +212,14 @@ impl MassQuestion {
         !self.travel.is_empty() || self.pose.is_some()
     }
 
-    /// Named contact of the question.
+    /// Named contact of the question; `None` without `at`, and for a contact that `at` spells.
     pub(crate) fn named_contact<'m>(
         &self,
         mechanism: &'m Mechanism,
     ) -> Result<Option<&'m NamedContact>, StudyError> {
+        if self.spelled_contact(mechanism)?.is_some() {
+            return Ok(None);
+        }
         let find = |name: &String| mechanism.find_contact(name).map_err(|e| StudyError::input(Field::At, e));
         self.at.as_ref().map(find).transpose()
     }
@@ -277,7 +285,7 @@ impl MassQuestion {
 /// Question about a contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {
-    /// Named contact of the model; replaces `link`, `point`, the frames and `against`, and a zero normal. A stop is brought to
+    /// Named contact of the model, or a contact in the form of [`FurtherContact`](crate::FurtherContact); replaces `link`, `point`, the frames and `against`, and a zero normal. A stop is brought to
     /// the touch, unless `travel` or `pose` gives the pose, or all joints that move it are set.
     pub at: Option<String>,
     /// Contact link.

@@ -7,4 +7,5 @@ pub(crate) mod map_question;
 pub(crate) mod mass_question;
 pub(crate) mod pose_file;
 pub(crate) mod row_source;
+pub(crate) mod spelled_contact;
 pub(crate) mod travel;

@@ -10,6 +10,7 @@ use crate::model::loading::SheetPoint;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::spelled_contact::StopRecord;
 use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::moved::Moved;
 use crate::reports::assumptions::Assumptions;
@@ -189,6 +190,8 @@ pub struct MassReport {
     pub contact: ContactRecord,
     /// Named contact; null for a contact given by link, point and normal.
     pub named_contact: Option<NamedContactRecord>,
+    /// Stop of a joint as the contact; null for other contacts.
+    pub joint_stop: Option<StopRecord>,
     /// Contact point in the unit and the axes of the suspension sheet, for text; `None` for a URDF.
     #[serde(skip)]
     pub point_in_sheet: Option<SheetPoint>,
@@ -295,6 +298,10 @@ impl MassReport {
                 normal_link: response.contact.normal_link.into(),
             },
             named_contact: None,
+            joint_stop: prepared
+                .question
+                .stop_of_joint(mechanism)
+                .map(|(joint, motion)| StopRecord { joint: joint_name(joint), motion }),
             point_in_sheet: None,
             conditions: ConditionsRecord::of(&prepared.question),
             drivers: assumptions.drivers.clone(),

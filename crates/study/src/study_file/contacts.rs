@@ -70,12 +70,21 @@ pub fn contact_names(at: &str, mechanism: &Mechanism) -> Result<Vec<String>, Str
     let names: Vec<String> = match at {
         name if all.iter().any(|contact| contact.name() == name) => vec![name.to_owned()],
         ALL => contacts_by_kind(mechanism).iter().map(|contact| contact.name().to_owned()).collect(),
+        // The commas of a contact in one text, such as foot:0,0,0:0,0,-1, are followed by numbers.
+        text if text.contains(':') && text.split(',').skip(1).any(|part| begins_with_number(part)) => {
+            vec![text.to_owned()]
+        }
         list => list.split(',').map(|name| name.trim().to_owned()).collect(),
     };
     if names.is_empty() {
         return Err("the model has no named contacts; give a link, a point and a normal".to_owned());
     }
     Ok(names)
+}
+
+/// True if a text begins with a number.
+fn begins_with_number(text: &str) -> bool {
+    text.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
 /// Tables of single contacts: `all` and lists of names are replaced by one table per name.

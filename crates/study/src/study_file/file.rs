@@ -14,6 +14,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::reports::compare::Design;
+use crate::reports::impact::extremes_question::ExtremesQuestion;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
@@ -60,6 +61,8 @@ pub struct StudyFile {
     pub damping: Option<StudyDamping>,
     /// Rigid impact, if requested.
     pub impact: Option<ImpactQuestion>,
+    /// Search for extremes, if requested.
+    pub extremes: Option<ExtremesQuestion>,
     /// Sweep, if requested.
     pub sweep: Option<StudySweep>,
     /// Kinematics over a travel, if requested.
@@ -335,6 +338,8 @@ impl StudyReader<'_> {
         let damping = self.damping(study, &model, &question, folder)?;
         let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
         let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
+        let extremes = study.extremes.as_ref().map(|table| table.question(Vec::new(), folder, max_size));
+        let extremes = extremes.transpose().map_err(refused)?;
         let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
         let mut kinematics = kinematics.transpose().map_err(refused)?;
         kinematics.iter_mut().for_each(|kinematics| kinematics.add_pose(&question));
@@ -355,6 +360,7 @@ impl StudyReader<'_> {
             || !variants.is_empty()
             || sweep.is_some()
             || impact.is_some()
+            || extremes.is_some()
             || (damping.is_some() && !stops)
             || (map.is_none() && safe_speed.is_none() && kinematics.is_none() && !stops);
         let asks = match contact.missing() {
@@ -386,6 +392,7 @@ impl StudyReader<'_> {
             variants,
             damping,
             impact,
+            extremes,
             sweep,
             kinematics,
             map,

@@ -7,6 +7,7 @@ use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{ContactsSchema, contacts};
 use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
 use crate::study_file::tables::damping::DampingTable;
+use crate::study_file::tables::extremes::ExtremesTable;
 use crate::study_file::tables::impact::ImpactTable;
 use crate::study_file::tables::kinematics::KinematicsTable;
 use crate::study_file::tables::map::MapTable;
@@ -53,6 +54,8 @@ pub(crate) struct StudyText {
     pub damping: Option<DampingTable>,
     /// Rigid impact at the contact: percuss impact.
     pub impact: Option<ImpactTable>,
+    /// Smallest and largest effective mass over positions: percuss extremes.
+    pub extremes: Option<ExtremesTable>,
     /// The contact over rows of positions: percuss sweep.
     pub sweep: Option<SweepTable>,
     /// Camber, toe, motion ratios of a suspension over a travel: percuss kinematics.

@@ -292,7 +292,13 @@ Examples:
       --range elbow=20deg:160deg
   The limits of the file, more starts:
     percuss extremes models/six_r_arm.urdf --link tool --point 0,0,0 \\
-      --normal 0,0,1 --starts 200";
+      --normal 0,0,1 --starts 200
+  The self-motion with the tool point in place:
+    percuss extremes models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+      --normal 0,0,-1 --set elbow=70deg --keep tool:0.08,0,0
+  Over the travel of a wheel:
+    percuss extremes models/suspensions/double-wishbone.toml \\
+      --at spring --wheel-travel=-80mm:80mm:17";
 
 #[cfg(test)]
 mod tests {

@@ -162,7 +162,7 @@ const EXPLAINED: [(&str, &[&str]); 21] = [
     ),
     (
         "extremes",
-        &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],
+        &["at", "link", "point", "normal", "along_line", "against", "set", "range", "keep", "path", "format"],
     ),
     (
         "explore",

@@ -1,23 +1,42 @@
 //! Command `percuss extremes`.
 
 use crate::args::{CheckFormat, ExtremesArgs};
+use crate::files::output::record_input;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
-use percuss_study::{ExtremeRecord, ExtremesReport, Status, extremes};
+use percuss_study::{
+    ExtremeRecord, ExtremesQuestion, ExtremesReport, KeptRecord, MassQuestion, Model, RowSource, Status,
+    extremes,
+};
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
 const RESTING_GAP: f64 = 1e-6;
 
 /// Runs the command.
 pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
-    let contact = args.contact.question()?;
+    let contact = args.contact.question_of_rows()?;
+    let question = args.question()?;
     let model = args.model.load()?;
-    let report = extremes(&model, &contact, &args.question())?;
-    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-    match args.format {
+    show(&model, &contact, &question, args.format, args.model.reading.strict)
+}
+
+/// Searches for extremes and writes them.
+pub fn show(
+    model: &Model,
+    contact: &MassQuestion,
+    question: &ExtremesQuestion,
+    format: CheckFormat,
+    strict: bool,
+) -> Result<(), Failure> {
+    if let Some(RowSource::File(file)) = &question.path {
+        record_input(&file.path);
+    }
+    let report = extremes(model, contact, question)?;
+    write_diagnostics(&report.diagnostics, strict)?;
+    match format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&text(&report)),
     }
@@ -29,6 +48,13 @@ fn text(report: &ExtremesReport) -> String {
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
         out += &fact_line(name, &line(&value(report, record)));
         out += &fact_line("  at", &line(&positions(record)));
+        if let Some(row) = record.row {
+            let place = match row.fract() {
+                0.0 => format!("row {row} of the path (from 0)"),
+                _ => format!("{} rows along the path", number(row)),
+            };
+            out += &fact_line("  place", &place);
+        }
         if let Some(gap) = record.gap.filter(|gap| gap.abs() > RESTING_GAP) {
             let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
             out += &fact_line("  gap", &format!("{} m, the stop is {state} here", short_number(gap)));
@@ -36,30 +62,63 @@ fn text(report: &ExtremesReport) -> String {
         if let Some(normal) = &record.normal_world {
             out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
         }
+        let starts = if report.path.is_some() { "local searches" } else { "starts" };
+        let kept = record
+            .kept_error
+            .map_or_else(String::new, |error| format!("; kept in place to {} m", short_number(error)));
         out += &fact_line(
             "  search",
             &format!(
-                "{} of {} starts agree; optimality residual {}",
+                "{} of {} {starts} agree; optimality residual {}{kept}",
                 record.agreeing,
-                report.starts,
+                record.starts,
                 short_number(record.residual)
             ),
         );
+    }
+    if let Some(path) = &report.path {
+        let unreached = match path.unreached {
+            0 => String::new(),
+            count => format!("; {count} rows are not reachable"),
+        };
+        let moved = path.joints.join(", ");
+        out += &fact_line("path", &line(&format!("{} rows of {moved}{unreached}", path.rows)));
+    }
+    if !report.kept.is_empty() {
+        let kept: Vec<String> = report.kept.iter().map(kept_text).collect();
+        out += &fact_line("kept", &line(&kept.join("; ")));
     }
     let range = |(joint, lower, upper): &(String, f64, f64)| {
         format!("{joint} {} to {}", short_number(*lower), short_number(*upper))
     };
     let ranges: Vec<String> = report.ranges.iter().map(range).collect();
-    out += &fact_line("ranges", &line(&format!("{} (rad or m)", ranges.join(", "))));
+    if !ranges.is_empty() {
+        out += &fact_line("ranges", &line(&format!("{} (rad or m)", ranges.join(", "))));
+    }
     if !report.held.is_empty() {
         let list = |values: &[f64]| values.iter().map(|x| short_number(*x)).collect::<Vec<_>>().join(",");
         let held = |(joint, values): &(String, Vec<f64>)| format!("{joint} at {}", list(values));
         let held: Vec<String> = report.held.iter().map(held).collect();
         out += &fact_line("held", &line(&format!("{} (rad or m; give a range to vary it)", held.join(", "))));
     }
-    out + &wrap_lines(
-        "\nLocal searches from several starts: no proof of a global extreme. If few starts agree, increase their number (--starts).\n",
-    )
+    out + &wrap_lines(match report.path {
+        Some(_) => "\nLocal searches from the best of many samples of the path.\n",
+        None => {
+            "\nLocal searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
+             (--starts).\n"
+        }
+    })
+}
+
+/// Kept link or point as text.
+fn kept_text(kept: &KeptRecord) -> String {
+    match (&kept.point, &kept.normal) {
+        (None, _) => format!("{}: position and orientation", kept.link),
+        (Some(point), None) => format!("{}: point {} m", kept.link, triple(point)),
+        (Some(point), Some(normal)) => {
+            format!("{}: point {} m along {} (world)", kept.link, triple(point), triple(normal))
+        }
+    }
 }
 
 /// Value as text.

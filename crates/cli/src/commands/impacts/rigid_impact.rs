@@ -2,7 +2,7 @@
 
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::impacts::{in_time, simultaneous};
-use crate::commands::mass::facts as mass_facts;
+use crate::commands::mass::{facts as mass_facts, is_stop_of_hinge, mass_unit};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
@@ -74,6 +74,9 @@ fn text(report: &ImpactReport) -> String {
     for (name, value) in mass_facts(&report.mass) {
         out += &fact_line(name, &line(&value));
     }
+    if report.mass.joint_stop.is_none() {
+        out += &format!("\n{}", mass_table(report));
+    }
     if let Some(table) = law_table(report) {
         out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
     }
@@ -95,12 +98,15 @@ fn text(report: &ImpactReport) -> String {
 
 /// Impulse, energy, masses and additional results.
 pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
+    let is_stop = is_stop_of_hinge(&report.mass);
+    let [impulse, speed] = if is_stop { ["N·m·s", "rad/s"] } else { ["N·s", "m/s"] };
+    let mass_unit = mass_unit(&report.mass);
     let mut facts = vec![
-        ("impulse", format!("{} N·s", number(report.impulse))),
+        ("impulse", format!("{} {impulse}", number(report.impulse))),
         ("energy loss", format!("{} J", number(report.energy_loss))),
         (
             "closing speed",
-            format!("{} m/s, restitution {}", number(report.closing_speed), number(report.restitution)),
+            format!("{} {speed}, restitution {}", number(report.closing_speed), number(report.restitution)),
         ),
     ];
     facts.push((
@@ -113,18 +119,24 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         },
     ));
     facts.extend(report.friction.iter().flat_map(|friction| friction_facts(friction, report)));
-    let sliding = report.mass.effective_mass.map_or_else(String::new, |m| format!("{} kg", number(m)));
-    facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
-    facts.push((
-        "sticking mass",
-        match (report.sticking_status, report.sticking_mass) {
-            (Status::Finite, Some(mass)) => {
-                format!("{} kg, if the point cannot slide sideways", number(mass))
-            }
-            (Status::Massless, _) => "massless".to_owned(),
-            _ => "immovable: the point closes the gap only by sliding sideways".to_owned(),
-        },
-    ));
+    let sliding =
+        report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
+    if report.mass.joint_stop.is_some() {
+        // A stop has no contact point that could slide.
+        facts.push(("effective mass", sliding));
+    } else {
+        facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
+        facts.push((
+            "sticking mass",
+            match (report.sticking_status, report.sticking_mass) {
+                (Status::Finite, Some(mass)) => {
+                    format!("{} kg, if the point cannot slide sideways", number(mass))
+                }
+                (Status::Massless, _) => "massless".to_owned(),
+                _ => "immovable: the point closes the gap only by sliding sideways".to_owned(),
+            },
+        ));
+    }
     if let Some(other) = report.other_body {
         let change = number(other.speed_change);
         facts.push(("other body", format!("{} kg, its speed changes by {change} m/s", number(other.mass))));
@@ -133,11 +145,27 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         let change = law.mass_change_over_penetration.map_or_else(String::new, |change| {
             format!("; the effective mass changes by {:+.2} % over the penetration", 100.0 * change)
         });
+        let friction = law.mass_in_compression.map_or_else(String::new, |mass| {
+            let direction = if law.direction_changes {
+                "; the friction changes its direction in compression, and the peaks of the bearings are those of its mean"
+            } else {
+                ""
+            };
+            format!("; normal force, of the mass {} kg that the friction leaves in compression{direction}", number(mass))
+        });
         let power = if law.exponent == 1.0 { String::new() } else { format!("^{}", number(law.exponent)) };
-        let stiffness = format!("{} N/m{power}", number(law.stiffness));
+        let stiffness = match is_stop {
+            true => format!("{} N·m/rad{power}", number(law.stiffness)),
+            false => format!("{} N/m{power}", number(law.stiffness)),
+        };
+        let force = if is_stop { "N·m" } else { "N" };
         facts.push((
             "peak force",
-            format!("{} N at the contact ({}, {stiffness}){change}", number(law.peak_force), law.law),
+            format!(
+                "{} {force} at the contact ({}, {stiffness}){change}{friction}",
+                number(law.peak_force),
+                law.law
+            ),
         ));
     }
     facts.extend(in_time::facts(report));
@@ -234,6 +262,25 @@ fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'st
         ));
     }
     facts
+}
+
+/// Masses by the state of rotors and joints.
+pub fn mass_table(report: &ImpactReport) -> Table<3> {
+    let mut table = Table::new(["mass, kg", "sliding point", "sticking point"]);
+    let shown = |status: Status, mass: Option<f64>| mass.map_or_else(|| status.name().to_owned(), number);
+    for state in &report.mass_states {
+        let name = match state.state {
+            "rotors-decoupled" => "rotors decoupled (compliant gears)",
+            "rotors-coupled" => "rotors coupled (result above)",
+            _ => "joints locked (one free body)",
+        };
+        table.row([
+            name.to_owned(),
+            shown(state.sliding_status, state.sliding),
+            shown(state.sticking_status, state.sticking),
+        ]);
+    }
+    table
 }
 
 /// Laws of restitution side by side; `None` without friction.

@@ -6,7 +6,9 @@ use crate::commands::impacts::{in_time, rigid_impact, simultaneous};
 use crate::files::html::Page;
 use crate::terminal::text::short_number;
 use percuss_render::{Drawing, DrawnArrow, SkinMark};
-use percuss_study::{DrawnMechanism, ImpactReport, ReactionPlace, ReactionRecord};
+use percuss_study::{
+    DrawnMechanism, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord, SimultaneousRecord,
+};
 
 /// Impulse in a bearing, relative to the largest, below which the picture has no arrow.
 const DRAWN_IMPULSE: f64 = 1e-3;
@@ -33,7 +35,11 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
         page.table(table.rows());
         page.paragraph("soft", &rigid_impact::law_note(report).replace('\n', " "));
     }
-    add_simultaneous(report, page);
+    if report.mass.joint_stop.is_none() {
+        page.heading("Masses");
+        page.table(rigid_impact::mass_table(report).rows());
+    }
+    add_simultaneous(report, mechanism, page);
     // A free body has no bearings.
     let bearings = bearing_rows(report);
     if bearings.len() > 1 {
@@ -59,9 +65,20 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
 }
 
 /// Several contacts at once, and sticking points.
-fn add_simultaneous(report: &ImpactReport, page: &mut Page) {
+fn add_simultaneous(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mut Page) {
     let Some(several) = &report.simultaneous else { return };
     page.heading("Several contacts at once");
+    // The energetic law leaves no impulse open.
+    let is_complete =
+        |law: &&SimultaneousLawRecord| law.refusal.is_none() && law.impulses.iter().all(Option::is_some);
+    if let Some(law) = several.laws.iter().rev().find(is_complete) {
+        page.large_picture(&contacts_drawing(several, law, mechanism).to_svg(), "Impulses at all contacts");
+        let caption = format!(
+            "Impulses on the links at all contacts by the law {}; the laws differ as in the table.",
+            law.law
+        );
+        page.paragraph("soft", &caption);
+    }
     page.table(simultaneous::contact_table(several).rows());
     if !several.laws.is_empty() {
         page.table(simultaneous::law_table(several).rows());
@@ -71,6 +88,43 @@ fn add_simultaneous(report: &ImpactReport, page: &mut Page) {
         let friction = report.friction.as_ref().map(|friction| friction.coefficient);
         page.table(simultaneous::sticking_table(several, sticking).rows());
         page.paragraph("soft", &simultaneous::sticking_note(sticking, friction).replace('\n', " "));
+    }
+}
+
+/// The mechanism with the impulses of a law at all contacts. Stops of joints have no contact point.
+fn contacts_drawing(
+    several: &SimultaneousRecord,
+    law: &SimultaneousLawRecord,
+    mechanism: &DrawnMechanism,
+) -> Drawing {
+    let contacts = several.contacts.iter().zip(&law.impulses).enumerate();
+    let arrows =
+        contacts.filter(|(_, (contact, _))| !contact.is_joint_stop).map(|(k, (contact, impulse))| {
+            DrawnArrow {
+                from: contact.point_world,
+                vector: contact.normal_world.map(|n| -impulse.unwrap_or(0.0) * n),
+                label: format!("p{}", k + 1),
+            }
+        });
+    let marks = several.contacts.iter().filter(|contact| !contact.is_joint_stop);
+    loaded_drawing(
+        mechanism,
+        arrows.collect(),
+        marks.map(|contact| SkinMark { at: contact.point_world, label: String::new() }).collect(),
+    )
+}
+
+/// The mechanism with arrows that have the same scale; the small ones are left out.
+fn loaded_drawing(mechanism: &DrawnMechanism, arrows: Vec<DrawnArrow>, marks: Vec<SkinMark>) -> Drawing {
+    let largest = arrows.iter().map(|arrow| norm(arrow.vector)).fold(0.0, f64::max);
+    let mut drawn = drawing(None, mechanism);
+    // Grey lines, so that the arrows stand out.
+    drawn.lines.iter_mut().for_each(|line| line.intensity = Some(0.0));
+    Drawing {
+        arrows: Vec::new(),
+        loads: arrows.into_iter().filter(|arrow| norm(arrow.vector) > DRAWN_IMPULSE * largest).collect(),
+        marks,
+        ..drawn
     }
 }
 
@@ -96,16 +150,7 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
         })
         .chain([of_contact])
         .collect();
-    let largest = arrows.iter().map(|arrow| norm(arrow.vector)).fold(0.0, f64::max);
-    let mut drawn = drawing(None, mechanism);
-    // Grey lines, so that the arrows stand out.
-    drawn.lines.iter_mut().for_each(|line| line.intensity = Some(0.0));
-    Drawing {
-        arrows: Vec::new(),
-        loads: arrows.into_iter().filter(|arrow| norm(arrow.vector) > DRAWN_IMPULSE * largest).collect(),
-        marks: vec![SkinMark { at: contact.point_world, label: String::new() }],
-        ..drawn
-    }
+    loaded_drawing(mechanism, arrows, vec![SkinMark { at: contact.point_world, label: String::new() }])
 }
 
 /// Vector with the determinate components of a reaction, world axes.

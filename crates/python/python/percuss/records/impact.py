@@ -72,6 +72,8 @@ class TouchingRecord(Record):
 
     name: str
     """Name of the contact, or its link and number."""
+    is_joint_stop: bool
+    """True for the stop of a joint: kg·m², rad/s and N·m·s if the joint turns."""
     link: str
     """Contact link."""
     point_world: list[float]
@@ -169,6 +171,24 @@ class SimultaneousRecord(Record):
     """Plastic impact with sticking points, if requested."""
 
 
+class MassStateRecord(Record):
+    """Mass of a contact for one state of rotors and joints."""
+
+    state: str
+    """"rotors-decoupled": no rotor takes part, as with compliant gears (all armatures 0). "rotors-coupled": the rotors follow
+    the joints, the mass of all other results. "joints-locked": all moving links as one free rigid body (composite rigid
+    body), the mass to which impacts on robots with stiff joint control are often nearer. Strictly, locked joints on a fixed
+    base are immovable."""
+    sliding: float | None
+    """Effective mass of a sliding contact point, 1/(nᵀΛ⁻¹n), kg; None if not finite."""
+    sliding_status: Literal["finite", "immovable", "massless"]
+    """Kind of this mass."""
+    sticking: float | None
+    """Mass of a contact point that cannot slide in the tangent plane, nᵀΛn, kg; None if not finite."""
+    sticking_status: Literal["finite", "immovable", "massless"]
+    """Kind of this mass."""
+
+
 class JointRateRecord(Record):
     """Rates of a joint before and after the impact."""
 
@@ -243,11 +263,16 @@ class ImpactLawRecord(Record):
     exponent: float
     """Exponent p."""
     duration: float | None
-    """Duration of the contact, s; None if infinite."""
+    """Duration of the contact, s; None if infinite, and with friction."""
     max_penetration: float | None
     """Largest penetration, m."""
     peak_force: float
     """Largest force at the contact, N."""
+    mass_in_compression: float | None
+    """Mass of a contact without friction that has the same work of compression, kg; None without friction."""
+    direction_changes: bool
+    """True if the direction of the friction changes during compression: the peaks of the bearings then are those of the mean
+    direction."""
     mass_change_over_penetration: float | None
     """Relative change of m̄ over the penetration: the order of the error of all peak forces; None if the penetration is not
     reachable."""
@@ -427,6 +452,8 @@ class ImpactReport(Record):
     that of a sliding contact, 1/(nᵀΛ⁻¹n)."""
     sticking_status: Literal["finite", "immovable", "massless"]
     """Kind of the sticking mass."""
+    mass_states: list[MassStateRecord]
+    """Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints."""
     motion_before: str
     """Motion before the impact: "given", or "least-energy", the motion v* times the closing speed."""
     rates: list[JointRateRecord]
@@ -457,6 +484,28 @@ class ImpactReport(Record):
     """Findings about the file and the result."""
 
 
+class KeptRecord(Record):
+    """Link or point that stays in place."""
+
+    link: str
+    """The link."""
+    point: list[float] | None
+    """The point in the frame of the link, m; None for the position and the orientation of the link."""
+    normal: list[float] | None
+    """Direction (world axes) along which the coordinate of the point is kept; None for all directions."""
+
+
+class PathRecord(Record):
+    """Path of a search."""
+
+    joints: list[str]
+    """Moved joints."""
+    rows: int
+    """Number of rows."""
+    unreached: int
+    """Number of rows whose pose is not reachable; the path leads past them."""
+
+
 class ExtremePosition(Record):
     """Position of a joint at an extreme."""
 
@@ -485,6 +534,11 @@ class ExtremeRecord(Record):
     gap: float | None
     """Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; None for other
     contacts."""
+    row: float | None
+    """Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to
+    the second; None without a path."""
+    kept_error: float | None
+    """Largest distance of a kept point from its place, m; None without kept points."""
     normal_world: list[float] | None
     """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float
@@ -492,6 +546,8 @@ class ExtremeRecord(Record):
     impulse): zero at an exact optimum."""
     agreeing: int
     """Number of starts that reached this value to six digits."""
+    starts: int
+    """Number of starts; on a path the number of local searches."""
 
 
 class ExtremesReport(Record):
@@ -511,14 +567,18 @@ class ExtremesReport(Record):
     unit: str
     """Unit of the values: "kg" or "kg·m²"."""
     ranges: list[list[float | str]]
-    """Ranges of the varied joints: joint, lower and upper end, rad or m."""
+    """Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path."""
+    kept: list[KeptRecord]
+    """Links and points that stay in place over the ranges."""
+    path: PathRecord | None
+    """Path; None for ranges."""
     held: list[list[list[float] | str]]
     """Driving joints that do not vary, with their positions, rad or m."""
     starts: int
-    """Number of starts."""
+    """Number of starts; on a path the larger number of local searches of both extremes."""
     least: ExtremeRecord
     """Smallest value of the quantity."""
     most: ExtremeRecord
     """Largest value of the quantity."""
     diagnostics: list[DiagnosticRecord]
-    """Findings about the ranges."""
+    """Findings about the ranges, or about the rows of the path."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .damping import DampingReport, DiagnosticRecord, Input, NamedContactRecord
+from .damping import DampingReport, DiagnosticRecord, Input, NamedContactRecord, StopRecord
 from .record import Record
 
 
@@ -336,6 +336,8 @@ class MassReport(Record):
     """The contact."""
     named_contact: NamedContactRecord | None
     """Named contact; None for a contact given by link, point and normal."""
+    joint_stop: StopRecord | None
+    """Stop of a joint as the contact; None for other contacts."""
     conditions: ConditionsRecord
     """Conditions of the question."""
     drivers: list[str]

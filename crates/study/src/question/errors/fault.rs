@@ -65,6 +65,12 @@ pub enum Fault {
     /// Extremes with a free body on the other side.
     #[error("extremes are those of the mechanism alone; expected no free body on the other side")]
     ExtremesOfMechanism,
+    /// Rows that form no path.
+    #[error("a path is a file of positions, or one range; expected neither several ranges nor random rows")]
+    NoPath,
+    /// Path with ranges or kept points in a search for extremes.
+    #[error("a path gives all positions of the search; expected neither ranges nor kept points with it")]
+    PathAndRanges,
     /// Joint with a position and a range in a search for extremes.
     #[error("joint \"{joint}\" has a range and a given position; expected one of the two")]
     SetAndRanged {
@@ -97,6 +103,20 @@ pub enum Fault {
     RangeText {
         /// Message of the reader of ranges.
         message: String,
+    },
+    /// Contact in one text that cannot be read, or that does not fit the other parts of the question.
+    #[error("{message}")]
+    ContactText {
+        /// Reason.
+        message: String,
+    },
+    /// Result that the stop of a joint does not have.
+    #[error(
+        "the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal"
+    )]
+    OfJointStop {
+        /// The result.
+        result: &'static str,
     },
     /// Search for extremes.
     #[error(transparent)]

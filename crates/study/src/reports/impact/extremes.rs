@@ -1,4 +1,4 @@
-//! Extreme effective masses over ranges of joint positions.
+//! Extreme effective masses over ranges of joint positions and along paths.
 
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
@@ -10,141 +10,24 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::row_source::RowSource;
 use crate::reports::impact::additions::find_joint;
+use crate::reports::impact::extremes_question::{ExtremesQuestion, GivenRange, Keep};
+use crate::sweep::sweep_rows::Sweep;
 use percuss_dynamics::{Gap, Pose};
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
-    extreme_quantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint,
+    SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
 };
-use percuss_mechanism::{JointKind, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// Number of starts without a given one.
 pub const DEFAULT_STARTS: usize = 32;
 /// Largest number of starts.
 pub const MOST_STARTS: usize = 10_000;
-
-/// Ranges of the joints, and number of starts.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ExtremesQuestion {
-    /// Ranges of joints: only these joints vary. Empty for the limits of all driving joints with limits, except those with a given
-    /// position.
-    pub ranges: Vec<GivenRange>,
-    /// Quantity whose extremes are searched.
-    pub quantity: GivenQuantity,
-    /// Normals among which the extremes are searched.
-    pub normals: GivenNormals,
-    /// Number of starts of the search; 0 for the default.
-    pub starts: usize,
-}
-
-/// Normals of the contact among which extremes are searched.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct GivenNormals(pub NormalRange);
-
-impl std::str::FromStr for GivenNormals {
-    type Err = String;
-    /// Reads `given`, `any` or `across:X,Y,Z`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "given" => return Ok(Self(NormalRange::Given)),
-            "any" => return Ok(Self(NormalRange::Any)),
-            _ => {}
-        }
-        let wrong = || "expected given, any or across:X,Y,Z (world axes), such as across:0,0,1".to_owned();
-        let axis = text.strip_prefix("across:").ok_or_else(wrong)?;
-        let axis = percuss_units::parse_triple(axis, Dimension::Plain)
-            .map_err(|error| format!("across:X,Y,Z is expected: {error}"))?;
-        Ok(Self(NormalRange::Across(axis.into())))
-    }
-}
-
-/// Quantity whose extremes are searched.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum GivenQuantity {
-    /// Effective mass of the contact.
-    #[default]
-    Mass,
-    /// Inertia reflected to a joint, with the other drivers free.
-    Reflected(String),
-    /// Inertia reflected to a joint, with the other drivers at rest.
-    Held(String),
-    /// Impulse in the bearing of a joint per closing speed, of a plastic impact.
-    Bearing(String),
-}
-
-impl std::str::FromStr for GivenQuantity {
-    type Err = String;
-    /// Reads `mass`, `reflected:JOINT`, `held:JOINT` or `bearing:JOINT`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "mass" {
-            return Ok(Self::Mass);
-        }
-        match text.split_once(':') {
-            Some(("reflected", joint)) => Ok(Self::Reflected(joint.to_owned())),
-            Some(("held", joint)) => Ok(Self::Held(joint.to_owned())),
-            Some(("bearing", joint)) => Ok(Self::Bearing(joint.to_owned())),
-            _ => Err("expected mass, reflected:JOINT, held:JOINT or bearing:JOINT".to_owned()),
-        }
-    }
-}
-
-impl GivenQuantity {
-    /// Name of the quantity in reports: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse`.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Mass => "effective_mass",
-            Self::Reflected(_) => "reflected_inertia",
-            Self::Held(_) => "held_inertia",
-            Self::Bearing(_) => "bearing_impulse",
-        }
-    }
-
-    /// Joint of the quantity; `None` for the effective mass.
-    pub fn joint(&self) -> Option<&str> {
-        match self {
-            Self::Mass => None,
-            Self::Reflected(joint) | Self::Held(joint) | Self::Bearing(joint) => Some(joint),
-        }
-    }
-
-    /// Quantity of the search, and its unit.
-    fn searched(&self, mechanism: &Mechanism) -> Result<(SearchedQuantity, &'static str), StudyError> {
-        let Some(name) = self.joint() else { return Ok((SearchedQuantity::EffectiveMass, "kg")) };
-        let joint = find_joint(mechanism, Field::Quantity, name)?;
-        let held = matches!(self, Self::Held(_));
-        Ok(match (self, mechanism.joint(joint).kind()) {
-            (Self::Bearing(_), _) => (SearchedQuantity::BearingImpulse { joint }, "kg"),
-            (_, JointKind::Prismatic) => (SearchedQuantity::ReflectedInertia { joint, held }, "kg"),
-            _ => (SearchedQuantity::ReflectedInertia { joint, held }, "kg·m²"),
-        })
-    }
-}
-
-/// Range of a joint.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GivenRange {
-    /// The joint.
-    pub joint: String,
-    /// Lower end.
-    pub lower: Quantity,
-    /// Upper end.
-    pub upper: Quantity,
-}
-
-impl std::str::FromStr for GivenRange {
-    type Err = String;
-    /// Reads `JOINT=FROM:TO`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || "expected JOINT=FROM:TO, such as elbow=10deg:170deg".to_owned();
-        let (joint, range) =
-            text.rsplit_once('=').filter(|(joint, _)| !joint.is_empty()).ok_or_else(wrong)?;
-        let (lower, upper) = range.split_once(':').ok_or_else(wrong)?;
-        let end = |text: &str| Quantity::parse(text).map_err(|error| error.to_string());
-        Ok(Self { joint: joint.to_owned(), lower: end(lower)?, upper: end(upper)? })
-    }
-}
 
 /// Position of a joint at an extreme.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -171,6 +54,11 @@ pub struct ExtremeRecord {
     pub positions: Vec<ExtremePosition>,
     /// Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; null for other contacts.
     pub gap: Option<f64>,
+    /// Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to the
+    /// second; null without a path.
+    pub row: Option<f64>,
+    /// Largest distance of a kept point from its place, m; null without kept points.
+    pub kept_error: Option<f64>,
     /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
@@ -178,6 +66,30 @@ pub struct ExtremeRecord {
     pub residual: f64,
     /// Number of starts that reached this value to six digits.
     pub agreeing: usize,
+    /// Number of starts; on a path the number of local searches.
+    pub starts: usize,
+}
+
+/// Link or point that stays in place.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptRecord {
+    /// The link.
+    pub link: String,
+    /// The point in the frame of the link, m; null for the position and the orientation of the link.
+    pub point: Option<[f64; 3]>,
+    /// Direction (world axes) along which the coordinate of the point is kept; null for all directions.
+    pub normal: Option<[f64; 3]>,
+}
+
+/// Path of a search.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PathRecord {
+    /// Moved joints.
+    pub joints: Vec<String>,
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of rows whose pose is not reachable; the path leads past them.
+    pub unreached: usize,
 }
 
 /// Report of `percuss extremes`, as JSON.
@@ -194,70 +106,94 @@ pub struct ExtremesReport {
     pub joint: Option<String>,
     /// Unit of the values: `kg` or `kg·m²`.
     pub unit: &'static str,
-    /// Ranges of the varied joints: joint, lower and upper end, rad or m.
+    /// Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path.
     pub ranges: Vec<(String, f64, f64)>,
+    /// Links and points that stay in place over the ranges.
+    pub kept: Vec<KeptRecord>,
+    /// Path; null for ranges.
+    pub path: Option<PathRecord>,
     /// Driving joints that do not vary, with their positions, rad or m.
     pub held: Vec<(String, Vec<f64>)>,
-    /// Number of starts.
+    /// Number of starts; on a path the larger number of local searches of both extremes.
     pub starts: usize,
     /// Smallest value of the quantity.
     pub least: ExtremeRecord,
     /// Largest value of the quantity.
     pub most: ExtremeRecord,
-    /// Findings about the ranges.
+    /// Findings about the ranges, or about the rows of the path.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// Smallest and largest effective mass of a contact, or another quantity, over ranges of its driving joints.
+/// Found extremes with the joints of their positions.
+struct Found {
+    /// Ranges; empty for a path.
+    ranges: Vec<JointRange>,
+    joints: Vec<JointId>,
+    path: Option<PathRecord>,
+    /// Smallest and largest value, with the place on the path.
+    extremes: [(ExtremeMass, Option<f64>); 2],
+    diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Search for the extremes of a question.
+struct ExtremesSearch<'a> {
+    prepared: &'a PreparedQuestion<'a>,
+    pose: &'a Pose,
+    contact: SearchedContact<'a>,
+    quantity: SearchedQuantity,
+    question: &'a ExtremesQuestion,
+}
+
+/// Smallest and largest effective mass of a contact, or another quantity, over ranges of its driving joints, over the self-motion with kept
+/// links or points, or along a path.
 ///
 /// # Errors
 /// [`StudyError`], as for [`mass`](crate::mass()); an invalid range; a joint that does not drive; a joint with a position and a
-/// range.
+/// range; kept points that leave no motion; a path together with ranges or kept points, and errors of its rows as for
+/// [`sweep`](crate::sweep()).
 pub fn extremes(
     model: &Model,
     question: &MassQuestion,
     extremes: &ExtremesQuestion,
 ) -> Result<ExtremesReport, StudyError> {
+    let of_rows = extremes.path.as_ref().map(|path| path.question_of_rows(question));
+    let question = of_rows.as_ref().unwrap_or(question);
     let prepared = PreparedQuestion::new(model, question)?;
     if prepared.other_mass().is_some() {
         return Err(StudyError::input(Field::AgainstMass, Fault::ExtremesOfMechanism));
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
-    let ranges = ranges(&prepared, &pose, extremes)?;
-    let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
     let (quantity, unit) = extremes.quantity.searched(&model.mechanism)?;
-    let search = |extreme| {
-        let (system, start) = (&prepared.system, &prepared.configuration);
-        let contact =
-            SearchedContact { contact: &contact, wheel: prepared.wheel(), normals: extremes.normals.0 };
-        extreme_quantity(system, start, contact, quantity, &ranges, extreme, starts).map_err(|error| {
-            match error {
-                ExtremesError::Assembly(error) => StudyError::from(error),
-                ExtremesError::Contact(error) => StudyError::from(error),
-                error => StudyError::input(Field::Range, error),
-            }
-        })
+    let search = ExtremesSearch {
+        prepared: &prepared,
+        pose: &pose,
+        contact: SearchedContact { contact: &contact, wheel: prepared.wheel(), normals: extremes.normals.0 },
+        quantity,
+        question: extremes,
     };
-    let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
+    let found = match &extremes.path {
+        None => search.over_ranges()?,
+        Some(path) => search.along_path(question, path)?,
+    };
     let mechanism = &model.mechanism;
     let named = prepared.question.named_contact(mechanism)?;
     let gap = named.and_then(|named| Gap::new(&pose, named));
-    let gap_at = |found: &ExtremeMass| {
+    let gap_at = |extreme: &ExtremeMass| {
         let mut configuration = prepared.configuration.clone();
-        for (range, position) in ranges.iter().zip(&found.positions) {
-            configuration.set(mechanism.joint(range.joint).name(), &[*position]).ok()?;
+        for (joint, position) in found.joints.iter().zip(&extreme.positions) {
+            configuration.replace(mechanism.joint(*joint).name(), &[*position]).ok()?;
         }
         let there = prepared.system.pose_from(&pose, &configuration).ok()?;
         Some(gap.as_ref()?.at(&there))
     };
-    let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
-    let record = |found: &ExtremeMass| {
-        let (status, value) = Status::classify(found.effective_mass);
-        let position = |(range, position): (&JointRange, &f64)| {
-            let limit = found.active_limits.iter().find(|(joint, _)| *joint == range.joint);
+    let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+    let record = |(extreme, row): &(ExtremeMass, Option<f64>)| {
+        let (status, value) = Status::classify(extreme.effective_mass);
+        let position = |(joint, position): (&JointId, &f64)| {
+            let limit = extreme.active_limits.iter().find(|(limited, _)| limited == joint);
             ExtremePosition {
-                joint: name(range),
+                joint: name(*joint),
                 position: *position,
                 limit: limit.map(|(_, is_upper)| if *is_upper { "upper" } else { "lower" }),
             }
@@ -266,32 +202,162 @@ pub fn extremes(
             effective_mass: value.filter(|_| quantity == SearchedQuantity::EffectiveMass),
             value,
             status,
-            positions: ranges.iter().zip(&found.positions).map(position).collect(),
-            gap: gap_at(found),
-            normal_world: found.normal_world.map(Into::into),
-            residual: found.residual,
-            agreeing: found.agreeing,
+            positions: found.joints.iter().zip(&extreme.positions).map(position).collect(),
+            gap: gap_at(extreme),
+            row: *row,
+            kept_error: (!extremes.keep.is_empty()).then_some(extreme.kept_error),
+            normal_world: extreme.normal_world.map(Into::into),
+            residual: extreme.residual,
+            agreeing: extreme.agreeing,
+            starts: extreme.starts,
         }
     };
+    let [least, most] = &found.extremes;
     Ok(ExtremesReport {
         schema: "percuss.extremes/1",
         percuss: env!("CARGO_PKG_VERSION"),
         quantity: extremes.quantity.name(),
         joint: extremes.quantity.joint().map(str::to_owned),
         unit,
-        ranges: ranges.iter().map(|range| (name(range), range.lower, range.upper)).collect(),
-        held: held_joints(&pose, &ranges),
-        starts,
-        least: record(&least),
-        most: record(&most),
-        diagnostics: range_findings(mechanism, extremes, &ranges).map(DiagnosticRecord::from).collect(),
+        ranges: found.ranges.iter().map(|range| (name(range.joint), range.lower, range.upper)).collect(),
+        kept: extremes.keep.iter().map(kept_record).collect(),
+        held: held_joints(&pose, &found.joints),
+        starts: least.0.starts.max(most.0.starts),
+        least: record(least),
+        most: record(most),
+        path: found.path,
+        diagnostics: found.diagnostics,
     })
 }
 
-/// Driving joints without a range, with their positions.
-fn held_joints(pose: &Pose, ranges: &[JointRange]) -> Vec<(String, Vec<f64>)> {
-    let mut drivers = percuss_impact::driving_joints(pose);
-    drivers.retain(|joint| ranges.iter().all(|range| range.joint != *joint));
+impl ExtremesSearch<'_> {
+    /// Extremes over the ranges.
+    fn over_ranges(&self) -> Result<Found, StudyError> {
+        let Self { prepared, pose, question, .. } = self;
+        let ranges = ranges(prepared, pose, question)?;
+        let starts = if question.starts == 0 { DEFAULT_STARTS } else { question.starts.min(MOST_STARTS) };
+        let kept = self.kept_points()?;
+        let search = |extreme| {
+            let poses = SearchedPoses { ranges: &ranges, kept: &kept };
+            let (system, start) = (&prepared.system, &prepared.configuration);
+            let found = extreme_quantity(system, start, self.contact, self.quantity, poses, extreme, starts);
+            found.map(|found| (found, None)).map_err(|error| search_error(error, Field::Range))
+        };
+        let mechanism = &prepared.model.mechanism;
+        Ok(Found {
+            joints: ranges.iter().map(|range| range.joint).collect(),
+            path: None,
+            extremes: [search(ExtremeKind::Least)?, search(ExtremeKind::Most)?],
+            diagnostics: range_findings(mechanism, question, &ranges).map(DiagnosticRecord::from).collect(),
+            ranges,
+        })
+    }
+
+    /// Kept points of the search: three of each link that keeps its orientation.
+    fn kept_points(&self) -> Result<Vec<KeptPoint>, StudyError> {
+        let mechanism = &self.prepared.model.mechanism;
+        let mut points = Vec::new();
+        for keep in &self.question.keep {
+            let link =
+                mechanism.find_link(&keep.link).map_err(|error| StudyError::input(Field::Keep, error))?;
+            match keep.point {
+                None => points.extend(KeptPoint::of_link(link, mechanism.characteristic_length())),
+                Some(point) => {
+                    let normal = keep.normal.map(Into::into);
+                    points.push(KeptPoint { link, point: point.into(), normal });
+                }
+            }
+        }
+        Ok(points)
+    }
+
+    /// Extremes along a path: the rows of a sweep give the positions of the drivers.
+    fn along_path(&self, question: &MassQuestion, source: &RowSource) -> Result<Found, StudyError> {
+        let Self { prepared, pose, .. } = self;
+        if !self.question.ranges.is_empty() || !self.question.keep.is_empty() {
+            return Err(StudyError::input(Field::Path, Fault::PathAndRanges));
+        }
+        let is_path = match source {
+            RowSource::Grid(ranges) => ranges.len() == 1,
+            RowSource::File(_) => true,
+            RowSource::Random { .. } => false,
+        };
+        if !is_path {
+            return Err(StudyError::input(Field::Path, Fault::NoPath));
+        }
+        let sweep = Sweep::new(prepared.model, question, source)?;
+        let mechanism = &prepared.model.mechanism;
+        let varied = sweep.heading().varied.iter().map(|column| column.joint.as_deref());
+        let of_column = |name: Option<&str>| mechanism.find_joint(name?).ok();
+        let columns: Vec<Option<JointId>> = varied.map(of_column).collect();
+        let mut joints: Vec<JointId> = columns.iter().flatten().copied().collect();
+        joints.dedup();
+        // A travel, or the range of a joint that drives the rows only, moves all drivers of the pose.
+        let drivers = driving_joints(pose);
+        let is_travel = columns.iter().any(|joint| joint.is_none_or(|joint| !drivers.contains(&joint)));
+        if is_travel {
+            let single = |joint: &JointId| mechanism.joint(*joint).kind().dofs() == 1;
+            joints = drivers.into_iter().filter(single).collect();
+        }
+        let names: Vec<String> =
+            joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect();
+        let (mut rows, mut numbers) = (Vec::new(), Vec::new());
+        let end = sweep.run(&mut |row| {
+            let position = |name: &String| row.pose.get(name).and_then(|values| values.first()).copied();
+            if let Some(positions) = names.iter().map(position).collect::<Option<Vec<f64>>>() {
+                rows.push(positions);
+                numbers.push(row.row as f64);
+            }
+            ControlFlow::Continue(())
+        })?;
+        // Joints at rest, such as those of the other side of a vehicle, are no part of the path.
+        if is_travel && rows.len() > 1 {
+            let moves = |k: &usize| rows.iter().any(|row: &Vec<f64>| row[*k] != rows[0][*k]);
+            let moving: Vec<usize> = (0..joints.len()).filter(moves).collect();
+            joints = moving.iter().map(|&k| joints[k]).collect();
+            rows = rows.iter().map(|row| moving.iter().map(|&k| row[k]).collect()).collect();
+        }
+        let path = DriverPath { joints: &joints, rows: &rows };
+        let search = |extreme| -> Result<(ExtremeMass, Option<f64>), StudyError> {
+            let (system, start) = (&prepared.system, &prepared.configuration);
+            let found = extreme_along_path(system, start, self.contact, self.quantity, &path, extreme);
+            let ExtremeOnPath { extreme, row } = found.map_err(|error| search_error(error, Field::Path))?;
+            // Numbers of the reached rows.
+            let (first, part) = (row.floor(), row - row.floor());
+            let number = |row: f64| numbers.get(row as usize).copied().unwrap_or(row);
+            Ok((extreme, Some(number(first) + part * (number(first + 1.0) - number(first)))))
+        };
+        let extremes = [search(ExtremeKind::Least)?, search(ExtremeKind::Most)?];
+        let path = PathRecord {
+            joints: joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect(),
+            rows: end.rows,
+            unreached: end.rows - rows.len(),
+        };
+        Ok(Found { ranges: Vec::new(), joints, path: Some(path), extremes, diagnostics: end.diagnostics })
+    }
+}
+
+/// Error of a search, about the positions `field` of the question.
+fn search_error(error: ExtremesError, field: Field) -> StudyError {
+    match error {
+        ExtremesError::Assembly(error) => StudyError::from(error),
+        ExtremesError::Contact(error) => StudyError::from(error),
+        ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => {
+            StudyError::input(Field::Keep, error)
+        }
+        error => StudyError::input(field, error),
+    }
+}
+
+/// Link or point that stays in place, as a record.
+fn kept_record(keep: &Keep) -> KeptRecord {
+    KeptRecord { link: keep.link.clone(), point: keep.point, normal: keep.normal }
+}
+
+/// Driving joints that do not move, with their positions.
+fn held_joints(pose: &Pose, moved: &[JointId]) -> Vec<(String, Vec<f64>)> {
+    let mut drivers = driving_joints(pose);
+    drivers.retain(|joint| !moved.contains(joint));
     let held = |&joint| (pose.mechanism().joint(joint).name().to_owned(), pose.joint(joint).to_vec());
     drivers.iter().map(held).collect()
 }
@@ -323,16 +389,19 @@ fn range_findings<'a>(
     })
 }
 
-/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position.
+/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position (with kept points: of
+/// all driving joints with limits).
 fn ranges(
     prepared: &PreparedQuestion,
     pose: &Pose,
     question: &ExtremesQuestion,
 ) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
-    let is_set = |name: &str| prepared.question.set.iter().any(|(joint, _)| joint == name);
+    // With kept links and points the given positions are the pose that defines their places.
+    let is_set =
+        |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
     if question.ranges.is_empty() {
-        let mut drivers = percuss_impact::driving_joints(pose);
+        let mut drivers = driving_joints(pose);
         drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));
         let limited = drivers.into_iter().filter_map(|joint| {
             let limits = mechanism.joint(joint).limits()?;

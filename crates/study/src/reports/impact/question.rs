@@ -1,7 +1,7 @@
 //! Input of an impact, in addition to its contact.
 
 use crate::question::damping_question::DampingQuestion;
-use crate::question::mass_question::Hold;
+use crate::question::spelled_contact::FurtherContact;
 use crate::values::rates::GivenRates;
 use percuss_impact::RestitutionLaw;
 
@@ -49,72 +49,6 @@ pub struct ImpactQuestion {
     pub reflected: Vec<String>,
     /// Joints whose centre of percussion is requested, along a line (axes of the contact link) or in the tangent plane.
     pub percussion: Vec<PercussionRequest>,
-}
-
-/// Further contact of an impact.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FurtherContact {
-    /// Contact of the model.
-    Named(String),
-    /// Point of a link (m, link's frame) against the ground, with the normal out of the link, world axes.
-    Point {
-        /// The link.
-        link: String,
-        /// The point.
-        point: [f64; 3],
-        /// The normal.
-        normal: [f64; 3],
-    },
-    /// Cable between points (m, frames of the links) of two links: it resists lengthening.
-    Cable {
-        /// The link.
-        link: String,
-        /// Its end of the cable.
-        point: [f64; 3],
-        /// The other link.
-        other: String,
-        /// Its end of the cable.
-        end: [f64; 3],
-    },
-    /// Stop of a joint with one velocity. Impulses are N·m·s, speeds rad/s and masses kg·m² if the joint turns.
-    JointStop {
-        /// The joint.
-        joint: String,
-        /// True for the upper limit: the stop acts against a positive rate.
-        is_upper: bool,
-    },
-}
-
-impl std::str::FromStr for FurtherContact {
-    type Err = String;
-    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or `JOINT:upper`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        if !text.contains(':') {
-            return Ok(Self::Named(text.to_owned()));
-        }
-        if let Some((joint, end @ ("lower" | "upper"))) = text.rsplit_once(':') {
-            return Ok(Self::JointStop { joint: joint.to_owned(), is_upper: end == "upper" });
-        }
-        let read = |text: &str| {
-            let hold: Result<Hold, String> = text.parse();
-            hold.map_err(|error| format!("the name of a contact is expected, or: {error}"))
-        };
-        if let Some((first, second)) = text.split_once('=') {
-            let (first, second) = (read(first)?, read(second)?);
-            if first.normal.is_some() || second.normal.is_some() {
-                return Err("expected a cable LINK:X,Y,Z=LINK:X,Y,Z, such as hook:0,0,0=frame:0,0,1".into());
-            }
-            let (link, other) = (first.link, second.link);
-            return Ok(Self::Cable { link, point: first.point, other, end: second.point });
-        }
-        let hold = read(text)?;
-        match hold.normal {
-            Some(normal) => Ok(Self::Point { link: hold.link, point: hold.point, normal }),
-            None => Err("expected the name of a contact, LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a cable LINK:X,Y,Z=LINK:X,Y,Z, or \
-                         the stop JOINT:lower or JOINT:upper"
-                .into()),
-        }
-    }
 }
 
 /// Request of a centre of percussion.

@@ -50,43 +50,46 @@ pub struct ReactionRecord {
     pub peak_moment: Option<[Option<f64>; 3]>,
 }
 
-/// Records of all reactions. `peak_per_impulse`: largest contact force per impulse of the contact, 1/s.
+/// Records of all reactions. `peak`: reactions to an impulse of the contact, and largest contact force per this impulse, 1/s.
 pub(crate) fn records(
     pose: &Pose,
     reactions: &Reactions,
     holds: &[String],
-    peak_per_impulse: Option<f64>,
+    peak: Option<(&Reactions, f64)>,
 ) -> Vec<ReactionRecord> {
     let mechanism = pose.mechanism();
     let link = |id: LinkId| Some(mechanism.link(id).name().to_owned());
-    let record =
-        |place, name: &str, reaction: &Reaction| record(pose, place, name, reaction, peak_per_impulse);
+    let peaks = peak.map(|(reactions, factor)| reactions.scaled(factor));
     let mut all = Vec::new();
-    for joint in &reactions.joints {
+    for (k, joint) in reactions.joints.iter().enumerate() {
+        let peak = peaks.as_ref().map(|peaks| &peaks.joints[k].reaction);
         let declared = mechanism.joint(joint.joint);
         all.push(ReactionRecord {
             from: link(declared.parent()),
             on: link(declared.child()),
             gear: joint.drives.iter().map(|drive| drive.gear).collect(),
             constraint: joint.drives.iter().map(|drive| drive.constraint.value()).collect(),
-            ..record(ReactionPlace::Joint, declared.name(), &joint.reaction)
+            ..record(pose, ReactionPlace::Joint, declared.name(), &joint.reaction, peak)
         });
     }
-    for (closure, reaction) in mechanism.closures().iter().zip(&reactions.closures) {
+    for (k, (closure, reaction)) in mechanism.closures().iter().zip(&reactions.closures).enumerate() {
+        let peak = peaks.as_ref().map(|peaks| &peaks.closures[k]);
         let name = |end: &LoopFrame| end.link.and_then(link);
         all.push(ReactionRecord {
             from: name(closure.predecessor()),
             on: name(closure.successor()),
-            ..record(ReactionPlace::Closure, closure.name(), reaction)
+            ..record(pose, ReactionPlace::Closure, closure.name(), reaction, peak)
         });
     }
-    for (name, reaction) in holds.iter().zip(&reactions.holds) {
-        let held = record(ReactionPlace::Hold, name, reaction);
+    for (k, (name, reaction)) in holds.iter().zip(&reactions.holds).enumerate() {
+        let peak = peaks.as_ref().map(|peaks| &peaks.holds[k]);
+        let held = record(pose, ReactionPlace::Hold, name, reaction, peak);
         all.push(ReactionRecord { on: Some(name.clone()), ..held });
     }
     if let Some(ground) = &reactions.ground {
         let root = root_name(mechanism);
-        let on_root = record(ReactionPlace::Ground, &root, ground);
+        let peak = peaks.as_ref().and_then(|peaks| peaks.ground.as_ref());
+        let on_root = record(pose, ReactionPlace::Ground, &root, ground, peak);
         all.push(ReactionRecord { on: Some(root.clone()), ..on_root });
     }
     all
@@ -103,12 +106,9 @@ fn record(
     place: ReactionPlace,
     name: &str,
     reaction: &Reaction,
-    peak_per_impulse: Option<f64>,
+    peak: Option<&Reaction>,
 ) -> ReactionRecord {
     let values = |components: [Component; 3]| components.map(Component::value);
-    let peak = |components: [Component; 3]| {
-        peak_per_impulse.map(|factor| values(components.map(|c| c.scaled(factor))))
-    };
     let axes = pose.base().rotation * reaction.frame.rotation;
     ReactionRecord {
         place,
@@ -122,7 +122,7 @@ fn record(
         open_by: reaction.loops.clone(),
         gear: Vec::new(),
         constraint: Vec::new(),
-        peak_force: peak(reaction.force),
-        peak_moment: peak(reaction.moment),
+        peak_force: peak.map(|peak| values(peak.force)),
+        peak_moment: peak.map(|peak| values(peak.moment)),
     }
 }

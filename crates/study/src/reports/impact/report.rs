@@ -3,6 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
+use crate::damper::damping::damper;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
@@ -19,6 +20,7 @@ use crate::reports::impact::additions::{
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
 use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
+use crate::reports::impact::masses::{MassStateRecord, mass_states};
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionRecord, records};
 use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous};
@@ -75,12 +77,16 @@ pub struct ImpactLawRecord {
     pub stiffness: f64,
     /// Exponent p.
     pub exponent: f64,
-    /// Duration of the contact, s; null if infinite.
+    /// Duration of the contact, s; null if infinite, and with friction.
     pub duration: Option<f64>,
     /// Largest penetration, m.
     pub max_penetration: Option<f64>,
     /// Largest force at the contact, N.
     pub peak_force: f64,
+    /// Mass of a contact without friction that has the same work of compression, kg; null without friction.
+    pub mass_in_compression: Option<f64>,
+    /// True if the direction of the friction changes during compression: the peaks of the bearings then are those of the mean direction.
+    pub direction_changes: bool,
     /// Relative change of m̄ over the penetration: the order of the error of all peak forces; null if the penetration is
     /// not reachable.
     pub mass_change_over_penetration: Option<f64>,
@@ -113,6 +119,8 @@ pub struct ImpactReport {
     pub sticking_mass: Option<f64>,
     /// Kind of the sticking mass.
     pub sticking_status: Status,
+    /// Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints.
+    pub mass_states: Vec<MassStateRecord>,
     /// Motion before the impact: `given`, or `least-energy`, the motion v* times the closing speed.
     pub motion_before: &'static str,
     /// Rates of every movable joint.
@@ -156,6 +164,7 @@ pub fn impact(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
     let response = &result.response;
+    refuse_of_joint_stop(&evaluated, impact)?;
     if response.singular_pose {
         return Err(StudyError::SingularImpact);
     }
@@ -181,9 +190,13 @@ pub fn impact(
     };
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
-    // With friction the reactions per unit impulse change during the impact.
-    let law_without_friction = contact_law.as_ref().filter(|_| impact.friction.is_none());
-    let peak = law_without_friction.map(|law| law.peak_force / rigid.impulse);
+    // With friction the force is largest in compression: reactions per normal impulse of compression, times the peak force.
+    let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
+    let (of_peak, per_impulse) = match compression {
+        Some(compression) => (&compression.reactions, compression.normal_impulse),
+        None => (&rigid.reactions, rigid.impulse),
+    };
+    let peak = contact_law.as_ref().map(|law| (of_peak, law.peak_force / per_impulse));
     let sticking =
         held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
     let sticking = match prepared.other_mass() {
@@ -203,6 +216,7 @@ pub fn impact(
         simultaneous: simultaneous(&evaluated, impact, &rigid)?,
         sticking_mass,
         sticking_status,
+        mass_states: mass_states(&evaluated)?,
         motion_before: if is_given { "given" } else { "least-energy" },
         rates: joint_rates(pose, &rigid),
         base: base_rates(&evaluated, &rigid),
@@ -221,6 +235,23 @@ pub fn impact(
         mass,
         diagnostics,
     })
+}
+
+/// Refuses results about the contact point for the stop of a joint.
+fn refuse_of_joint_stop(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
+    let prepared = &evaluated.prepared;
+    if prepared.question.stop_of_joint(&prepared.model.mechanism).is_none() {
+        return Ok(());
+    }
+    let results = [
+        (impact.friction.is_some(), Field::Friction, "friction"),
+        (!impact.percussion.is_empty(), Field::Percussion, "centre of percussion"),
+        (impact.sticking, Field::Also, "sticking contact point"),
+    ];
+    match results.into_iter().find(|(is_requested, ..)| *is_requested) {
+        Some((_, field, result)) => Err(StudyError::input(field, Fault::OfJointStop { result })),
+        None => Ok(()),
+    }
 }
 
 /// Closing speed and rates before the impact; no rates for the motion of least energy.
@@ -285,7 +316,6 @@ fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
 /// Warning about results that do not include the friction of the impact.
 fn without_friction_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
     let parts = [
-        (impact.law.is_some(), "the peak force of the contact"),
         (!impact.rate_limits.is_empty() || !impact.gear_limits.is_empty(), "the greatest closing speed"),
         (!impact.percussion.is_empty(), "the centre of percussion"),
     ];
@@ -336,13 +366,21 @@ fn peak_force(
     let damping =
         DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
     let report = damping_report(evaluated, &damping)?;
+    // With friction: the contact without friction that has the same work of compression.
+    let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
+    let damper = match compression {
+        Some(compression) => damper(&damping, compression.equivalent_mass)?,
+        None => report.damper,
+    };
     let record = ImpactLawRecord {
-        law: report.damper.law,
-        stiffness: report.damper.stiffness,
-        exponent: report.damper.exponent,
-        duration: report.damper.contact_duration,
-        max_penetration: report.damper.max_penetration,
-        peak_force: report.damper.peak_force.unwrap_or_default(),
+        law: damper.law,
+        stiffness: damper.stiffness,
+        exponent: damper.exponent,
+        duration: damper.contact_duration.filter(|_| compression.is_none()),
+        max_penetration: damper.max_penetration,
+        peak_force: damper.peak_force.unwrap_or_default(),
+        mass_in_compression: compression.map(|compression| compression.equivalent_mass),
+        direction_changes: compression.is_some_and(|compression| !compression.has_constant_direction),
         mass_change_over_penetration: report.drift.and_then(|drift| drift.over_penetration),
     };
     Ok((record, report.diagnostics))

@@ -3,8 +3,9 @@
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::question::spelled_contact::FurtherContact;
 use crate::reports::impact::errors::impact_error;
-use crate::reports::impact::question::{FurtherContact, ImpactQuestion};
+use crate::reports::impact::question::ImpactQuestion;
 use crate::thresholds::SAME_FRICTION;
 use nalgebra::DVector;
 use percuss_dynamics::{Contact, Direction, Frame, Gap, LocatedContact};
@@ -20,6 +21,8 @@ use serde::Serialize;
 pub struct TouchingRecord {
     /// Name of the contact, or its link and number.
     pub name: String,
+    /// True for the stop of a joint: kg·m², rad/s and N·m·s if the joint turns.
+    pub is_joint_stop: bool,
     /// Contact link.
     pub link: String,
     /// Point, world frame, m.
@@ -202,6 +205,10 @@ pub(crate) fn simultaneous(
         let principal = delassus.principal_masses(i);
         TouchingRecord {
             name: names[i].clone(),
+            is_joint_stop: match i.checked_sub(1) {
+                Some(further) => matches!(question.also[further], FurtherContact::JointStop { .. }),
+                None => prepared.question.stop_of_joint(pose.mechanism()).is_some(),
+            },
             link: pose.mechanism().link(located[i].link).name().to_owned(),
             point_world: point_world(evaluated, &located[i]),
             normal_world: located[i].normal_world.into(),

@@ -5,7 +5,8 @@ use super::damping::LawName;
 use super::headings::{ADDITIONAL, IMPACT};
 use crate::question::damping_question::{DampingQuestion, check_units};
 use crate::question::errors::refusal::InvalidKey;
-use crate::reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
+use crate::question::spelled_contact::FurtherContact;
+use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};

@@ -3,6 +3,7 @@
 
 pub(crate) mod contact;
 pub(crate) mod damping;
+pub(crate) mod extremes;
 #[cfg(feature = "flags")]
 pub mod headings;
 pub(crate) mod impact;

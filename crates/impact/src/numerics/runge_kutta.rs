@@ -1,0 +1,156 @@
+//! Runge-Kutta step of order 8 with eleven stages.
+
+/// Stages after the first.
+const STAGES: usize = 10;
+
+/// Coefficients of the stages after the first, row by row, and weights. Source: Cooper and Verner 1972.
+fn coefficients() -> ([[f64; STAGES]; STAGES], [f64; STAGES + 1]) {
+    let s = 21.0_f64.sqrt();
+    let rows = [
+        [0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.25, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [1.0 / 7.0, (-7.0 - 3.0 * s) / 98.0, (21.0 + 5.0 * s) / 49.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [(11.0 + s) / 84.0, 0.0, (18.0 + 4.0 * s) / 63.0, (21.0 - s) / 252.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [
+            (5.0 + s) / 48.0,
+            0.0,
+            (9.0 + s) / 36.0,
+            (-231.0 + 14.0 * s) / 360.0,
+            (63.0 - 7.0 * s) / 80.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        ],
+        [
+            (10.0 - s) / 42.0,
+            0.0,
+            (-432.0 + 92.0 * s) / 315.0,
+            (633.0 - 145.0 * s) / 90.0,
+            (-504.0 + 115.0 * s) / 70.0,
+            (63.0 - 13.0 * s) / 35.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        ],
+        [
+            1.0 / 14.0,
+            0.0,
+            0.0,
+            0.0,
+            (14.0 - 3.0 * s) / 126.0,
+            (13.0 - 3.0 * s) / 63.0,
+            1.0 / 9.0,
+            0.0,
+            0.0,
+            0.0,
+        ],
+        [
+            1.0 / 32.0,
+            0.0,
+            0.0,
+            0.0,
+            (91.0 - 21.0 * s) / 576.0,
+            11.0 / 72.0,
+            (-385.0 - 75.0 * s) / 1152.0,
+            (63.0 + 13.0 * s) / 128.0,
+            0.0,
+            0.0,
+        ],
+        [
+            1.0 / 14.0,
+            0.0,
+            0.0,
+            0.0,
+            1.0 / 9.0,
+            (-733.0 - 147.0 * s) / 2205.0,
+            (515.0 + 111.0 * s) / 504.0,
+            (-51.0 - 11.0 * s) / 56.0,
+            (132.0 + 28.0 * s) / 245.0,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            (-42.0 + 7.0 * s) / 18.0,
+            (-18.0 + 28.0 * s) / 45.0,
+            (-273.0 - 53.0 * s) / 72.0,
+            (301.0 + 53.0 * s) / 72.0,
+            (28.0 - 28.0 * s) / 45.0,
+            (49.0 - 7.0 * s) / 18.0,
+        ],
+    ];
+    let weights = [0.05, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 49.0 / 180.0, 16.0 / 45.0, 49.0 / 180.0, 0.05];
+    (rows, weights)
+}
+
+/// State after one step of y′ = f(y) of length `h`, from a state with the rates `rate`. The local error is of order h⁹. The last state at
+/// which f is evaluated is an approximation of the result.
+pub(crate) fn step(f: &impl Fn(&[f64], &mut [f64]), y: &[f64], rate: &[f64], h: f64) -> Vec<f64> {
+    let (rows, weights) = coefficients();
+    let mut rates = vec![rate.to_vec()];
+    let mut state = vec![0.0; y.len()];
+    for row in &rows {
+        for (i, state) in state.iter_mut().enumerate() {
+            *state = y[i] + h * row.iter().zip(&rates).map(|(a, rate)| a * rate[i]).sum::<f64>();
+        }
+        let mut next = vec![0.0; y.len()];
+        f(&state, &mut next);
+        rates.push(next);
+    }
+    let sum = |i: usize| weights.iter().zip(&rates).map(|(b, rate)| b * rate[i]).sum::<f64>();
+    y.iter().enumerate().map(|(i, y)| y + h * sum(i)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{coefficients, step};
+
+    /// The error over a fixed time falls by at least 2⁸ if the steps are halved; here by 2^8.85. The sums of the rows are the nodes.
+    #[test]
+    fn the_order_is_eight() {
+        let (rows, weights) = coefficients();
+        let s = 21.0_f64.sqrt();
+        let nodes = [
+            0.5,
+            0.5,
+            (7.0 + s) / 14.0,
+            (7.0 + s) / 14.0,
+            0.5,
+            (7.0 - s) / 14.0,
+            (7.0 - s) / 14.0,
+            0.5,
+            (7.0 + s) / 14.0,
+            1.0,
+        ];
+        for (row, node) in rows.iter().zip(nodes) {
+            assert!((row.iter().sum::<f64>() - node).abs() < 1e-14);
+        }
+        assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        // Pendulum of large amplitude: y″ = −sin y; its energy ½ y′² − cos y is constant.
+        let f = |y: &[f64], r: &mut [f64]| {
+            r[0] = y[1];
+            r[1] = -y[0].sin();
+        };
+        let end = |count: usize| {
+            let (mut y, h) = (vec![2.5, 0.0], 4.0 / count as f64);
+            for _ in 0..count {
+                let mut rate = vec![0.0; 2];
+                f(&y, &mut rate);
+                y = step(&f, &y, &rate, h);
+            }
+            y
+        };
+        let exact = end(400);
+        let error = |count: usize| {
+            let y = end(count);
+            (y[0] - exact[0]).abs().max((y[1] - exact[1]).abs())
+        };
+        let order = (error(10) / error(20)).log2();
+        assert!((7.8..9.5).contains(&order), "{order} {} {}", error(10), error(20));
+    }
+}

@@ -1,0 +1,66 @@
+//! Points of links that keep their places in the world over a search.
+
+use crate::ranges::extreme_question::KeptPoint;
+use nalgebra::{DVector, Vector3};
+use percuss_dynamics::Pose;
+use percuss_mechanism::LinkId;
+
+/// Scalar conditions of kept points: one per direction.
+#[derive(Clone, Debug, Default)]
+pub(super) struct KeptRows {
+    rows: Vec<KeptRow>,
+    /// Characteristic length of the mechanism, m.
+    size: f64,
+}
+
+/// Kept coordinate of a point along a direction.
+#[derive(Clone, Debug)]
+struct KeptRow {
+    link: LinkId,
+    /// Point in the frame of the link, m.
+    point: Vector3<f64>,
+    /// Unit vector, root axes.
+    direction: Vector3<f64>,
+    /// Coordinate of the point along the direction, m.
+    target: f64,
+}
+
+impl KeptRows {
+    /// Conditions that keep the points at their places of a pose.
+    pub fn new(pose: &Pose, kept: &[KeptPoint]) -> Self {
+        let mut rows = Vec::new();
+        for kept in kept {
+            let place = pose.link_in_root(kept.link).point(&kept.point);
+            let directions = match kept.normal {
+                Some(normal) => vec![pose.base().inverse_vector(&normal.normalize())],
+                None => vec![Vector3::x(), Vector3::y(), Vector3::z()],
+            };
+            rows.extend(directions.into_iter().map(|direction| KeptRow {
+                link: kept.link,
+                point: kept.point,
+                direction,
+                target: direction.dot(&place),
+            }));
+        }
+        Self { rows, size: pose.mechanism().characteristic_length() }
+    }
+
+    /// True without conditions.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Distances of the points from their places along the directions, divided by the characteristic length.
+    pub fn residuals(&self, pose: &Pose) -> DVector<f64> {
+        let residual = |row: &KeptRow| {
+            let place = pose.link_in_root(row.link).point(&row.point);
+            (row.direction.dot(&place) - row.target) / self.size
+        };
+        DVector::from_iterator(self.rows.len(), self.rows.iter().map(residual))
+    }
+
+    /// Largest distance of a point from its place along a direction, m.
+    pub fn largest_error(&self, pose: &Pose) -> f64 {
+        if self.is_empty() { 0.0 } else { self.size * self.residuals(pose).amax() }
+    }
+}

@@ -1,0 +1,192 @@
+//! Contacts in one text: a name of the model, a point with its normal, a cable, or the stop of a joint.
+
+use crate::question::errors::fault::Fault;
+use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
+use crate::question::mass_question::{Hold, MassQuestion, Normal};
+use crate::values::position::GivenPosition;
+use percuss_contact::exports::StopMotion;
+use percuss_dynamics::{Contact, Frame};
+use percuss_mechanism::{Joint, JointId, JointKind, Mechanism};
+use serde::Serialize;
+
+/// Stop of a joint, in reports.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StopRecord {
+    /// The joint.
+    pub joint: String,
+    /// Motion of the joint. `turn`: the mass is an inertia in kg·m², the stiffness is in N·m/rad, the speed in
+    /// rad/s, and so on. `slide`: kg, N/m, m/s.
+    pub motion: StopMotion,
+}
+
+/// Motion of a joint into a stop; `None` unless the joint has exactly one position.
+pub(crate) fn stop_motion(joint: &Joint) -> Option<StopMotion> {
+    match joint.kind() {
+        JointKind::Revolute | JointKind::Continuous => Some(StopMotion::Turn),
+        JointKind::Prismatic => Some(StopMotion::Slide),
+        JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => None,
+    }
+}
+
+/// Contact in one text: the value of `at`, or a further contact of an impact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FurtherContact {
+    /// Contact of the model.
+    Named(String),
+    /// Point of a link (m, link's frame) against the ground, with the normal out of the link, world axes.
+    Point {
+        /// The link.
+        link: String,
+        /// The point.
+        point: [f64; 3],
+        /// The normal.
+        normal: [f64; 3],
+    },
+    /// Cable between points (m, frames of the links) of two links: it resists lengthening.
+    Cable {
+        /// The link.
+        link: String,
+        /// Its end of the cable.
+        point: [f64; 3],
+        /// The other link.
+        other: String,
+        /// Its end of the cable.
+        end: [f64; 3],
+    },
+    /// Stop of a joint with one velocity. Impulses are N·m·s, speeds rad/s and masses kg·m² if the joint turns.
+    JointStop {
+        /// The joint.
+        joint: String,
+        /// True for the upper limit: the stop acts against a positive rate.
+        is_upper: bool,
+    },
+}
+
+impl std::str::FromStr for FurtherContact {
+    type Err = String;
+    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or `JOINT:upper`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if !text.contains(':') {
+            return Ok(Self::Named(text.to_owned()));
+        }
+        if let Some((joint, end @ ("lower" | "upper"))) = text.rsplit_once(':') {
+            return Ok(Self::JointStop { joint: joint.to_owned(), is_upper: end == "upper" });
+        }
+        let read = |text: &str| {
+            let hold: Result<Hold, String> = text.parse();
+            hold.map_err(|error| format!("the name of a contact is expected, or: {error}"))
+        };
+        if let Some((first, second)) = text.split_once('=') {
+            let (first, second) = (read(first)?, read(second)?);
+            if first.normal.is_some() || second.normal.is_some() {
+                return Err("expected a cable LINK:X,Y,Z=LINK:X,Y,Z, such as hook:0,0,0=frame:0,0,1".into());
+            }
+            let (link, other) = (first.link, second.link);
+            return Ok(Self::Cable { link, point: first.point, other, end: second.point });
+        }
+        let hold = read(text)?;
+        match hold.normal {
+            Some(normal) => Ok(Self::Point { link: hold.link, point: hold.point, normal }),
+            None => Err("expected the name of a contact, LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a cable LINK:X,Y,Z=LINK:X,Y,Z, or \
+                         the stop JOINT:lower or JOINT:upper"
+                .into()),
+        }
+    }
+}
+
+impl MassQuestion {
+    /// Contact that `at` spells: a point, a cable or the stop of a joint. `None` without `at`, and for a contact of the model.
+    ///
+    /// # Errors
+    /// A text with a colon that is neither a contact of the model nor one of these forms.
+    pub(crate) fn spelled_contact(
+        &self,
+        mechanism: &Mechanism,
+    ) -> Result<Option<FurtherContact>, StudyError> {
+        let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
+        let Some(text) = self.at.as_ref().filter(is_spelled) else { return Ok(None) };
+        let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+        text.parse().map(Some).map_err(refuse)
+    }
+
+    /// Joint whose stop `at` spells, with the kind of its motion; `None` for other contacts.
+    pub(crate) fn stop_of_joint(&self, mechanism: &Mechanism) -> Option<(JointId, StopMotion)> {
+        let Ok(Some(FurtherContact::JointStop { joint, .. })) = self.spelled_contact(mechanism) else {
+            return None;
+        };
+        let id = mechanism.find_joint(&joint).ok()?;
+        Some((id, stop_motion(mechanism.joint(id))?))
+    }
+
+    /// Question with the link, the point, the normal and the other side of a spelled contact. The joint of a stop is at its limit, unless
+    /// the question gives its position.
+    pub(crate) fn with_spelled(
+        &self,
+        contact: &FurtherContact,
+        mechanism: &Mechanism,
+    ) -> Result<Self, StudyError> {
+        let refuse = |field, message: &str| {
+            Err(StudyError::input(field, Fault::ContactText { message: message.to_owned() }))
+        };
+        if !matches!(self.normal, Normal::Along(zero) if zero == [0.0; 3]) {
+            return refuse(Field::Normal, "the contact of `at` has its own normal; expected no other one");
+        }
+        let of_text = |link: &String, point, normal, normal_frame, against| Self {
+            link: link.clone(),
+            point,
+            normal,
+            frame: Frame::Link,
+            normal_frame,
+            against,
+            ..self.clone()
+        };
+        match contact {
+            FurtherContact::Named(_) => Ok(self.clone()),
+            FurtherContact::Point { link, point, normal } => {
+                Ok(of_text(link, *point, Normal::Along(*normal), Frame::World, None))
+            }
+            FurtherContact::Cable { link, point, other, end } => {
+                let normal = Normal::TurningAwayFrom(other.clone(), *end);
+                let against = self.against_mass.is_none().then(|| other.clone());
+                Ok(of_text(link, *point, normal, Frame::Link, against))
+            }
+            FurtherContact::JointStop { joint, is_upper } => {
+                if self.against_mass.is_some() {
+                    return refuse(
+                        Field::AgainstMass,
+                        "the stop of a joint has no free body on the other side",
+                    );
+                }
+                let unknown = |error| StudyError::input(Field::At, error);
+                let id = mechanism.find_joint(joint).map_err(unknown)?;
+                let declared = mechanism.joint(id);
+                let no_stop = || {
+                    StudyError::input(
+                        Field::At,
+                        Fault::NoStop { joint: joint.clone(), kind: declared.kind() },
+                    )
+                };
+                let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(no_stop)?;
+                let name = |link| mechanism.link(link).name().to_owned();
+                let (normal, frame) = Normal::of_direction(contact.normal, name);
+                let against = Some(name(declared.parent()));
+                let mut question =
+                    of_text(&name(declared.child()), contact.point.into(), normal, frame, against);
+                let is_given = self.set.iter().any(|(set, _)| set == joint) || self.gives_pose();
+                if !is_given {
+                    let limits = declared.limits().ok_or_else(|| {
+                        StudyError::input(Field::At, Fault::NoLimit { joint: joint.clone() })
+                    })?;
+                    let at = if *is_upper { limits.upper } else { limits.lower };
+                    let position = GivenPosition::from_numbers(&[at]);
+                    let wrong = |source| {
+                        StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source })
+                    };
+                    question.set.push((joint.clone(), position.map_err(wrong)?));
+                }
+                Ok(question)
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Masses of a contact by the state of rotors and joints, side by side.
+
+use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
+use crate::evaluation::status::Status;
+use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use percuss_dynamics::{Configuration, EffectiveMass, Pose};
+use percuss_impact::{held_point_mass, locked_body_masses};
+use serde::Serialize;
+
+/// Mass of a contact for one state of rotors and joints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MassStateRecord {
+    /// `rotors-decoupled`: no rotor takes part, as with compliant gears (all armatures 0). `rotors-coupled`: the rotors follow the joints,
+    /// the mass of all other results. `joints-locked`: all moving links as one free rigid body (composite rigid body), the mass
+    /// to which impacts on robots with stiff joint control are often nearer. Strictly, locked joints on a fixed base are immovable.
+    pub state: &'static str,
+    /// Effective mass of a sliding contact point, 1/(nᵀΛ⁻¹n), kg; null if not finite.
+    pub sliding: Option<f64>,
+    /// Kind of this mass.
+    pub sliding_status: Status,
+    /// Mass of a contact point that cannot slide in the tangent plane, nᵀΛn, kg; null if not finite.
+    pub sticking: Option<f64>,
+    /// Kind of this mass.
+    pub sticking_status: Status,
+}
+
+/// Masses with rotors decoupled, with rotors coupled and with locked joints. The first is never above the second. The third does not
+/// depend on the rotors.
+pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassStateRecord>, StudyError> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let mechanism = &prepared.model.mechanism;
+    let question = &*prepared.question;
+    let name = |joint| mechanism.joint(joint).name().to_owned();
+    let has_rotor = |joint: &_| pose.armature(*joint).iter().any(|armature| *armature != 0.0);
+    let decoupled = MassQuestion {
+        armature: mechanism
+            .joint_ids()
+            .filter(has_rotor)
+            .map(|joint| (name(joint), vec![0.0; pose.armature(joint).len()]))
+            .collect(),
+        ..question.clone()
+    };
+    let response = |pose: &Pose| -> Result<[EffectiveMass; 2], StudyError> {
+        let found = pose.respond(&evaluated.contact)?;
+        let sticking = held_point_mass(pose, &found.contact);
+        Ok([found.effective_mass, sticking.map_err(|error| StudyError::input(Field::Link, error))?])
+    };
+    let located = &evaluated.result.response.contact;
+    let locked = locked_body_masses(pose, located).map_err(|error| StudyError::input(Field::Link, error))?;
+    let decoupled = response(&changed_pose(evaluated, &decoupled)?)?;
+    let all =
+        [("rotors-decoupled", decoupled), ("rotors-coupled", response(pose)?), ("joints-locked", locked)];
+    let record = |(state, masses): (&'static str, [EffectiveMass; 2])| {
+        let [sliding, sticking] =
+            masses.map(|mass| Status::classify(mass.against_mass(prepared.other_mass())));
+        MassStateRecord {
+            state,
+            sliding: sliding.1,
+            sliding_status: sliding.0,
+            sticking: sticking.1,
+            sticking_status: sticking.0,
+        }
+    };
+    Ok(all.into_iter().map(record).collect())
+}
+
+/// The pose of a question with the conditions of another question.
+fn changed_pose(evaluated: &EvaluatedQuestion, question: &MassQuestion) -> Result<Pose, StudyError> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let mechanism = &prepared.model.mechanism;
+    let mut positions = Configuration::from_positions(mechanism, pose.positions())
+        .map_err(|error| StudyError::input(Field::Set, error))?;
+    positions.set_base(*pose.base());
+    Ok(compile(mechanism, question, None)?.pose(&positions)?)
+}
