@@ -209,7 +209,7 @@ Examples:
   percuss convert robot.urdf -o robot.sdf
   percuss convert my.toml --to mjcf -o - > suspension.xml
 
-Loops, mimics, armatures and shapes are kept; meshes are referenced, not copied.";
+Loops, mimics, armatures and shapes are kept. Meshes are not copied.";
 
 pub const EXPORT: &str = "\
 Examples:
