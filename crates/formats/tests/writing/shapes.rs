@@ -109,7 +109,10 @@ fn shapes_are_written_and_read_back() {
         // The massless link between two hinges has no body.
         assert_eq!(
             lost(&mjcf.changes),
-            vec!["link \"wrist\": its link has no body of its own in MJCF"; wrist.len()]
+            vec![
+                "link \"wrist\": its link is massless and merged into the body of another link";
+                wrist.len()
+            ]
         );
         let loaded = reread("written/arm.xml", &mjcf.text);
         let after = |link: &str| &loaded.shapes[loaded.mechanism.find_link(link).unwrap().index()];
@@ -122,7 +125,10 @@ fn shapes_are_written_and_read_back() {
         }
 
         let sdf = write_sdf(parts, "").unwrap();
-        assert_eq!(lost(&sdf.changes), vec!["link \"wrist\": its link is within a joint"; wrist.len()]);
+        assert_eq!(
+            lost(&sdf.changes),
+            vec!["link \"wrist\": its link is massless and merged into a joint"; wrist.len()]
+        );
         let loaded = reread("written/arm.sdf", &sdf.text);
         let after = |link: &str| &loaded.shapes[loaded.mechanism.find_link(link).unwrap().index()];
         for (link, before) in [("base", base), ("hand", hand)] {
@@ -183,15 +189,15 @@ fn shapes_without_a_form_are_lost_with_a_reason() {
     assert_eq!(
         lost(&write_mjcf(parts, "").unwrap().changes),
         [
-            "link \"base\": MuJoCo refuses a length of 0",
+            "link \"base\": MuJoCo refuses a dimension or a scale factor of 0",
             "link \"base\": gone.stl: the file was not found",
-            "link \"base\": part.dae: MuJoCo reads STL, OBJ and MSH"
+            "link \"base\": part.dae: MuJoCo reads only STL, OBJ and MSH; convert the mesh"
         ]
     );
     assert_eq!(
         lost(&write_sdf(parts, "").unwrap().changes),
         [
-            "link \"base\": SDFormat has no shapes with a length of 0",
+            "link \"base\": SDFormat allows no dimension or scale factor of 0",
             "link \"base\": gone.stl: the file was not found"
         ]
     );
