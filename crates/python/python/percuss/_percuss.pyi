@@ -862,8 +862,8 @@ def extremes(
         tuple[int, int] | None,
     ],
 ) -> str:
-    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO", with kept links or
-    points, or along a path of rows."""
+    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO", with kept links or points, or
+    along a path of rows."""
 def safe_speed(
     model: Model,
     contact: Contact | str,

@@ -237,6 +237,9 @@ pub fn rows(
     random: Option<(usize, u64)>,
 ) -> PyResult<RowSource> {
     match (ranges, file, random) {
+        (Some(ranges), ..) if ranges.is_empty() => {
+            Err(input("vary: the list is empty; expected at least one range"))
+        }
         (Some(ranges), None, None) => Ok(RowSource::Grid(ranges.iter().map(vary).collect::<PyResult<_>>()?)),
         (None, Some((path, ignore)), None) => {
             Ok(RowSource::File(percuss::study::PositionFile { path, ignore, max_size: DEFAULT_MAX_SIZE }))
