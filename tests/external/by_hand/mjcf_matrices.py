@@ -9,6 +9,7 @@ meshes, because MuJoCo stores vertices in single precision.
 
 import argparse
 import collections
+import json
 import pathlib
 import sys
 
@@ -32,7 +33,7 @@ def row_space(rows, size):
 
 
 def deviation(peer, pose, rng):
-    """Largest deviations of J, of M, and of the row space of A, relative to the largest entry (A: absolute)."""
+    """Largest deviations of J, of M, and of the row space of A, relative to the largest entry (A: absolute); None if T is not unique."""
     peer.set_pose({name: list(values) for name, values in pose.joints.items()})
     mass, rows = peer.matrices()
     m, d = peer.model, peer.data
@@ -46,9 +47,15 @@ def deviation(peer, pose, rng):
             theirs.append(jacobian)
             ours.append(pose.point_jacobian(peer.links[body], point))
     ours, theirs = np.vstack(ours), np.vstack(theirs)
+    if np.linalg.matrix_rank(theirs, tol=RANK * np.abs(theirs).max()) < m.nv:
+        return None
     velocities, *_ = np.linalg.lstsq(theirs, ours, rcond=None)
     own = pose.mass_matrix()
-    space, other = row_space(pose.constraint_matrix(), own.shape[0]), row_space(rows @ velocities, own.shape[0])
+    # Rows that the velocities satisfy, such as those of mimics, are rounding.
+    size = (np.abs(rows) @ np.abs(velocities)).max(axis=1, initial=0)
+    reduced = rows @ velocities
+    reduced = reduced[np.abs(reduced).max(axis=1, initial=0) > RANK * size]
+    space, other = row_space(pose.constraint_matrix(), own.shape[0]), row_space(reduced, own.shape[0])
     if space.shape != other.shape:
         return {"rank of A": 1.0}
     difference = space - space @ other.T @ other
@@ -71,12 +78,12 @@ def outcome(path, count, rng):
         return "other links", ""
     if any(peer.model.tendon_armature):
         return "tendons with an armature", "percuss adds a coordinate for each tendon"
-    system = percuss.System(model).assemble()
+    system = model.assemble()
     info = {joint.name: joint for joint in model.joints}
     worst = collections.Counter()
     done = 0
     for number in range(count):
-        names = system.drivers if model.closures else [n for n, j in info.items() if j.kind != "fixed" and j.mimic is None]
+        names = system.drivers if model.closures else [n for n, j in info.items() if j.kind != "fixed" and j.mimics is None]
         size = 0.3 * (number % 3) / 2 if model.closures else 1.0
         q = {}
         for name in names:
@@ -88,8 +95,11 @@ def outcome(path, count, rng):
             pose = system.pose(q)
         except percuss.PercussError:
             continue
+        found = deviation(peer, pose, rng)
+        if found is None:
+            return "coaxial joints", "the points do not determine all velocities"
         done += 1
-        for name, value in deviation(peer, pose, rng).items():
+        for name, value in found.items():
             worst[name] = max(worst[name], value)
     if not done:
         return "out of reach", ""
@@ -104,10 +114,13 @@ def main():
     parser.add_argument("--poses", type=int, default=100)
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
+    ledger = json.loads((pathlib.Path(__file__).parents[1] / "mjcf_models.json").read_text())
     counts, rng = collections.Counter(), np.random.default_rng(0)
     for folder in options.folders:
         for path in models(folder):
             kind, text = outcome(path, options.poses, rng)
+            if any(path.as_posix().endswith(entry["model"]) and entry["outcome"] == kind for entry in ledger):
+                kind = f"{kind} (ledger)"
             counts[kind] += 1
             if options.verbose or kind == "deviates":
                 print(f"{kind:18} {path.relative_to(folder)} {text}", flush=True)
