@@ -31,6 +31,9 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
     }
     for closure in mechanism.closures() {
         let name = escape_attribute(closure.name());
+        if !needs_half(closure.kind()) {
+            report_open_drawing(mechanism, tree, closure);
+        }
         match closure.kind() {
             ClosureKind::Fixed => {
                 add_sites(mechanism, tree, closure, &name, &Vector3::zeros());
@@ -303,6 +306,23 @@ fn check_drawing(
             closure.kind().name()
         ),
     ))
+}
+
+/// Reports a closure that is open as drawn: programs close such a loop at different poses.
+fn report_open_drawing(mechanism: &Mechanism, tree: &mut BodyTree, closure: &Closure) {
+    let frame = |end: &LoopFrame| {
+        let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
+        link * end.frame
+    };
+    let drawn = frame(closure.predecessor()).inverse() * frame(closure.successor());
+    let error = drawing_error(closure, &drawn, mechanism.characteristic_length());
+    if error > DRAWING_TOLERANCE {
+        let what = format!(
+            "its pose can differ: the loop is open by {error:.1e} with all joints at 0 (rad, or relative to the size of the mechanism)"
+        );
+        let reason = "each program closes such a loop in its own way; correct the drawing";
+        tree.changes.push(Change::changed("loop", closure.name(), what, reason));
+    }
 }
 
 /// Error of a closure as drawn: rotation, rad, or translation relative to the size of the mechanism (m). `drawn`: loop frame of the
