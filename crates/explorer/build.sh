@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Builds the parts of the explorer that a plain build takes as they are.
+# Builds the parts of the explorer that cargo embeds but does not build.
 #   build.sh engine        WebAssembly module -> engine/percuss.wasm.lzma; then: cargo build --release --features explorer
 #   build.sh page          bundle of the page -> page/dist; needs npm
 #   build.sh page --check  builds the bundle again and compares the bytes with page/dist
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
-# Largest module, compressed by xz, bytes. Every page contains it. Without wasm-opt the file is larger, and of the same format.
+# Limits of the compressed module, bytes, with and without wasm-opt. Every page contains the module.
 largest_module=1350000
 largest_without_tools=1450000
 
@@ -33,7 +33,7 @@ engine() {
     echo "wasm-opt is not installed (Debian: apt install binaryen): the page is a twentieth larger"
     largest_module=$largest_without_tools
   fi
-  # A fifth smaller than gzip; the page decodes it in a third of a second.
+  # LZMA is a fifth smaller than gzip; the page decodes the module in a third of a second.
   if command -v xz > /dev/null; then
     xz --format=lzma -9e -c "$module" > "$packed.part"
   elif ! python3 - "$module" > "$packed.part" <<< 'import lzma, sys

@@ -52,7 +52,7 @@ with_target() {
   rustup target list --installed | grep -qx "$1" || rustup target add "$1"
 }
 
-# The page of percuss explore contains it.
+# WebAssembly engine, which every page of percuss explore contains.
 crates/explorer/build.sh engine
 
 # package SYSTEM TRIPLE BINARY: the binary with what a user needs beside it, as an archive that the system opens.

@@ -11,10 +11,10 @@ use sha2::{Digest, Sha256};
 const SCRIPT: &str = include_str!("../page/dist/page.js");
 const STYLE: &str = include_str!("../page/dist/page.css");
 
-/// WebAssembly module of `percuss-web`, in the format .lzma; `None` in a build without the feature `engine`.
+/// WebAssembly module of `percuss-web`, compressed as an .lzma file; `None` in a build without the feature `engine`.
 #[cfg(feature = "engine")]
 pub const ENGINE: Option<&[u8]> = Some(include_bytes!("../engine/percuss.wasm.lzma"));
-/// WebAssembly module of `percuss-web`, in the format .lzma; `None` in a build without the feature `engine`.
+/// WebAssembly module of `percuss-web`, compressed as an .lzma file; `None` in a build without the feature `engine`.
 #[cfg(not(feature = "engine"))]
 pub const ENGINE: Option<&[u8]> = None;
 
@@ -27,7 +27,7 @@ pub struct PageContent<'a> {
     pub generator: &'a str,
     /// Model files and the question at first sight, as the script reads them.
     pub start: &'a Value,
-    /// WebAssembly module, in the format .lzma.
+    /// WebAssembly module, compressed as an .lzma file.
     pub engine: &'a [u8],
 }
 

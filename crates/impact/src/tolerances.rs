@@ -73,17 +73,18 @@ pub const LEAST_ENERGETIC: f64 = 0.01;
 /// Energy created by a law of restitution, relative to the energy of the closing motion, that is rounding.
 pub const CREATED_ENERGY: f64 = 1e-10;
 
-/// Part of the full friction that an impulse of friction lacks, up to which its direction is constant: a turn of the sliding by 1e-4 rad.
+/// Relative difference between µ times the normal impulse and the impulse of the friction up to which the sliding direction counts as
+/// constant. It corresponds to a turn of about 1e-4 rad.
 pub const SAME_DIRECTION: f64 = 1e-9;
 
 /// Error of one step of an impact in time, relative to the penetration and the largest rate.
 pub const TIME_STEP_ERROR: f64 = 1e-12;
 
 /// Largest step of an impact in time, relative to stopping depth / closing speed: about 50 samples of the force. The error of a step of
-/// order 10 is then 0.007 · 0.0625¹¹, and that of a Runge-Kutta step of order 8 a small part of 0.0625⁹.
+/// order 10 is then 0.007 · 0.0625¹¹; the error of a Runge-Kutta step of order 8 is far below 0.0625⁹.
 pub const LARGEST_TIME_STEP: f64 = 0.0625;
 
-/// Largest number of steps of an impact in time: about 60 times the duration of an elastic impact.
+/// Largest number of steps of an impact in time: about 80 times the duration of an elastic impact.
 pub const MOST_TIME_STEPS: usize = 4_000;
 
 /// Distance from the end of the contact, relative to the step and the penetration, at which the end is found: rounding.

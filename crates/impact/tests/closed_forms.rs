@@ -426,8 +426,8 @@ fn the_greatest_speed_of_gears_reaches_the_limit() {
     assert_eq!(greatest_closing_speed_of_gears(&pose, &response, 0.2, &[(hinge, 0, 0.1)]), None);
 }
 
-/// Locked joints: the mass of one free body, 1/(1/m + (r × n)ᵀ I⁻¹ (r × n)), by the centre of mass and the inertia of all links. For a
-/// floating base the mass is that with all joints locked. The locked body is never lighter than the mechanism on a floating base.
+/// Masses with locked joints equal those of one free body, 1/(1/m + (r × n)ᵀ I⁻¹ (r × n)) for a sliding point. On a floating base the
+/// sliding mass equals the effective mass with all joints locked, and is not below the effective mass with free joints.
 #[test]
 fn locked_joints_are_one_body() {
     let mechanism = model("six_r_arm");

@@ -385,9 +385,9 @@ fn friction_of_mechanisms_balances_momentum_and_energy() {
 /// Largest number of steps of a compression: three times those of a frictionless one.
 const MOST_COMPRESSION_STEPS: usize = 48_000;
 
-/// Compliant contact of stiffness `k` with Coulomb friction at a constant mobility: velocities over time by small steps. Returns the peak of
-/// the normal force, and the impulse of compression. Without `sticks` the point stops only at the end of compression: one relative motion. `None` if the compression
-/// takes many steps, as near a jam.
+/// Compression of a compliant contact of stiffness `k` with Coulomb friction at constant mobility, integrated in small time steps. Returns
+/// the peak normal force and the impulse of compression. `sticks`: false for one relative motion, in which the point slides until the end
+/// of compression. `None` if the compression takes more than `MOST_COMPRESSION_STEPS` steps, as near a jam.
 fn compliant(
     w: &Matrix3<f64>,
     before: &Vector3<f64>,
@@ -432,8 +432,9 @@ fn compliant(
     None
 }
 
-/// The compression of an impact with friction has the work of a contact without friction of the equivalent mass: the peak force of a
-/// compliant contact is c √(k m). The impulse, its reactions and the mass agree with small steps in time, for random mechanisms.
+/// The work of compression with friction equals that of a frictionless contact of the equivalent mass m, so the peak force of a linear
+/// contact spring is c √(k m). For random mechanisms, peak force and impulse agree with an integration in small time steps; the reactions
+/// balance the impulse.
 #[test]
 fn the_compression_has_the_work_of_its_mass() {
     let mut cases = 0;

@@ -35,7 +35,7 @@ pub enum Request {
     },
     /// Damper for a restitution, and the parameters of simulators.
     Damp {
-        /// Question; its contact is ignored if the table names the stop of a joint.
+        /// Question; the contact is ignored if `damping` names a joint stop.
         question: QuestionRequest,
         /// Table of the damper.
         damping: DampingTable,
@@ -121,12 +121,12 @@ impl QuestionRequest {
     /// Question without a contact: pose, conditions and held points.
     ///
     /// # Errors
-    /// As for [`question`](Self::question).
+    /// Message: keys that exclude each other, or a file of positions.
     pub fn conditions(&self) -> Result<MassQuestion, String> {
         self.with_contact(&ContactTable::default())
     }
 
-    /// Question with another contact.
+    /// Combines the pose, conditions and held points of the request with the given contact.
     fn with_contact(&self, contact: &ContactTable) -> Result<MassQuestion, String> {
         let Self { pose, conditions, hold, .. } = self;
         let tables = QuestionTables { contact, pose, conditions, hold };

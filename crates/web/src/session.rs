@@ -122,7 +122,7 @@ struct Opened {
     conditions: ConditionsTable,
     /// Results at all named contacts; `None` without named contacts.
     contacts: Option<ContactListReport>,
-    /// Names of the poses of the model: keyframes of MJCF.
+    /// Names of the poses that the model file defines (keyframes of MJCF).
     poses: Vec<String>,
     diagnostics: Vec<DiagnosticRecord>,
 }

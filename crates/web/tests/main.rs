@@ -244,7 +244,7 @@ fn further_results_are_those_of_the_library() {
     assert!(unknown["refused"]["message"].as_str().unwrap().contains("wheel-travel"), "{unknown}");
 }
 
-/// Crane with a site, two keyframes and a limited hinge. The boom has 9 + 12 · 1.5² = 36 kg·m² about its hinge, and a tip 3 m from it.
+/// Crane with a site, two keyframes and a limited hinge. Inertia of the boom about the hinge: 9 + 12 · 1.5² = 36 kg·m²; length: 3 m.
 const CRANE: &str = r#"<mujoco model="crane"><compiler angle="radian"/>
   <worldbody><body name="mast"><joint name="slew" axis="0 0 1"/><inertial pos="0 0 1" mass="40" diaginertia="14 14 1"/>
     <body name="boom" pos="0 0 2"><joint name="luff" axis="0 -1 0" range="-0.2 1.2"/>
@@ -273,7 +273,7 @@ fn keyframes_are_poses_and_stops_of_joints_have_their_inertia() {
     let reply =
         ask(&mut session, &json!({ "do": "show", "question": question(json!({ "file": "raised" })) }));
     let report = &reply["ok"]["result"]["ok"]["report"];
-    // The hook moves by 3 cos φ upwards per radian of the hinge.
+    // The hook rises by 3 cos φ m per radian of the hinge.
     assert_same(&report["effective_mass"], 36.0 / (3.0 * 0.9_f64.cos()).powi(2), "raised");
     assert_eq!(report["pose"]["luff"], json!([0.9]));
     let unknown =
@@ -304,14 +304,14 @@ fn sdformat_is_read() {
 fn a_cable_pulls_along_its_line() {
     let mut session = Session::new();
     ask(&mut session, &json!({ "do": "open", "model": { "path": "boom.sdf" }, "text": BOOM }));
-    // From the tip to a point 3 m above the hinge: the cable pulls at 45°, its lever arm is 3/√2 m.
+    // The cable runs from the tip to a point 3 m above the hinge, at 45°. Its lever arm is 3/√2 m.
     let contact = json!({ "link": "boom", "point": [3, 0, 0], "along_line": { "link": "world", "point": [0, 0, 3] },
                           "cable": true });
     let question = json!({ "model": { "path": "boom.sdf" }, "contact": contact });
     let reply = ask(&mut session, &json!({ "do": "show", "question": question }));
     let report = &reply["ok"]["result"]["ok"]["report"];
     assert_same(&report["effective_mass"], 8.0, "along the cable");
-    // The gap closes while the cable gets longer: the normal points away from its other end.
+    // Lengthening of the cable closes the gap: the normal points from the far end of the cable to the contact point.
     assert_same(&report["contact"]["normal_world"][0], 0.5_f64.sqrt(), "x");
     assert_same(&report["contact"]["normal_world"][2], -0.5_f64.sqrt(), "z");
 }

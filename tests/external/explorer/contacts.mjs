@@ -1,4 +1,4 @@
-// Tests of kinds of contacts, of named poses, and of models in other formats.
+// Tests of cables and lines, named contacts, joint stops, keyframes, MJCF and SDFormat, and of the commands of the panels.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -7,17 +7,17 @@ import { agrees, close, explore, fileText, folder, join, open, percuss, rested, 
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 const ARM = ['models/six_r_arm.urdf', '--link', 'tool', '--point', '0.08,0,0', '--normal', '0,0,-1'];
-/** Relative difference of numbers that two processors compute: some thousand roundings. */
+/** Largest relative difference between WebAssembly and the native command; amplified rounding errors stay far below. */
 const SAME = 1e-9;
 
-/** A crane in MJCF: keyframes, a site, and a hinge with limits. */
+/** Crane in MJCF with two keyframes, a site and a limited hinge. */
 const CRANE = `<mujoco model="crane"><compiler angle="radian"/>
   <worldbody><body name="mast"><joint name="slew" axis="0 0 1"/><inertial pos="0 0 1" mass="40" diaginertia="14 14 1"/>
     <body name="boom" pos="0 0 2"><joint name="luff" axis="0 -1 0" range="-0.2 1.2"/><inertial pos="1.5 0 0" mass="12" diaginertia="0.1 9 9"/>
       <site name="hook" pos="3 0 0"/></body></body></worldbody>
   <keyframe><key name="rest" qpos="0 0"/><key name="raised" qpos="0.4 0.9"/></keyframe></mujoco>`;
 
-/** Executes a command of a panel, as a shell does. */
+/** Runs the command of a panel in a shell and returns its JSON. */
 function executed(command, cwd) {
   const text = execFileSync('bash', ['-c', `${command.replace(/^percuss/, '"$PERCUSS"')} --format json 2>/dev/null`], { cwd, encoding: 'utf8' });
   return JSON.parse(text);
@@ -46,11 +46,11 @@ export const contactTests = {
     assert.deepEqual(await pose.locator('option').allTextContents(), ['all joints at 0', 'rest', 'raised']);
     await pose.selectOption('raised');
     await settle(page);
-    // Lifted by 0.9 rad, the hook is nearer to the mast.
+    // At 0.9 rad the lever arm of the hook is shorter, so m̄ is larger.
     assert.notEqual(await shown(page), first);
     assert.match(await page.textContent('pre.text[aria-label=Command]'), /--pose=raised/);
     await agrees(page, folder, 'a keyframe');
-    // A driver moves on from the keyframe, and the keyframe comes back.
+    // A changed joint starts from the keyframe; the button restores the keyframe.
     const raised = await shown(page);
     await page.fill('[aria-label="luff, °"]', '20');
     await page.keyboard.press('Tab');
@@ -69,7 +69,7 @@ export const contactTests = {
       percuss('convert', model, '-o', sdf, '--force');
       await load(page, sdf);
       await agrees(page, folder, sdf);
-      // The command opens it as well.
+      // A page written by the command shows the same m̄.
       const written = await open(browser, explore(sdf));
       await settle(written);
       assert.equal(await shown(written), await shown(page));
@@ -94,7 +94,7 @@ export const contactTests = {
     await agrees(page, root, 'the cable of the flags');
     assert.match(await page.textContent('pre.text[aria-label=Command]'), /--cable/);
     assert.equal(await page.locator('.contact .rope').count(), 1);
-    // The impulse of a cable pulls: the normal points away from its other end.
+    // The study of the page contains the far end of the cable.
     const { study } = await state(page);
     assert.deepEqual(study.contact.along_line, { link: 'pedestal', point: [0.1, 0.2, 1.4] });
     await page.fill('[aria-label="end of the line z, mm, frame of its link"]', '900');
@@ -105,7 +105,7 @@ export const contactTests = {
       await direction.selectOption(kind);
       await agrees(page, root, `direction: ${kind}`);
     }
-    // A joint turns the line of a cable freely.
+    // The line of a cable may turn by any angle.
     await direction.selectOption('cable');
     await page.fill('[aria-label="shoulder, °"]', '-40');
     await page.keyboard.press('Tab');
@@ -121,7 +121,7 @@ export const contactTests = {
     await page.locator('label:has(> span:text-is("at")) select').selectOption('skid');
     await agrees(page, folder, 'the contact of the sheet');
     assert.match(await page.textContent('.result'), /skid/);
-    // A hardpoint that moves keeps the contact.
+    // The contact remains after a hardpoint has moved.
     await page.fill('[aria-label="lower_ball z, mm"]', String(Number(await page.inputValue('[aria-label="lower_ball z, mm"]')) + 4));
     await page.keyboard.press('Tab');
     await agrees(page, folder, 'the same with a moved hardpoint');
@@ -166,7 +166,7 @@ export const contactTests = {
     await close(page);
     const arm = await open(browser, explore(...ARM));
     await arm.click('details.safe > summary');
-    // The panel asks when the browser reports that it is open, which is later than its attribute.
+    // The panel sends its request on the toggle event, which the browser sends after it sets the attribute `open`.
     await arm.waitForFunction(() => window.percussView.state().results.safe);
     await rested(arm);
     await arm.fill('details.safe input >> nth=0', '140 N');

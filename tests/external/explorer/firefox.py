@@ -105,7 +105,7 @@ def check(browser, percuss, root, what):
 def main():
     program, pages, percuss, root = sys.argv[1:5]
     browser = Browser(program, "--headless" in sys.argv)
-    # The gallery has reports as well.
+    # The folder also contains reports, which have no engine.
     found = [page for page in sorted(pathlib.Path(pages).glob("*.html")) if 'id="engine"' in page.read_text()]
     assert len(found) >= 12, "a dozen examples"
     for page in found:

@@ -4,23 +4,23 @@ import assert from 'node:assert/strict';
 import { agrees, center, close, explore, launch, open, root, settle, shown } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
-/** Processor time of the page for an answer while a hardpoint is dragged, on a processor four times as slow, ms. The aim is 60, which
- * was measured on two processors with a load of 11, where caches are shared with other programs; the limit is for a gate with more. */
+/** Limit of the processor time of the page per answer while a hardpoint is dragged, on a processor four times as slow, ms. Measured: 60,
+ * on two processors with a load of 11, where other programs share the caches. The rest is a margin for a higher load. */
 const LONGEST_FRAME = 80;
 const SLOWER = 4;
 /** Largest distance of the ends of a closed loop, m: loops close to 1e-10 of a size of 1 m, frames have 16 digits. */
 const CLOSED = 1e-8;
-/** Moves of the pointer in the test of the memory; less by the environment. */
+/** Moves of the pointer in the test of the memory; `EXPLORER_MOVES` overrides the number. */
 const MOVES = Number(process.env.EXPLORER_MOVES ?? 10_000);
 const PORTIONS = 10;
-/** Moves in one frame of the browser: more than a hand makes, so that moves are dropped as well. */
+/** Moves per frame of the browser: more than a user makes, so that the page must drop some of them. */
 const MOVES_OF_FRAME = 4;
-/** Growth of the memory of the page over four fifths of the moves, bytes: a reply kept for each answer would be 40 MB or more. */
+/** Limit of the growth of the memory over the last four fifths of the moves, bytes. Over 10,000 moves, kept replies would need 40 MB. */
 const LARGEST_GROWTH = 3_000_000;
 /** Least cosine of the rotation of a link from its design position: on the other branch of a loop, a link is turned by more than a right angle. */
 const LEAST_COSINE = 0;
 
-/** Seeds of the random drags; others by the environment, separated by commas. With 11, the lower end of the travel gets out of reach. */
+/** Seeds of the random drags; `EXPLORER_SEEDS` overrides them. With seed 11, the lower end of the travel becomes unreachable. */
 const SEEDS = (process.env.EXPLORER_SEEDS ?? '7,11,23').split(',').map(Number);
 
 /** Browser without WebGL, where software would draw for most of the time: the drags are the same. */
@@ -155,7 +155,7 @@ export const longTests = (drags) => ({
     let first;
     let answers = 0;
     for (let portion = 0; portion < PORTIONS; portion++) {
-      // The page makes the moves itself: as messages from outside, they would take ten times as long.
+      // A script in the page creates the events: sent by the test program, they would take ten times as long.
       answers += await page.evaluate(async ([x, y, count, atOnce]) => {
         const surface = document.querySelector('.surface');
         for (let k = 0; k < count; k++) {

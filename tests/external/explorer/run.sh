@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Tests of the page of `percuss explore` in headless Chromium: the bundle is that of the sources, the engine is built if it is not up
-# to date, then the tests of the page. Needs npm and Chromium (Debian: apt install chromium binaryen xz-utils).
+# Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources and builds the engine if
+# it is out of date. Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
-#     --gate: with the profile and the numbers of .ci/run; Debian packages that are missing are installed
-# EXPLORER_DRAGS: number of random drags of each seed (350); EXPLORER_SEEDS: their seeds (7,11,23), separated by commas;
-# EXPLORER_MOVES: moves of the pointer in the test of the memory (10000)
+#     --gate: as .ci/run: release profile, 60 drags, seed 23, 2000 moves; as root, installs missing Debian packages
+# Environment, with defaults: EXPLORER_DRAGS, random drags per seed (350); EXPLORER_SEEDS, seeds separated by commas (7,11,23);
+# EXPLORER_MOVES, moves of the pointer in the test of the memory (10000)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
@@ -13,7 +13,7 @@ target=${CARGO_TARGET_DIR:-$root/target}
 build=() profile=debug
 if [ "${1:-}" = --gate ]; then
   shift
-  # The command of this profile is built already.
+  # The gate has already built the dependencies in this profile.
   build=(--release) profile=release
   export EXPLORER_DRAGS=${EXPLORER_DRAGS:-60} EXPLORER_SEEDS=${EXPLORER_SEEDS:-23} EXPLORER_MOVES=${EXPLORER_MOVES:-2000}
   "$here/../packages.sh"

@@ -16,10 +16,10 @@ const models = [
   ...readdirSync(SHEETS).filter((name) => name.endsWith('.toml') && !name.includes('with-table')).map((name) => join(SHEETS, name)),
 ];
 
-/** Largest engine and largest page of a sheet, bytes. */
+/** Limits of the compressed engine and of the page of a sheet, bytes. */
 const LARGEST_ENGINE = 1_350_000;
 const LARGEST_PAGE = 2_600_000;
-/** Drags of the random test; more by the environment. */
+/** Random drags per seed; `EXPLORER_DRAGS` overrides the number. */
 const RANDOM_DRAGS = Number(process.env.EXPLORER_DRAGS ?? 350);
 
 const tests = {

@@ -41,7 +41,7 @@ pub struct ExtremesArgs {
 }
 
 impl ExtremesArgs {
-    /// Positions, quantity and number of starts. Ranges of the wheels form a path.
+    /// Converts the flags to a question. A range of a wheel motion forms the path.
     pub fn question(&self) -> Result<ExtremesQuestion, Failure> {
         let is_input = matches!(&self.extremes.path, Some(GivenPath::File(path)) if path == "-");
         if is_input && self.model.model == "-" {

@@ -64,7 +64,7 @@ fn show_all_contacts(
 
 /// Refuses several contacts, which `percuss compare` evaluates.
 pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -> Result<(), Failure> {
-    // The commas of a contact in one text, such as foot:0,0,0:0,0,-1, are those of its numbers.
+    // A colon marks a contact with coordinates, such as foot:0,0,0:0,0,-1; its commas do not separate names.
     let several = at.filter(|names| *names == ALL_CONTACTS || (names.contains(',') && !names.contains(':')));
     match several.filter(|names| model.mechanism.find_contact(names).is_err()) {
         Some(names) => Err(Failure::bad_input(format!(
@@ -223,7 +223,7 @@ pub fn headline(report: &MassReport) -> String {
     }
 }
 
-/// Unit of m̄: that of an inertia for the stop of a hinge.
+/// Unit of m̄: kg·m² for the stop of a revolute joint, kg for other contacts.
 pub fn mass_unit(report: &MassReport) -> &'static str {
     if is_stop_of_hinge(report) { "kg·m²" } else { "kg" }
 }

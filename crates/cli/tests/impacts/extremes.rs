@@ -193,7 +193,7 @@ fn an_open_stop_is_marked() {
     assert!(plain["least"]["gap"].is_null());
 }
 
-/// A kept tool point: the extremes are those of `percuss mass` at their positions, at which the point has not moved. `--set` gives the place.
+/// A kept tool point: at the extremes the point is where `--set` puts it, and the masses equal those of `percuss mass`.
 #[test]
 fn a_kept_point_stays_in_place() {
     let set = "--set shoulder=-40deg --set elbow=70deg";
@@ -228,7 +228,7 @@ fn a_kept_point_stays_in_place() {
     }
     let text = percuss(&format!("extremes {contact} {set} --keep tool:0.08,0,0 --starts 2")).stdout;
     assert!(text.contains("optimality residual") && text.contains("tool: point (0.08, 0, 0) m"), "{text}");
-    // A six-hinge arm has no self-motion with a kept link, except at a singular wrist (pitch 0).
+    // With a kept link, an arm with six hinges has no self-motion, except at a singular wrist (pitch 0).
     let none = percuss(&format!("extremes {contact} {set} --set wrist_pitch=30deg --keep tool"));
     assert!(none.code == 2 && none.stderr.contains("the kept points leave"), "{}", none.stderr);
     for (keep, words) in
@@ -239,7 +239,8 @@ fn a_kept_point_stays_in_place() {
     }
 }
 
-/// A path of a travel, of a range and of a file: no row of a fine sweep is beyond the extremes, which have the mass of their positions.
+/// Paths of a travel and of the range of a joint: the extremes are at least as extreme as all rows of a fine sweep, and differ from its
+/// best row by less than 1e-4.
 #[test]
 fn extremes_along_a_path() {
     let sheet = "models/suspensions/double-wishbone.toml --at spring";
@@ -276,7 +277,7 @@ fn extremes_along_a_path() {
     }
 }
 
-/// One text for a contact, the same for `--at` of all commands as for `--also`: point with normal, cable, stop of a joint.
+/// `--at` accepts the texts of `--also`: point with normal, cable, stop of a joint. Commands: mass, impact, sweep, extremes.
 #[test]
 fn every_command_takes_a_contact_in_one_text() {
     let mass = |command: &str| json(&format!("mass {command} --format json"));

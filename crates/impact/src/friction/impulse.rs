@@ -57,19 +57,19 @@ pub struct Friction {
 
 /// Compression of an impact with friction, from the touch to the end of the closing motion.
 ///
-/// The contact force is largest in compression. In a compliant contact with the spring energy U(δ), constant pose and little damping, the
-/// largest penetration follows from U(δ) = W with the work W of compression, whatever the friction does. A contact without friction with
-/// the mass 2W/c² has the same work at the closing speed c, so its peak force is that of the contact with friction. If the point slides
-/// in one direction, or sticks, during the whole compression, the direction of the force is constant and equals that of the impulse.
+/// The normal force is largest in compression. Let W be the work of the normal force in compression, c the closing speed and U(δ) the
+/// energy of the contact spring. At constant pose and with little damping, U(δ) = W determines the largest penetration δ. A frictionless
+/// contact of the mass 2W/c² has the same W, and therefore the same peak normal force. If the point sticks, or slides in one direction,
+/// during the whole compression, the contact force has the direction of its impulse.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrictionalCompression {
     /// Normal impulse, N·s.
     pub normal_impulse: f64,
     /// Impulse of the friction on the contact link, N·s, in the link's axes.
     pub tangential_impulse: Vector3<f64>,
-    /// Mass 2W/c² of a contact without friction with the same work W of compression, kg. m̄/(1+µt) for one relative motion.
+    /// Mass 2W/c² of a frictionless contact with the same work W of compression, kg; m̄/(1+µt) for one relative motion.
     pub equivalent_mass: f64,
-    /// True if the direction of the force is constant: the compression has one phase in which the point sticks, or slides in a plane.
+    /// True if the contact force has a constant direction: in the whole compression the point sticks, or slides in one direction.
     pub has_constant_direction: bool,
     /// Reactions to the impulse of compression.
     pub reactions: Reactions,
@@ -175,7 +175,7 @@ fn one_motion_impulse(
     let compression = FrictionalCompression {
         normal_impulse: closing.impulses[0],
         tangential_impulse: motion.direction * closing.frictions[0],
-        // The speed is proportional to the remaining impulse, so the work is half the impulse times the speed.
+        // The closing speed decreases linearly with the impulse p, so W = p c / 2 and 2W/c² = p/c.
         equivalent_mass: closing.impulses[0] / speed,
         has_constant_direction: true,
         reactions: reactions_to(
@@ -262,7 +262,7 @@ fn general_impulse(
     let closing =
         frictional_collision(&mobility, &velocity, law.coefficient, 0.0, RestitutionLaw::Energetic)?;
     let friction_of_closing = in_link(&closing.impulse);
-    // A sliding direction that turns leaves less than the full friction.
+    // If the sliding direction turns, the impulse of the friction is smaller than µ times the normal impulse.
     let limit = law.coefficient * closing.impulse[0];
     let is_full = closing.impulse[1].hypot(closing.impulse[2]) >= limit * (1.0 - SAME_DIRECTION);
     let compression = FrictionalCompression {

@@ -44,15 +44,14 @@ fn lagrange_integrals(end: f64, newest: f64) -> [f64; ORDER] {
 
 /// Integrator of y′ = f(y) with steps of at most `largest`.
 ///
-/// Extrapolation takes the first step, and all steps near a point at which f is not smooth. Runge-Kutta steps of order 8, with eleven
-/// evaluations of f, take the next ones if the first of them agrees with the extrapolation. After ten rates at equal distances
-/// `largest`, a step of predictor and corrector takes two evaluations of f instead of more than ten. Source: Hairer, Nørsett and
-/// Wanner 1993, §III.1.
+/// The first step, and all steps near a point at which f is not smooth, use extrapolation. A Runge-Kutta step of order 8 repeats an
+/// extrapolated step; if the results agree, Runge-Kutta steps follow, with eleven evaluations of f each. Once ten rates at equal distances
+/// `largest` are known, a step of predictor and corrector needs two evaluations of f. Source: Hairer, Nørsett and Wanner 1993, §III.1.
 pub(crate) struct MultistepIntegrator {
     largest: f64,
     tolerance: f64,
     proposal: f64,
-    /// True if the last step by extrapolation agrees with a Runge-Kutta step, which then takes the next steps.
+    /// True if the last extrapolated step agrees with a Runge-Kutta step: Runge-Kutta steps follow.
     is_smooth: bool,
     /// Weights of the rates at 0, −1, … steps from the state.
     predictor: [f64; ORDER],

@@ -88,8 +88,8 @@ fn coefficients() -> ([[f64; STAGES]; STAGES], [f64; STAGES + 1]) {
     (rows, weights)
 }
 
-/// State after one step of y′ = f(y) of length `h`, from a state with the rates `rate`. The local error is of order h⁹. The last state at
-/// which f is evaluated is an approximation of the result.
+/// Returns the state after one step of length `h` of y′ = f(y). `rate`: f(y). The local error is of order h⁹. The last evaluation of f is
+/// at an approximation of the result, so a condition that f records there holds for the end of the step.
 pub(crate) fn step(f: &impl Fn(&[f64], &mut [f64]), y: &[f64], rate: &[f64], h: f64) -> Vec<f64> {
     let (rows, weights) = coefficients();
     let mut rates = vec![rate.to_vec()];
@@ -110,7 +110,7 @@ pub(crate) fn step(f: &impl Fn(&[f64], &mut [f64]), y: &[f64], rate: &[f64], h: 
 mod tests {
     use super::{coefficients, step};
 
-    /// The error over a fixed time falls by at least 2⁸ if the steps are halved; here by 2^8.85. The sums of the rows are the nodes.
+    /// Halving the step divides the error over a fixed time by about 2⁸ (asserted: 2^7.8 to 2^9.5). The row sums equal the nodes.
     #[test]
     fn the_order_is_eight() {
         let (rows, weights) = coefficients();

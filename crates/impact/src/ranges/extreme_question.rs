@@ -15,9 +15,9 @@ pub struct JointRange {
     pub upper: f64,
 }
 
-/// Point of a link that stays at its place in the world over a search, such as the tool point of a redundant arm: the search covers the
-/// self-motion of the mechanism. The point is free in the impact; contrast a held contact
-/// ([`Conditions::hold`](percuss_dynamics::Conditions::hold)), which constrains the impact.
+/// Point of a link that keeps its world position during a search, such as the tool point of a redundant arm: the search covers the
+/// self-motion of the mechanism. The point is free in the impact; a held contact
+/// ([`Conditions::hold`](percuss_dynamics::Conditions::hold)), in contrast, constrains the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeptPoint {
     /// The link.
@@ -45,7 +45,7 @@ impl KeptPoint {
 pub struct SearchedPoses<'a> {
     /// Ranges of the driving joints that vary.
     pub ranges: &'a [JointRange],
-    /// Points that stay at their places in the pose of the configuration; empty for all positions within the ranges.
+    /// Points that keep their world positions in the pose of the configuration; empty for all positions within the ranges.
     pub kept: &'a [KeptPoint],
 }
 
@@ -153,7 +153,7 @@ pub struct ExtremeMass {
     /// of the constrained problem, and for an immovable contact. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared
     /// impulse. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
     pub residual: f64,
-    /// Largest distance of a kept point from its place, m; 0 without kept points.
+    /// Largest error of a coordinate of a kept point, m; 0 without kept points.
     pub kept_error: f64,
     /// Number of starts; on a path the number of local searches.
     pub starts: usize,
@@ -164,9 +164,8 @@ pub struct ExtremeMass {
 /// Extreme along a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeOnPath {
-    /// The extreme. The positions are those of the joints of the path; there are no active limits.
+    /// The extreme. `positions` are those of the joints of the path. `active_limits` is empty: the ends of a path are no limits.
     pub extreme: ExtremeMass,
-    /// Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to the
-    /// second.
+    /// Fractional row number on the path, from 0: 2.25 is a quarter of the way from row 2 to row 3.
     pub row: f64,
 }

@@ -25,9 +25,9 @@ const SAME_VALUE: f64 = 1e-6;
 /// immovable. Each start has two searches: from one point of a Halton sequence, and from the best of eight points of this sequence. The
 /// method is deterministic and does not prove a global extreme; the number of agreeing starts indicates the confidence.
 ///
-/// With kept points ([`SearchedPoses::kept`]) the search covers the self-motion: the starts are moved to positions at which the points are
-/// in place, and each step follows the tangent of the self-motion by Newton's method. The first start has a third search, from the
-/// configuration itself.
+/// With kept points ([`SearchedPoses::kept`]) the search covers the self-motion. Gauss-Newton iterations move each start to positions at
+/// which the points are in place. Each step is a Newton step along the tangent of the self-motion, followed by the same iterations. The
+/// first start has a third search, from the configuration, if the configuration is within the ranges.
 ///
 /// # Errors
 /// [`ExtremesError`].
@@ -95,9 +95,9 @@ pub fn extreme_quantity<'a>(
 
 /// Extreme of a quantity along a path of driving joints.
 ///
-/// The path is sampled at all rows, and between the rows at equal distances, each pose from the previous one, so that loops follow their
-/// branch. Local searches as those of [`extreme_quantity`] begin at the best samples that exceed both neighbours. The extremes of a
-/// quantity with one extreme between neighbouring samples are found exactly.
+/// The path is sampled at all rows and at equal distances between them. Each pose is solved from the previous one, so loops stay on their
+/// branch. Local searches as in [`extreme_quantity`] start at the best 32 samples that are at least as good as both neighbours. An extreme
+/// can be missed if two extremes lie between neighbouring samples, or if more than 32 samples qualify.
 ///
 /// # Errors
 /// [`ExtremesError`].
@@ -137,11 +137,12 @@ pub fn extreme_along_path(
             let mut extreme = conclude(&search, &end.point, &[], largest, ends.len());
             extreme.effective_mass = EffectiveMass::Immovable;
             (extreme.residual, extreme.agreeing) = (0.0, unbounded.len());
+            extreme.active_limits.clear();
             return Ok(ExtremeOnPath { extreme, row: end.row() });
         }
     }
     let (ends, largest) = path.run()?;
-    // Of equal values the end with the smaller residual: a row belongs to two segments.
+    // A row belongs to two segments and gives equal values; the end with the smaller residual is used.
     let order = |a: &&PathEnd, b: &&PathEnd| {
         let same = a.point.has_value_of(&b.point);
         if same {
@@ -153,10 +154,10 @@ pub fn extreme_along_path(
     let best = ends.iter().min_by(order).ok_or(ExtremesError::NoStart)?;
     let found: Vec<Point> = ends.iter().map(|end| end.point.clone()).collect();
     let search = path.segment(best.segment);
-    Ok(ExtremeOnPath {
-        extreme: conclude(&search, &best.point, &found, largest, ends.len()),
-        row: best.row(),
-    })
+    let mut extreme = conclude(&search, &best.point, &found, largest, ends.len());
+    // The ends of a segment are no limits of the joints.
+    extreme.active_limits.clear();
+    Ok(ExtremeOnPath { extreme, row: best.row() })
 }
 
 /// Search without variables, after checks of the contact and the quantity.

@@ -1,4 +1,4 @@
-//! Points of links that keep their places in the world over a search.
+//! Points of links that keep their world positions during a search.
 
 use crate::ranges::extreme_question::KeptPoint;
 use nalgebra::{DVector, Vector3};
@@ -26,7 +26,7 @@ struct KeptRow {
 }
 
 impl KeptRows {
-    /// Conditions that keep the points at their places of a pose.
+    /// Conditions that keep the points at their positions in a pose.
     pub fn new(pose: &Pose, kept: &[KeptPoint]) -> Self {
         let mut rows = Vec::new();
         for kept in kept {
@@ -50,7 +50,7 @@ impl KeptRows {
         self.rows.is_empty()
     }
 
-    /// Distances of the points from their places along the directions, divided by the characteristic length.
+    /// Coordinate minus target of each condition, divided by the characteristic length.
     pub fn residuals(&self, pose: &Pose) -> DVector<f64> {
         let residual = |row: &KeptRow| {
             let place = pose.link_in_root(row.link).point(&row.point);
@@ -59,7 +59,7 @@ impl KeptRows {
         DVector::from_iterator(self.rows.len(), self.rows.iter().map(residual))
     }
 
-    /// Largest distance of a point from its place along a direction, m.
+    /// Largest magnitude of coordinate minus target, m; 0 without conditions.
     pub fn largest_error(&self, pose: &Pose) -> f64 {
         if self.is_empty() { 0.0 } else { self.size * self.residuals(pose).amax() }
     }

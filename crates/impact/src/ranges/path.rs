@@ -6,7 +6,7 @@ use crate::ranges::quasi_newton::Point;
 use crate::ranges::search::{Search, Variable};
 use percuss_dynamics::Pose;
 
-/// Smallest number of samples of a path; a path of more rows has one sample per row and one between two rows.
+/// Smallest number of samples of a path. Each segment has at least two samples: its first row and its middle.
 const LEAST_SAMPLES: usize = 256;
 /// Largest number of local searches.
 const MOST_SEARCHES: usize = 32;
@@ -18,14 +18,14 @@ pub(super) struct PathSearch<'a> {
     segments: Vec<Vec<JointRange>>,
 }
 
-/// End of a local search: a point of a segment, whose only variable runs from 0 at its first row to 1 at its second row.
+/// Result of a local search: a point of a segment. Its only variable is 0 at the first row of the segment and 1 at the second.
 pub(super) struct PathEnd {
     pub segment: usize,
     pub point: Point,
 }
 
 impl PathEnd {
-    /// Number of the row, with the part of the way to the next row.
+    /// Fractional row number, from 0.
     pub fn row(&self) -> f64 {
         self.segment as f64 + self.point.unit[0]
     }
@@ -99,13 +99,13 @@ impl<'a> PathSearch<'a> {
         Ok((ends, largest))
     }
 
-    /// Best samples that are at least as good as both neighbours, with their poses, and the largest measure of all samples.
+    /// Returns the best `MOST_SEARCHES` samples that are at least as good as both neighbours, and the largest measure of all samples.
     fn local_extremes(&self) -> (Vec<Sample>, f64) {
         let count = LEAST_SAMPLES.div_ceil(self.segments.len()).max(2);
         let mut largest: f64 = 0.0;
         let mut best: Vec<Sample> = Vec::new();
         let mut last: Option<Pose> = None;
-        // Sample before the last one: its value; last sample.
+        // Value of the sample before `current`; the latest sample, whose successor is not known yet.
         let (mut before, mut current): (f64, Option<Sample>) = (f64::INFINITY, None);
         let mut keep = |sample: Sample, before: f64, after: f64| {
             if sample.value.is_finite() && sample.value <= before && sample.value <= after {

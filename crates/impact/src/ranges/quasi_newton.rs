@@ -25,8 +25,8 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// Point with the gradient `slopes` of the measure `inverse_mass`; `sign` is the sign of the measure in the function to be
-    /// minimised. The residual is that of a search without kept points.
+    /// Creates a point. `slopes`: gradient of the measure `inverse_mass`; `sign`: sign of the measure in the function to be minimised.
+    /// The residual ignores kept points; a search with kept points replaces it.
     pub fn new(
         unit: Vec<f64>,
         inverse_mass: f64,

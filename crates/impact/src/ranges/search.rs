@@ -45,15 +45,15 @@ pub(super) struct Search<'a> {
     pub extreme: ExtremeKind,
 }
 
-/// Variable of a search: joints that move together, in proportion, from `lower` at 0 to `upper` at 1.
+/// Variable of a search, from 0 to 1: its joints move together, each linearly from `lower` to `upper`.
 #[derive(Clone, Debug)]
 pub(super) struct Variable {
     pub moves: Vec<JointRange>,
 }
 
 impl<'a> Search<'a> {
-    /// Better end of the local searches of each start, and the largest measure of all points. With kept points the first start has a
-    /// third search, from the positions of the configuration.
+    /// Best end of the local searches of each start, and the largest measure of all points. With kept points the first start has a third
+    /// search, from the configuration, if the configuration is within the ranges.
     pub fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64), ExtremesError> {
         let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
         for start in 0..starts.max(1) {
@@ -80,7 +80,7 @@ impl<'a> Search<'a> {
         (0..self.variables.len()).map(|k| halton(index, PRIMES[k % PRIMES.len()])).collect()
     }
 
-    /// Positions of the configuration as parts of the ranges; `None` outside the ranges.
+    /// Positions of the configuration as parts of the ranges; `None` if one is outside its range.
     fn own_point(&self) -> Option<Vec<f64>> {
         let pose = self.system.pose(self.configuration).ok()?;
         let part = |variable: &Variable| {
@@ -159,7 +159,7 @@ impl<'a> Search<'a> {
         self.reaction(unit, joint).is_some_and(|reaction| reaction <= NO_REACTION)
     }
 
-    /// Joints at a limit, true for the upper one; empty for joints that move together.
+    /// Joints at a limit of their range, true for the upper one. A variable that moves several joints has no limits.
     pub fn active_limits(&self, unit: &[f64]) -> Vec<(JointId, bool)> {
         let at_limit = |(variable, x): (&Variable, &f64)| match (&variable.moves[..], *x) {
             ([range], x) if x <= AT_LIMIT => Some((range.joint, false)),
@@ -169,7 +169,7 @@ impl<'a> Search<'a> {
         self.variables.iter().zip(unit).filter_map(at_limit).collect()
     }
 
-    /// Largest distance of a kept point from its place, m.
+    /// Largest error of a coordinate of a kept point, m.
     pub fn kept_error(&self, unit: &[f64]) -> f64 {
         self.pose(unit, None).map_or(0.0, |pose| self.kept.largest_error(&pose))
     }

@@ -4,10 +4,11 @@
 //! minimise f(x)  with  c(x) = 0,  0 ≤ x ≤ 1
 //! ```
 //!
-//! At each point the tangent directions Z span the kernel of the Jacobian C of c over the variables that are at no active limit, and
-//! the multipliers λ solve Cᵀλ = ∇f in the least-squares sense. A step is Z d with the Newton direction d of the Lagrangian f − λᵀc,
-//! followed by Gauss-Newton iterations back to c = 0. Redundant conditions do not matter. Sources: Burdick 1989 (self-motion); Nocedal
-//! and Wright 2006, §12.5, §16.5 and §18.1 (conditions of optimality, active limits, reduced Hessian).
+//! C is the Jacobian of c over the variables that are not at an active limit. The columns of Z are an orthonormal basis of ker C, and the
+//! multipliers λ solve Cᵀλ = ∇f in the least-squares sense. A step is Z d, where d is the Newton direction of the Lagrangian f − λᵀc with
+//! the eigenvalues of the reduced Hessian replaced by their magnitudes. Gauss-Newton iterations then restore c = 0. The conditions c may
+//! be redundant. Sources: Burdick 1989 (self-motion); Nocedal and Wright 2006, §12.5, §16.5 and §18.1 (conditions of optimality, active
+//! limits, reduced Hessian).
 
 use crate::ranges::extremes_error::ExtremesError;
 use crate::ranges::quasi_newton::{AT_LIMIT, Point};
@@ -17,20 +18,20 @@ use faer::Mat;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use percuss_dynamics::Pose;
 
-/// Singular value of the Jacobian of the kept points, relative to the largest, that is zero: rounding of difference quotients is about
-/// 1e-11.
+/// Singular value of the Jacobian of the kept points, relative to its largest entry, up to which it counts as zero. The rounding of the
+/// difference quotients is about 1e-11.
 const ZERO_SINGULAR: f64 = 1e-7;
-/// Residual of the kept points, relative to the characteristic length, at which they are in place.
+/// Residual of the kept points, relative to the characteristic length, at which the iterations end.
 const IN_PLACE: f64 = 1e-13;
-/// Residual up to which a point is accepted if the iterations no longer reduce it: the closing tolerance of loops.
+/// Residual up to which a point is accepted if the iterations do not reduce it further.
 const ACCEPTED: f64 = 1e-10;
-/// Largest number of Gauss-Newton iterations. From a random point some ten are usual.
+/// Largest number of Gauss-Newton iterations; about ten are usual from a random point.
 const MOST_ITERATIONS: usize = 40;
 /// Longest step of a variable, as a part of its range.
 const LONGEST_STEP: f64 = 0.25;
-/// Step of the difference quotients of the gradient of the Lagrangian: its error is the square of this step.
+/// Step of the central differences of the gradient of the Lagrangian; their error is of the order of the square of this step.
 const HESSIAN_STEP: f64 = 1e-4;
-/// Smallest magnitude of an eigenvalue of the reduced Hessian, relative to the largest.
+/// Lower bound for the magnitudes of the eigenvalues of the reduced Hessian, relative to the largest; smaller ones are replaced by it.
 const LEAST_CURVATURE: f64 = 1e-6;
 
 /// Tangent space of the self-motion at a point, over the variables that are at no active limit.
@@ -46,7 +47,8 @@ struct TangentSpace {
 }
 
 impl TangentSpace {
-    /// Tangent space at a point with the Jacobian `jacobian` of the kept points. Variables of `blocked` stay fixed.
+    /// Tangent space at a point. `jacobian`: of the kept points. `blocked`: true for variables at a limit that remain fixed whatever the
+    /// sign of their multiplier.
     fn new(at: &Point, jacobian: &DMatrix<f64>, blocked: &[bool]) -> Self {
         let n = at.unit.len();
         let is_lower = |k: usize| at.unit[k] <= AT_LIMIT;
@@ -54,7 +56,7 @@ impl TangentSpace {
         loop {
             let free: Vec<usize> = (0..n).filter(|k| !fixed[*k]).collect();
             let (multipliers, basis) = kernel_and_multipliers(jacobian, &free, &at.gradient);
-            // Multiplier of each limit: a negative one means that the function decreases away from the limit.
+            // Multiplier of a limit. If it is negative, the function decreases away from the limit; the variable is released.
             let of_limit = |k: usize| {
                 let slope = at.gradient[k] - jacobian.column(k).dot(&multipliers);
                 if is_lower(k) { slope } else { -slope }
@@ -112,7 +114,8 @@ fn kernel_and_multipliers(
 }
 
 impl Search<'_> {
-    /// Number of independent motions of the variables that keep the points in place, at the configuration; `None` without a pose there.
+    /// Number of independent motions of the variables at the configuration that keep the points in place; `None` if the configuration
+    /// has no pose.
     pub fn self_motions(&self) -> Option<usize> {
         let pose = self.system.pose(self.configuration).ok()?;
         let part = |variable: &super::search::Variable| {
@@ -190,8 +193,8 @@ impl Search<'_> {
         Some(DVector::from_vec(point.gradient) - jacobian.tr_mul(multipliers))
     }
 
-    /// Newton direction of the Lagrangian over the tangent directions, made a direction of descent; the steepest descent if the
-    /// Hessian is not available.
+    /// Newton direction of the Lagrangian in the tangent space, with the magnitudes of the eigenvalues of the reduced Hessian, so that
+    /// it descends. The direction of steepest descent if the Hessian is not available.
     fn newton_direction(&self, at: &Point, pose: &Pose, tangent: &TangentSpace) -> DVector<f64> {
         let r = tangent.gradient.len();
         if tangent.residual() == 0.0 {
@@ -239,7 +242,7 @@ impl Search<'_> {
             if at.residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
                 break;
             }
-            // A variable at a limit that the step would leave outwards is fixed.
+            // A variable at a limit is fixed if the step would move it out of its range.
             let step = loop {
                 let direction = self.newton_direction(&at, &pose, &tangent);
                 let step = &tangent.basis * direction;
@@ -264,7 +267,7 @@ impl Search<'_> {
         Ok(Some((at, at_start)))
     }
 
-    /// Point of lower value along a step, back on the self-motion; `None` if there is none.
+    /// Returns a point of lower value along `step`, moved back to the self-motion; `None` if no step length lowers the value.
     fn descend(
         &self,
         at: &Point,
@@ -318,7 +321,8 @@ impl Search<'_> {
     }
 }
 
-/// Gauss-Newton step −C⁺c over the variables that are neither fixed nor at a limit that the step would leave outwards.
+/// Gauss-Newton step −C⁺c over the variables that are not fixed; a variable at a limit is fixed too if the step would move it out of
+/// its range.
 fn step_within(
     jacobian: &DMatrix<f64>,
     residuals: &DVector<f64>,

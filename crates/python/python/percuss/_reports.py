@@ -451,12 +451,12 @@ def extremes(
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
     limits of all driving joints with limits. quantity: "mass", "reflected:JOINT" or "held:JOINT" (inertia at a joint with the other
     drivers free or at rest), "bearing:JOINT" (impulse in the joint per closing speed of a plastic impact, kg).
-    normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes): the extremes are those over positions and
-    normals. Local searches from a number of starts; the report has the positions, the active
-    limits, the optimality residual and the number of agreeing starts.
+    normals: "given", "any", or "across:X,Y,Z" for all normals perpendicular to an axis (world axes): the extremes are those over
+    positions and normals. starts: number of starts of the local searches. The report has the positions, the active limits, the
+    optimality residual and the number of starts that agree.
     keep: links or points that stay in place, "LINK", "LINK:X,Y,Z" or "LINK:X,Y,Z:NX,NY,NZ" (m, link's frame; direction in world axes): the
-    search covers the self-motion. vary, input: a path instead of ranges, one range of a joint or a travel, or a file of positions, as for
-    ``sweep_report``. As ``percuss extremes``."""
+    search covers the self-motion. A path replaces the ranges. vary: one range of a joint or of a travel. input: a file of positions,
+    without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
     return records.ExtremesReport.of(json.loads(_percuss.extremes(
         model, contact, _asked(conditions), given, quantity, normals, starts, list(keep), _rows(vary, input, ignore, None, 0)

@@ -25,7 +25,7 @@ use percuss_contact::exports::{MassDrift, Options, StopMotion};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism};
 
-/// Damper of a contact of a model.
+/// Damper of a contact of a model. A contact in the form `JOINT:lower` or `JOINT:upper` is the stop of the joint, as in [`damp_stop`].
 ///
 /// # Errors
 /// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass, or with different masses on
@@ -35,6 +35,11 @@ pub fn damp_contact(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
+    if let (Some(at), Some(_)) = (&question.at, question.stop_of_joint(&model.mechanism))
+        && let Ok(stop) = at.parse::<JointStop>()
+    {
+        return damp_stop(model, &stop, MassQuestion { at: None, ..question.clone() }, damping);
+    }
     let mut report = damping_report(&EvaluatedQuestion::new(model, question)?, damping)?;
     report.diagnostics.extend(always_touching(report.named_contact.as_ref()).map(DiagnosticRecord::from));
     Ok(report)

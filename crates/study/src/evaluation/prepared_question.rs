@@ -286,7 +286,7 @@ impl<'a> PreparedQuestion<'a> {
         findings.extend(singular_pose_finding(pose, &response, &limits));
         findings.extend(self.many_turns());
         if let Some(finding) = self.joint_stop_finding() {
-            // The contact point is chosen by percuss, 1 m from the axis.
+            // Percuss itself places the contact point of a stop, 1 m from the axis; its distance says nothing about the input.
             findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
             findings.push(finding);
         }

@@ -212,7 +212,8 @@ impl MassQuestion {
         !self.travel.is_empty() || self.pose.is_some()
     }
 
-    /// Named contact of the question; `None` without `at`, and for a contact that `at` spells.
+    /// Named contact of the question; `None` if `at` is empty, or describes a contact in one of the other forms of
+    /// [`FurtherContact`](crate::FurtherContact).
     pub(crate) fn named_contact<'m>(
         &self,
         mechanism: &'m Mechanism,
@@ -285,8 +286,9 @@ impl MassQuestion {
 /// Question about a contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {
-    /// Named contact of the model, or a contact in the form of [`FurtherContact`](crate::FurtherContact); replaces `link`, `point`, the frames and `against`, and a zero normal. A stop is brought to
-    /// the touch, unless `travel` or `pose` gives the pose, or all joints that move it are set.
+    /// Named contact of the model, or a contact as text in a form of [`FurtherContact`](crate::FurtherContact); replaces `link`, `point`,
+    /// the frames, `against` and a zero normal. The mechanism moves to the touch of a named stop, unless `travel` or `pose` gives the pose,
+    /// or all joints that move the stop are set. The joint of a joint stop moves to its limit, unless its position is given.
     pub at: Option<String>,
     /// Contact link.
     pub link: String,

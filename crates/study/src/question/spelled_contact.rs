@@ -1,4 +1,4 @@
-//! Contacts in one text: a name of the model, a point with its normal, a cable, or the stop of a joint.
+//! Contacts given as one text: the name of a contact of the model, a point with its normal, a cable, or the stop of a joint.
 
 use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
@@ -29,7 +29,7 @@ pub(crate) fn stop_motion(joint: &Joint) -> Option<StopMotion> {
     }
 }
 
-/// Contact in one text: the value of `at`, or a further contact of an impact.
+/// Contact given as one text: in `at`, or as a further contact of an impact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FurtherContact {
     /// Contact of the model.
@@ -96,7 +96,8 @@ impl std::str::FromStr for FurtherContact {
 }
 
 impl MassQuestion {
-    /// Contact that `at` spells: a point, a cable or the stop of a joint. `None` without `at`, and for a contact of the model.
+    /// Point, cable or joint stop that the text of `at` describes. `None` without `at`, for a text without a colon, and for the name of a
+    /// contact of the model.
     ///
     /// # Errors
     /// A text with a colon that is neither a contact of the model nor one of these forms.
@@ -110,7 +111,7 @@ impl MassQuestion {
         text.parse().map(Some).map_err(refuse)
     }
 
-    /// Joint whose stop `at` spells, with the kind of its motion; `None` for other contacts.
+    /// Joint of the stop that `at` describes, and its motion; `None` for other contacts.
     pub(crate) fn stop_of_joint(&self, mechanism: &Mechanism) -> Option<(JointId, StopMotion)> {
         let Ok(Some(FurtherContact::JointStop { joint, .. })) = self.spelled_contact(mechanism) else {
             return None;
@@ -119,8 +120,8 @@ impl MassQuestion {
         Some((id, stop_motion(mechanism.joint(id))?))
     }
 
-    /// Question with the link, the point, the normal and the other side of a spelled contact. The joint of a stop is at its limit, unless
-    /// the question gives its position.
+    /// Question with the link, point, normal and other side of `contact`. The joint of a stop is set to its limit, unless the question
+    /// gives its position.
     pub(crate) fn with_spelled(
         &self,
         contact: &FurtherContact,
@@ -130,7 +131,10 @@ impl MassQuestion {
             Err(StudyError::input(field, Fault::ContactText { message: message.to_owned() }))
         };
         if !matches!(self.normal, Normal::Along(zero) if zero == [0.0; 3]) {
-            return refuse(Field::Normal, "the contact of `at` has its own normal; expected no other one");
+            return refuse(
+                Field::Normal,
+                "the contact of `at` has its own normal; expected no further normal",
+            );
         }
         let of_text = |link: &String, point, normal, normal_frame, against| Self {
             link: link.clone(),

@@ -70,7 +70,7 @@ pub fn contact_names(at: &str, mechanism: &Mechanism) -> Result<Vec<String>, Str
     let names: Vec<String> = match at {
         name if all.iter().any(|contact| contact.name() == name) => vec![name.to_owned()],
         ALL => contacts_by_kind(mechanism).iter().map(|contact| contact.name().to_owned()).collect(),
-        // The commas of a contact in one text, such as foot:0,0,0:0,0,-1, are followed by numbers.
+        // A number after a comma marks a contact with coordinates, such as foot:0,0,0:0,0,-1, not a list of names.
         text if text.contains(':') && text.split(',').skip(1).any(begins_with_number) => {
             vec![text.to_owned()]
         }

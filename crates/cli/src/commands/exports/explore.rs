@@ -83,7 +83,7 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
         tables.pose.file.as_ref().filter(|file| !opened.poses.iter().any(|pose| pose.name == **file))
     {
         return Err(Failure::bad_input(format!(
-            "pose: {file} is no pose of the model, and the page has no other files; give the positions by --set, or by [pose] set"
+            "pose: the model has no pose {file:?}, and the page reads no other file; give the positions by --set, or by [pose] set"
         )));
     }
     let changes = tables.model.changes();

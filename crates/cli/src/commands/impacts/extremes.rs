@@ -51,7 +51,7 @@ fn text(report: &ExtremesReport) -> String {
         if let Some(row) = record.row {
             let place = match row.fract() {
                 0.0 => format!("row {row} of the path (from 0)"),
-                _ => format!("{} rows along the path", number(row)),
+                _ => format!("row {} of the path (from 0)", number(row)),
             };
             out += &fact_line("  place", &place);
         }
@@ -65,7 +65,7 @@ fn text(report: &ExtremesReport) -> String {
         let starts = if report.path.is_some() { "local searches" } else { "starts" };
         let kept = record
             .kept_error
-            .map_or_else(String::new, |error| format!("; kept in place to {} m", short_number(error)));
+            .map_or_else(String::new, |error| format!("; error of kept points {} m", short_number(error)));
         out += &fact_line(
             "  search",
             &format!(
@@ -79,7 +79,7 @@ fn text(report: &ExtremesReport) -> String {
     if let Some(path) = &report.path {
         let unreached = match path.unreached {
             0 => String::new(),
-            count => format!("; {count} rows are not reachable"),
+            count => format!("; unreachable rows: {count}"),
         };
         let moved = path.joints.join(", ");
         out += &fact_line("path", &line(&format!("{} rows of {moved}{unreached}", path.rows)));
@@ -102,7 +102,9 @@ fn text(report: &ExtremesReport) -> String {
         out += &fact_line("held", &line(&format!("{} (rad or m; give a range to vary it)", held.join(", "))));
     }
     out + &wrap_lines(match report.path {
-        Some(_) => "\nLocal searches from the best of many samples of the path.\n",
+        Some(_) => {
+            "\nLocal searches from the best samples of the path: an extreme between two samples can be missed.\n"
+        }
         None => {
             "\nLocal searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
              (--starts).\n"

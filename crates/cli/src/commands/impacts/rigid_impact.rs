@@ -122,7 +122,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let sliding =
         report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
     if report.mass.joint_stop.is_some() {
-        // A stop has no contact point that could slide.
+        // Sliding and sticking do not apply to the stop of a joint.
         facts.push(("effective mass", sliding));
     } else {
         facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
@@ -147,11 +147,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         });
         let friction = law.mass_in_compression.map_or_else(String::new, |mass| {
             let direction = if law.direction_changes {
-                "; the friction changes its direction in compression, and the peaks of the bearings are those of its mean"
+                "; the direction of the contact force changes in compression, and the peaks of the bearings use its mean"
             } else {
                 ""
             };
-            format!("; normal force, of the mass {} kg that the friction leaves in compression{direction}", number(mass))
+            format!("; normal force, as of {} kg without friction (same work of compression){direction}", number(mass))
         });
         let power = if law.exponent == 1.0 { String::new() } else { format!("^{}", number(law.exponent)) };
         let stiffness = match is_stop {

@@ -68,13 +68,13 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
 fn add_simultaneous(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mut Page) {
     let Some(several) = &report.simultaneous else { return };
     page.heading("Several contacts at once");
-    // The energetic law leaves no impulse open.
+    // Last law of the table without a refusal and without indeterminate impulses.
     let is_complete =
         |law: &&SimultaneousLawRecord| law.refusal.is_none() && law.impulses.iter().all(Option::is_some);
     if let Some(law) = several.laws.iter().rev().find(is_complete) {
         page.large_picture(&contacts_drawing(several, law, mechanism).to_svg(), "Impulses at all contacts");
         let caption = format!(
-            "Impulses on the links at all contacts by the law {}; the laws differ as in the table.",
+            "Impulses on the links at all contacts by the law {}; the table shows the other laws.",
             law.law
         );
         page.paragraph("soft", &caption);
@@ -91,7 +91,7 @@ fn add_simultaneous(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mu
     }
 }
 
-/// The mechanism with the impulses of a law at all contacts. Stops of joints have no contact point.
+/// Drawing of the mechanism with the impulses of a law at all contacts, without stops of joints, which have no contact point.
 fn contacts_drawing(
     several: &SimultaneousRecord,
     law: &SimultaneousLawRecord,
@@ -114,7 +114,7 @@ fn contacts_drawing(
     )
 }
 
-/// The mechanism with arrows that have the same scale; the small ones are left out.
+/// Drawing of the mechanism with arrows of one scale. Arrows shorter than `DRAWN_IMPULSE` times the longest are left out.
 fn loaded_drawing(mechanism: &DrawnMechanism, arrows: Vec<DrawnArrow>, marks: Vec<SkinMark>) -> Drawing {
     let largest = arrows.iter().map(|arrow| norm(arrow.vector)).fold(0.0, f64::max);
     let mut drawn = drawing(None, mechanism);

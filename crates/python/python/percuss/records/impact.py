@@ -175,10 +175,10 @@ class MassStateRecord(Record):
     """Mass of a contact for one state of rotors and joints."""
 
     state: str
-    """"rotors-decoupled": no rotor takes part, as with compliant gears (all armatures 0). "rotors-coupled": the rotors follow
-    the joints, the mass of all other results. "joints-locked": all moving links as one free rigid body (composite rigid
-    body), the mass to which impacts on robots with stiff joint control are often nearer. Strictly, locked joints on a fixed
-    base are immovable."""
+    """"rotors-decoupled": all armatures are 0, as with compliant gears. "rotors-coupled": the rotors move with the joints, as
+    in all other results. "joints-locked": all moving links form one free rigid body (composite rigid body). Impacts on
+    robots with stiff joint control are often nearer to this mass. A mechanism with locked joints on a fixed base would be
+    immovable."""
     sliding: float | None
     """Effective mass of a sliding contact point, 1/(nᵀΛ⁻¹n), kg; None if not finite."""
     sliding_status: Literal["finite", "immovable", "massless"]
@@ -267,11 +267,11 @@ class ImpactLawRecord(Record):
     max_penetration: float | None
     """Largest penetration, m."""
     peak_force: float
-    """Largest force at the contact, N."""
+    """Largest normal force at the contact, N."""
     mass_in_compression: float | None
-    """Mass of a contact without friction that has the same work of compression, kg; None without friction."""
+    """Mass of a frictionless contact with the same work of compression, kg; None without friction."""
     direction_changes: bool
-    """True if the direction of the friction changes during compression: the peaks of the bearings then are those of the mean
+    """True if the direction of the contact force changes during compression; the peaks of the bearings are then for its mean
     direction."""
     mass_change_over_penetration: float | None
     """Relative change of m̄ over the penetration: the order of the error of all peak forces; None if the penetration is not
@@ -503,7 +503,7 @@ class PathRecord(Record):
     rows: int
     """Number of rows."""
     unreached: int
-    """Number of rows whose pose is not reachable; the path leads past them."""
+    """Number of rows whose pose is not reachable; a straight line joins the rows before and after them."""
 
 
 class ExtremePosition(Record):
@@ -535,10 +535,9 @@ class ExtremeRecord(Record):
     """Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; None for other
     contacts."""
     row: float | None
-    """Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to
-    the second; None without a path."""
+    """Fractional row number on the path, from 0: 2.25 is a quarter of the way from row 2 to row 3; None without a path."""
     kept_error: float | None
-    """Largest distance of a kept point from its place, m; None without kept points."""
+    """Largest error of a coordinate of a kept point, m; None without kept points."""
     normal_world: list[float] | None
     """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float
@@ -575,7 +574,7 @@ class ExtremesReport(Record):
     held: list[list[list[float] | str]]
     """Driving joints that do not vary, with their positions, rad or m."""
     starts: int
-    """Number of starts; on a path the larger number of local searches of both extremes."""
+    """Number of starts; on a path the number of local searches, the larger one of both extremes."""
     least: ExtremeRecord
     """Smallest value of the quantity."""
     most: ExtremeRecord

@@ -68,7 +68,7 @@ pub enum Fault {
     /// Rows that form no path.
     #[error("a path is a file of positions, or one range; expected neither several ranges nor random rows")]
     NoPath,
-    /// Path with ranges or kept points in a search for extremes.
+    /// Path together with ranges or kept points in a search for extremes.
     #[error("a path gives all positions of the search; expected neither ranges nor kept points with it")]
     PathAndRanges,
     /// Joint with a position and a range in a search for extremes.
@@ -104,13 +104,13 @@ pub enum Fault {
         /// Message of the reader of ranges.
         message: String,
     },
-    /// Contact in one text that cannot be read, or that does not fit the other parts of the question.
+    /// Contact as text that cannot be read, or that contradicts other fields of the question.
     #[error("{message}")]
     ContactText {
         /// Reason.
         message: String,
     },
-    /// Result that the stop of a joint does not have.
+    /// Requested result that is not defined for the stop of a joint.
     #[error(
         "the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal"
     )]

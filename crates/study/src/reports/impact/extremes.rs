@@ -54,10 +54,9 @@ pub struct ExtremeRecord {
     pub positions: Vec<ExtremePosition>,
     /// Gap of a stop at these positions, m: the stop is open if it is positive, and pressed if negative; null for other contacts.
     pub gap: Option<f64>,
-    /// Place on the path: number of a row from 0, or between two rows the number of the first one plus the part of the way to the
-    /// second; null without a path.
+    /// Fractional row number on the path, from 0: 2.25 is a quarter of the way from row 2 to row 3; null without a path.
     pub row: Option<f64>,
-    /// Largest distance of a kept point from its place, m; null without kept points.
+    /// Largest error of a coordinate of a kept point, m; null without kept points.
     pub kept_error: Option<f64>,
     /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
@@ -88,7 +87,7 @@ pub struct PathRecord {
     pub joints: Vec<String>,
     /// Number of rows.
     pub rows: usize,
-    /// Number of rows whose pose is not reachable; the path leads past them.
+    /// Number of rows whose pose is not reachable; a straight line joins the rows before and after them.
     pub unreached: usize,
 }
 
@@ -114,7 +113,7 @@ pub struct ExtremesReport {
     pub path: Option<PathRecord>,
     /// Driving joints that do not vary, with their positions, rad or m.
     pub held: Vec<(String, Vec<f64>)>,
-    /// Number of starts; on a path the larger number of local searches of both extremes.
+    /// Number of starts; on a path the number of local searches, the larger one of both extremes.
     pub starts: usize,
     /// Smallest value of the quantity.
     pub least: ExtremeRecord,
@@ -292,7 +291,7 @@ impl ExtremesSearch<'_> {
         let columns: Vec<Option<JointId>> = varied.map(of_column).collect();
         let mut joints: Vec<JointId> = columns.iter().flatten().copied().collect();
         joints.dedup();
-        // A travel, or the range of a joint that drives the rows only, moves all drivers of the pose.
+        // The rows of a travel, or of a joint that is no driver of this pose, give the positions of all drivers.
         let drivers = driving_joints(pose);
         let is_travel = columns.iter().any(|joint| joint.is_none_or(|joint| !drivers.contains(&joint)));
         if is_travel {
@@ -310,7 +309,7 @@ impl ExtremesSearch<'_> {
             }
             ControlFlow::Continue(())
         })?;
-        // Joints at rest, such as those of the other side of a vehicle, are no part of the path.
+        // Joints that do not move, such as those of the other side of a vehicle, are left out of the path.
         if is_travel && rows.len() > 1 {
             let moves = |k: &usize| rows.iter().any(|row: &Vec<f64>| row[*k] != rows[0][*k]);
             let moving: Vec<usize> = (0..joints.len()).filter(moves).collect();
@@ -322,7 +321,7 @@ impl ExtremesSearch<'_> {
             let (system, start) = (&prepared.system, &prepared.configuration);
             let found = extreme_along_path(system, start, self.contact, self.quantity, &path, extreme);
             let ExtremeOnPath { extreme, row } = found.map_err(|error| search_error(error, Field::Path))?;
-            // Numbers of the reached rows.
+            // The search counts reachable rows only; `numbers` maps them to the rows of the input.
             let (first, part) = (row.floor(), row - row.floor());
             let number = |row: f64| numbers.get(row as usize).copied().unwrap_or(row);
             Ok((extreme, Some(number(first) + part * (number(first + 1.0) - number(first)))))
@@ -337,7 +336,7 @@ impl ExtremesSearch<'_> {
     }
 }
 
-/// Error of a search, about the positions `field` of the question.
+/// Converts the error of a search. `field`: field of the question that gives the positions.
 fn search_error(error: ExtremesError, field: Field) -> StudyError {
     match error {
         ExtremesError::Assembly(error) => StudyError::from(error),
@@ -389,15 +388,15 @@ fn range_findings<'a>(
     })
 }
 
-/// Ranges in SI units; without given ones, the limits of all driving joints with limits and without a given position (with kept points: of
-/// all driving joints with limits).
+/// Ranges in SI units. Without given ranges: the limits of all driving joints with limits, except those with a given position. With kept
+/// points, joints with a given position vary too.
 fn ranges(
     prepared: &PreparedQuestion,
     pose: &Pose,
     question: &ExtremesQuestion,
 ) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
-    // With kept links and points the given positions are the pose that defines their places.
+    // With kept links or points, the given positions only define where these stay.
     let is_set =
         |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
     if question.ranges.is_empty() {

@@ -12,12 +12,12 @@ use percuss_units::{Dimension, Quantity};
 /// Positions of the search, quantity and number of starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExtremesQuestion {
-    /// Ranges of joints: only these joints vary. Empty for the limits of all driving joints with limits, except those with a given
+    /// Ranges of the joints that vary. Empty for the limits of all driving joints with limits, except (without `keep`) those with a given
     /// position.
     pub ranges: Vec<GivenRange>,
     /// Links and points that stay in place over the ranges: the search covers the self-motion of the mechanism.
     pub keep: Vec<Keep>,
-    /// Path of positions, without ranges; `None` for ranges.
+    /// Path of positions, in place of `ranges` and `keep`; `None` for a search over ranges.
     pub path: Option<RowSource>,
     /// Quantity whose extremes are searched.
     pub quantity: GivenQuantity,

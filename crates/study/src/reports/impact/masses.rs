@@ -12,9 +12,9 @@ use serde::Serialize;
 /// Mass of a contact for one state of rotors and joints.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MassStateRecord {
-    /// `rotors-decoupled`: no rotor takes part, as with compliant gears (all armatures 0). `rotors-coupled`: the rotors follow the joints,
-    /// the mass of all other results. `joints-locked`: all moving links as one free rigid body (composite rigid body), the mass
-    /// to which impacts on robots with stiff joint control are often nearer. Strictly, locked joints on a fixed base are immovable.
+    /// `rotors-decoupled`: all armatures are 0, as with compliant gears. `rotors-coupled`: the rotors move with the joints, as in all other
+    /// results. `joints-locked`: all moving links form one free rigid body (composite rigid body). Impacts on robots with stiff
+    /// joint control are often nearer to this mass. A mechanism with locked joints on a fixed base would be immovable.
     pub state: &'static str,
     /// Effective mass of a sliding contact point, 1/(nᵀΛ⁻¹n), kg; null if not finite.
     pub sliding: Option<f64>,
@@ -26,8 +26,8 @@ pub struct MassStateRecord {
     pub sticking_status: Status,
 }
 
-/// Masses with rotors decoupled, with rotors coupled and with locked joints. The first is never above the second. The third does not
-/// depend on the rotors.
+/// Masses with rotors decoupled, with rotors coupled and with locked joints. Rotors never reduce a mass, so the first is at most the
+/// second. The third does not depend on the rotors.
 pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassStateRecord>, StudyError> {
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
     let mechanism = &prepared.model.mechanism;

@@ -50,7 +50,8 @@ pub struct ReactionRecord {
     pub peak_moment: Option<[Option<f64>; 3]>,
 }
 
-/// Records of all reactions. `peak`: reactions to an impulse of the contact, and largest contact force per this impulse, 1/s.
+/// Records of all reactions. `peak`: reactions to a normal impulse p at the contact, and the peak normal force divided by p, 1/s; the peak
+/// of a reaction is their product.
 pub(crate) fn records(
     pose: &Pose,
     reactions: &Reactions,

@@ -81,11 +81,11 @@ pub struct ImpactLawRecord {
     pub duration: Option<f64>,
     /// Largest penetration, m.
     pub max_penetration: Option<f64>,
-    /// Largest force at the contact, N.
+    /// Largest normal force at the contact, N.
     pub peak_force: f64,
-    /// Mass of a contact without friction that has the same work of compression, kg; null without friction.
+    /// Mass of a frictionless contact with the same work of compression, kg; null without friction.
     pub mass_in_compression: Option<f64>,
-    /// True if the direction of the friction changes during compression: the peaks of the bearings then are those of the mean direction.
+    /// True if the direction of the contact force changes during compression; the peaks of the bearings are then for its mean direction.
     pub direction_changes: bool,
     /// Relative change of m̄ over the penetration: the order of the error of all peak forces; null if the penetration is
     /// not reachable.
@@ -190,7 +190,7 @@ pub fn impact(
     };
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
-    // With friction the force is largest in compression: reactions per normal impulse of compression, times the peak force.
+    // With friction the normal force is largest in compression, so the peaks are scaled from the reactions to its impulse.
     let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
     let (of_peak, per_impulse) = match compression {
         Some(compression) => (&compression.reactions, compression.normal_impulse),
@@ -366,7 +366,7 @@ fn peak_force(
     let damping =
         DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
     let report = damping_report(evaluated, &damping)?;
-    // With friction: the contact without friction that has the same work of compression.
+    // With friction, the peak is that of a frictionless contact with the same work of compression.
     let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
     let damper = match compression {
         Some(compression) => damper(&damping, compression.equivalent_mass)?,

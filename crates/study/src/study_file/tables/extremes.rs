@@ -68,8 +68,8 @@ pub struct ExtremesTable {
     pub keep: Vec<Keep>,
     /// Path instead of ranges: FILE.csv, FILE.parquet, or a travel such as heave=FROM:TO:COUNT.
     ///
-    /// The rows of the file are positions as for percuss sweep; the drivers move on straight lines between them. A range of a joint, or of
-    /// a travel, gives the rows too.
+    /// The rows of the file are positions as for percuss sweep; the drivers move on straight lines between them. In place of a file, the
+    /// range of a joint or of a travel gives the rows.
     #[cfg_attr(
         feature = "flags",
         arg(
@@ -115,8 +115,8 @@ pub struct ExtremesTable {
 }
 
 impl ExtremesTable {
-    /// Converts the table to a question; `motions` are ranges of the wheels that form the path. Paths of files are relative to `folder`; a
-    /// file read as a stream has at most `max_size` bytes.
+    /// Converts the table to a question. `motions`: ranges of wheel motions, which form the path. Paths of files are relative to `folder`.
+    /// A file read as a stream has at most `max_size` bytes.
     ///
     /// # Errors
     /// [`InvalidKey`]: more than one path, a path with ranges or kept points, ignored columns without a file, a number of starts out of
