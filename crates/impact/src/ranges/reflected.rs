@@ -97,7 +97,7 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
 
 /// Masses of a contact if all moving links form one free rigid body (the composite rigid body), kg: [sliding, sticking].
 ///
-/// A contact point that can slide has the mass 1/(nᵀΛ⁻¹n), one that cannot slide nᵀΛn, with Λ⁻¹ = 1/m − [r]× I⁻¹ [r]×; m and I are the
+/// A contact point that can slide has the mass 1/(nᵀΛ⁻¹n), one that cannot slide nᵀΛn, with Λ⁻¹ = 1/m − `[r]× I⁻¹ [r]×`; m and I are the
 /// mass and the central inertia of the body, r points from its centre of mass to the contact point. Links that fixed joints connect to a
 /// fixed base are not part of the body. Rotors are ignored. Immovable for a contact between two moving links, and for a contact link that
 /// does not move. Source: Wang, Dehio and Kheddar 2022.
