@@ -6,9 +6,9 @@ use percuss_spatial::{Transform, Twist, Vector3};
 /// Positions and velocities of a mechanism. The root link is at rest at the world's origin.
 #[derive(Clone, Debug)]
 pub struct MechanismState {
-    /// Position of each joint, in joint order (layouts of [`JointKind`]).
+    /// Position of each joint, in joint order (layouts of [`JointKind`](percuss_mechanism::JointKind)).
     pub positions: Vec<Vec<f64>>,
-    /// Velocity of each joint, in joint order (layouts of [`JointKind`]).
+    /// Velocity of each joint, in joint order (layouts of [`JointKind`](percuss_mechanism::JointKind)).
     pub velocities: Vec<Vec<f64>>,
     /// X_wl: pose of each link in the world, in link order.
     pub link_poses: Vec<Transform<f64>>,

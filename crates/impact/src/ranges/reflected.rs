@@ -95,7 +95,7 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
     Ok(system.least_mass(&row, &[along(t1), along(t2)])?)
 }
 
-/// Masses of a contact if all moving links form one free rigid body (the composite rigid body), kg: [sliding, sticking].
+/// Masses of a contact if all moving links form one free rigid body (the composite rigid body), kg: sliding and sticking.
 ///
 /// A contact point that can slide has the mass 1/(nᵀΛ⁻¹n), one that cannot slide nᵀΛn, with Λ⁻¹ = 1/m − `[r]× I⁻¹ [r]×`; m and I are the
 /// mass and the central inertia of the body, r points from its centre of mass to the contact point. Links that fixed joints connect to a
