@@ -27,7 +27,7 @@ use std::ops::ControlFlow;
 /// Number of starts without a given one.
 pub const DEFAULT_STARTS: usize = 32;
 /// Largest number of starts.
-pub const MOST_STARTS: usize = 10_000;
+pub const MOST_STARTS: usize = 2_000;
 
 /// Position of a joint at an extreme.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -155,7 +155,7 @@ impl ExtremesTable {
         }
         let starts = self.starts.map_or(DEFAULT_STARTS, usize::from);
         if !(1..=MOST_STARTS).contains(&starts) {
-            return refuse("extremes.starts", "expected a number from 1 to 10000");
+            return refuse("extremes.starts", "expected a number from 1 to 2000");
         }
         Ok(ExtremesQuestion {
             ranges: self.range.clone(),
