@@ -109,7 +109,7 @@ pub struct ExtremesTable {
     /// Number of starts of the search; default 32.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10_000), help_heading = ANSWER)
+        arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=2_000), help_heading = ANSWER)
     )]
     pub starts: Option<u16>,
 }
