@@ -437,7 +437,7 @@ fn compliant(
 /// balance the impulse.
 #[test]
 fn the_compression_has_the_work_of_its_mass() {
-    let mut cases = 0;
+    let (mut cases, mut unfinished) = (0, 0);
     for case in all(2) {
         let pose = &case.pose;
         let response = pose.respond(&case.contact).expect("a contact");
@@ -458,7 +458,10 @@ fn the_compression_has_the_work_of_its_mass() {
         let before = Vector3::new(-speed, velocities[1], velocities[2]);
         let stiffness = 1e4 * mass;
         let found = compliant(&w, &before, 0.3, stiffness, friction.slope.is_none());
-        let Some((peak, impulse)) = found else { continue };
+        let Some((peak, impulse)) = found else {
+            unfinished += 1;
+            continue;
+        };
         let compression = &friction.compression;
         // Errors of the steps: 1e-4 of the duration, times the ratio of the sliding to the closing speed.
         let expected = speed * (stiffness * compression.equivalent_mass).sqrt();
@@ -475,6 +478,6 @@ fn the_compression_has_the_work_of_its_mass() {
         assert!(compression.reactions.residual < 1e-9, "{}", case.name);
         cases += 1;
     }
-    println!("{cases} compressions");
-    assert!(cases > 12, "{cases}");
+    println!("{cases} compressions, {unfinished} without an end of the integration");
+    assert!(cases > 80 && 5 * unfinished < cases, "{cases} {unfinished}");
 }
