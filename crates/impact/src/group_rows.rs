@@ -33,7 +33,7 @@ impl GroupRows {
     }
 
     /// Number of rows.
-    fn rows(&self) -> usize {
+    pub fn rows(&self) -> usize {
         self.group.rows.nrows()
     }
 
@@ -52,9 +52,9 @@ impl GroupRows {
         (OPEN_PER_FLOOR * self.relative_error()).clamp(OPEN_COMPONENT, MOST_OPEN)
     }
 
-    /// Multipliers λ of least norm with Aᵀλ = `forces` (generalised forces on the coordinates of the model), and the
-    /// largest residual |Aᵀλ − forces| over scaled coordinates.
-    pub fn multipliers(&self, forces: &[f64]) -> (Vec<f64>, f64) {
+    /// Appends the multipliers λ of least norm with Aᵀλ = `forces` (generalised forces on the coordinates of the model) to `multipliers`.
+    /// Returns the largest residual |Aᵀλ − forces| over scaled coordinates.
+    pub fn add_multipliers(&self, forces: &[f64], multipliers: &mut Vec<f64>) -> f64 {
         let (group, rank) = (&self.group, self.group.rank);
         let scaled = |k: usize| {
             let at = self.qr.order()[k];
@@ -67,11 +67,12 @@ impl GroupRows {
         }
         let rest = |k: usize| scaled(k) - (0..rank).map(|i| self.qr.r(i, k) * y[i]).sum::<f64>();
         let residual = (rank..group.coordinates.len()).map(|k| rest(k).abs()).fold(0.0, f64::max);
-        let mut multipliers = vec![0.0; self.rows()];
+        let first = multipliers.len();
+        multipliers.resize(first + self.rows(), 0.0);
         for (i, y) in y.iter().enumerate() {
-            multipliers.iter_mut().zip(self.qr.q_column(i)).for_each(|(sum, q)| *sum += q * y);
+            multipliers[first..].iter_mut().zip(self.qr.q_column(i)).for_each(|(sum, q)| *sum += q * y);
         }
-        (multipliers, residual)
+        residual
     }
 
     /// Projection of a linear function of the multipliers on ker Aᵀ: Z Zᵀ s.

@@ -63,3 +63,4 @@ pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
 pub use time::impact_in_time::{
     ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time, peak_over_time,
 };
+pub use time::motion_forces::forces_of_motion;

@@ -130,12 +130,22 @@ impl ModelFormat {
     /// Returns `given`, or the format that the ending of the file name `output` selects.
     pub fn of_output(given: Option<Self>, output: &str) -> Result<Self, Failure> {
         let ending = output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
-        match (given, ending.as_str()) {
-            (Some(format), _) => Ok(format),
-            (None, "xml" | "mjcf") => Ok(Self::Mjcf),
-            (None, "urdf") => Ok(Self::Urdf),
-            (None, "sdf") => Ok(Self::Sdf),
-            _ => Err(Failure::bad_input(format!(
+        let of_ending = match ending.as_str() {
+            "xml" | "mjcf" => Some(Self::Mjcf),
+            "urdf" => Some(Self::Urdf),
+            "sdf" => Some(Self::Sdf),
+            _ => None,
+        };
+        match (given, of_ending) {
+            // Models of every format have names that end in .xml.
+            (Some(format), Some(other)) if format != other && ending != "xml" => {
+                let (to, other) = (format.name(), other.name());
+                Err(Failure::bad_input(format!(
+                    "--output {output}: the ending names the format {other}, and --to the format {to}; leave out --to, or use another ending"
+                )))
+            }
+            (Some(format), _) | (None, Some(format)) => Ok(format),
+            (None, None) => Err(Failure::bad_input(format!(
                 "--output {output}: the ending names no format; use .xml, .mjcf, .urdf or .sdf, or give --to mjcf, urdf or sdf"
             ))),
         }

@@ -174,6 +174,25 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     }
 }
 
+/// Notes the tables whose results are left out, because the output in a format has the contact at its pose only.
+fn note_left_out(study: &StudyFile) {
+    let tables = [
+        ("[impact]", study.impact.is_some()),
+        ("[extremes]", study.extremes.is_some()),
+        ("[kinematics]", study.kinematics.is_some()),
+        ("[map]", study.map.is_some()),
+        ("[safe_speed]", study.safe_speed.is_some()),
+    ];
+    let left_out: Vec<&str> =
+        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+    if !left_out.is_empty() {
+        note(&format!(
+            "--format shows the contact at its pose, without {}; leave out --format, or ask their commands",
+            left_out.join(", ")
+        ));
+    }
+}
+
 /// Notes the tables that apply to the first of several contacts only.
 fn note_single_contact(study: &StudyFile) {
     let tables = [
@@ -222,6 +241,7 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
         return contact_list::write(&contact_list::of_study(study)?, format, strict);
     }
     if let Some(question) = &study.question {
+        note_left_out(study);
         return run_mass(study, question, format, strict);
     }
     let plain = match format {

@@ -188,6 +188,9 @@ fn bad_input_is_refused() {
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.contains("give --to mjcf, urdf or sdf"), "{}", outcome.stderr);
     assert_eq!(percuss(&format!("convert models/four_bar.urdf --to mjcf -o {output}")).code, 0);
+    let outcome = percuss(&format!("convert models/four_bar.urdf --to mjcf -o {output}.sdf"));
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("names the format sdf, and --to the format mjcf"), "{}", outcome.stderr);
     // Written by percuss: replaced without --force. Changed by hand: not.
     assert_eq!(percuss(&format!("convert models/four_bar.urdf --to urdf -o {output}")).code, 0);
     let text = std::fs::read_to_string(&output).expect("the file");

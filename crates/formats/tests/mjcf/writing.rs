@@ -100,9 +100,12 @@ fn links_that_mujoco_refuses_are_named() {
     let flat = MechanismBuilder::new("m")
         .link(LinkDescription::massless("ground"))
         .link(LinkDescription::new("disc", Inertial::diagonal(1.0, [0.0; 3], [1.0, 1.0, 4.0])))
-        .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"));
+        .link(LinkDescription::massless("tip"))
+        .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"))
+        .joint(JointDescription::new("end", JointKind::Continuous, "disc", "tip"));
     let error = write_mjcf(&flat.build().unwrap().mechanism, "").unwrap_err();
     assert!(error.to_string().contains("A + B < C"), "{error}");
+    assert!(error.to_string().ends_with("; also refused: link \"tip\""), "{error}");
     // The inertia of an immovable link is left out. For a link that is fixed to a moving link, such moments are an error.
     for (kind, at_rest) in [(JointKind::Fixed, true), (JointKind::Continuous, false)] {
         let arm = Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);

@@ -1,5 +1,6 @@
 //! Rates of all joints and of the base.
 
+use crate::reactions::tree_frames::TreeFrames;
 use percuss_dynamics::Pose;
 use percuss_mechanism::{JointId, Mechanism};
 use percuss_spatial::Twist;
@@ -35,6 +36,22 @@ impl JointRates {
     pub(crate) fn scaled(joints: &[Vec<f64>], base: Twist<f64>, factor: f64) -> Self {
         let joint = |rates: &Vec<f64>| rates.iter().map(|rate| factor * rate).collect();
         Self { joints: joints.iter().map(joint).collect(), base: base * factor }
+    }
+
+    /// Sets the rates to `factor` · (`velocities`, `base`), with the velocities of all joints one after another. Reuses the memory.
+    pub(crate) fn set_scaled(
+        &mut self,
+        tree: &TreeFrames,
+        velocities: &[f64],
+        base: Twist<f64>,
+        factor: f64,
+    ) {
+        self.joints.resize_with(tree.mechanism.joints().len(), Vec::new);
+        for (joint, rates) in tree.mechanism.joint_ids().zip(&mut self.joints) {
+            rates.clear();
+            rates.extend(tree.of_joint(joint, velocities).iter().map(|rate| factor * rate));
+        }
+        self.base = base * factor;
     }
 
     /// Velocities of a joint.

@@ -47,6 +47,12 @@ pub struct Reaction {
 }
 
 impl Reaction {
+    /// No reaction.
+    pub(crate) fn zero() -> Self {
+        let none = [Component::Determinate(0.0); 3];
+        Self { frame: Transform::identity(), force: none, moment: none, loops: Vec::new() }
+    }
+
     /// The reaction times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         let scale = |components: [Component; 3]| components.map(|c| c.scaled(factor));
@@ -113,6 +119,11 @@ pub struct Reactions {
 }
 
 impl Reactions {
+    /// No reactions, without memory.
+    pub(crate) fn none() -> Self {
+        Self { ground: None, joints: Vec::new(), closures: Vec::new(), holds: Vec::new(), residual: 0.0 }
+    }
+
     /// All reactions times a factor; the relative residual is kept.
     pub fn scaled(&self, factor: f64) -> Self {
         let joint = |j: &JointReaction| JointReaction {

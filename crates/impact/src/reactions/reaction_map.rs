@@ -38,6 +38,8 @@ pub struct ReactionMap {
     /// For each coordinate: true if a group constrains it.
     bound: Vec<bool>,
     groups: Vec<GroupRows>,
+    /// Number of the first row of each group among the rows of all groups.
+    first_rows: Vec<usize>,
     /// For each link: groups whose rows load its parent joint, with the wrench on the link at each unit multiplier, in
     /// the link's axes at its origin.
     sensitivities: Vec<Vec<(usize, Vec<Wrench<f64>>)>>,
@@ -69,6 +71,19 @@ struct ConstraintLayout {
     layout: ReactionLayout,
 }
 
+/// Memory for the reactions to one load.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ReactionBuffers {
+    /// Changes of the velocities, or accelerations, of all joints.
+    pub change: Vec<f64>,
+    /// Wrenches of the parent joints of all links: first without the constraints of loops and holds, then complete.
+    pub loads: Vec<Wrench<f64>>,
+    twists: Vec<Twist<f64>>,
+    forces: Vec<f64>,
+    /// Multipliers of all groups one after another.
+    multipliers: Vec<f64>,
+}
+
 impl ReactionMap {
     /// Prepares the reactions at a pose.
     pub fn new(pose: &Pose) -> Self {
@@ -76,6 +91,7 @@ impl ReactionMap {
             tree: TreeFrames::new(pose),
             bound: Vec::new(),
             groups: Vec::new(),
+            first_rows: Vec::new(),
             sensitivities: vec![Vec::new(); pose.mechanism().links().len()],
             ground: None,
             joints: Vec::new(),
@@ -100,6 +116,12 @@ impl ReactionMap {
     fn prepare(&mut self, pose: &Pose) {
         self.groups.clear();
         self.groups.extend(pose.constraint_groups().into_iter().map(GroupRows::new));
+        self.first_rows.clear();
+        let mut rows = 0;
+        for group in &self.groups {
+            self.first_rows.push(rows);
+            rows += group.rows();
+        }
         self.bound.clear();
         self.bound.resize(self.tree.coordinate_count, false);
         self.groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| self.bound[c] = true);
@@ -122,11 +144,15 @@ impl ReactionMap {
             return Err(ReactionError::ForeignResponse);
         }
         let star = joints.iter().flatten().copied();
-        self.reactions_of_motion(&response.contact, response.effective_mass, star, base, scale)
+        let (mut buffers, mut reactions) = (ReactionBuffers::default(), Reactions::none());
+        let (contact, mass) = (&response.contact, response.effective_mass);
+        self.reactions_of_motion(contact, mass, star, base, scale, &mut buffers, &mut reactions)?;
+        Ok(reactions)
     }
 
-    /// Reactions as by [`reactions`](Self::reactions). `mass`: m̄ of the contact; `star`, `base`: v* of all joints, and of the root (root
-    /// axes, root origin).
+    /// Reactions as by [`reactions`](Self::reactions), in `reactions`, whose memory is reused. `mass`: m̄ of the contact; `star`, `base`: v*
+    /// of all joints, and of the root (root axes, root origin).
+    #[expect(clippy::too_many_arguments, reason = "a motion, a scale, and the memory for the results")]
     pub(crate) fn reactions_of_motion(
         &self,
         contact: &LocatedContact,
@@ -134,32 +160,36 @@ impl ReactionMap {
         star: impl Iterator<Item = f64>,
         base: Twist<f64>,
         scale: f64,
-    ) -> Result<Reactions, ReactionError> {
+        buffers: &mut ReactionBuffers,
+        reactions: &mut Reactions,
+    ) -> Result<(), ReactionError> {
         let factor = match mass {
             EffectiveMass::Finite(mass) => -1.0 / mass,
             EffectiveMass::Immovable => 0.0,
             EffectiveMass::Massless => return Err(ReactionError::Massless),
         };
-        let change: Vec<f64> = star.map(|rate| factor * rate).collect();
-        let loads = self.tree.impulse_loads(contact, &change, base * factor);
-        Ok(self.reactions_to_loads(loads, &change, scale))
+        let ReactionBuffers { change, loads, twists, .. } = buffers;
+        change.clear();
+        change.extend(star.map(|rate| factor * rate));
+        self.tree.impulse_loads(contact, change, base * factor, twists, loads);
+        self.reactions_to_loads(scale, buffers, reactions);
+        Ok(())
     }
 
-    /// Reactions with the multipliers that balance `loads`, times `scale`. `loads`: wrenches of the parent joints without loops and holds
-    /// ([`TreeFrames::impulse_loads`], [`TreeFrames::motion_loads`]); `change`: changes of the velocities, or accelerations, of all joints.
+    /// Reactions with the multipliers that balance the loads in `buffers` ([`TreeFrames::impulse_loads`], [`TreeFrames::motion_loads`]) with
+    /// the changes or accelerations there, times `scale`. Overwrites `reactions` and reuses its memory.
     pub(crate) fn reactions_to_loads(
         &self,
-        mut loads: Vec<Wrench<f64>>,
-        change: &[f64],
         scale: f64,
-    ) -> Reactions {
-        let forces = self.tree.generalised_loads(&loads, change);
+        buffers: &mut ReactionBuffers,
+        reactions: &mut Reactions,
+    ) {
+        let ReactionBuffers { change, loads, forces, multipliers, .. } = buffers;
+        self.tree.generalised_loads(loads, change, forces);
         let mut residual: f64 = 0.0;
-        let mut multipliers = Vec::with_capacity(self.groups.len());
+        multipliers.clear();
         for group in &self.groups {
-            let (of_group, unbalanced) = group.multipliers(&forces);
-            residual = residual.max(unbalanced);
-            multipliers.push(of_group);
+            residual = residual.max(group.add_multipliers(forces, multipliers));
         }
         let size = self.tree.mechanism.characteristic_length();
         for (force, _) in forces.iter().zip(&self.bound).filter(|(_, bound)| !**bound) {
@@ -168,12 +198,24 @@ impl ReactionMap {
         }
         for (load, sensitivities) in loads.iter_mut().zip(&self.sensitivities) {
             for (number, wrenches) in sensitivities {
-                for (wrench, multiplier) in wrenches.iter().zip(&multipliers[*number]) {
+                for (wrench, multiplier) in wrenches.iter().zip(&multipliers[self.first_rows[*number]..]) {
                     *load += *wrench * *multiplier;
                 }
             }
         }
-        let joints = self.tree.mechanism.joint_ids().zip(&self.joints).map(|(joint, layout)| {
+        match &self.ground {
+            Some(ground) => {
+                let to = reactions.ground.get_or_insert_with(Reaction::zero);
+                ground.write_reaction(&loads[self.tree.mechanism.root().index()], scale, to);
+            }
+            None => reactions.ground = None,
+        }
+        let ids = || self.tree.mechanism.joint_ids();
+        let empty = |joint| JointReaction { joint, reaction: Reaction::zero(), drives: Vec::new() };
+        if reactions.joints.len() != self.joints.len() {
+            reactions.joints = ids().map(empty).collect();
+        }
+        for ((joint, layout), to) in ids().zip(&self.joints).zip(&mut reactions.joints) {
             let child = self.tree.mechanism.joint(joint).child().index();
             let first = self.tree.first_column(joint);
             let drive = |(k, column): (usize, &Twist<f64>)| {
@@ -182,31 +224,53 @@ impl ReactionMap {
                 let constraint = component(scale * sum, self.open_drives[first + k]);
                 DriveImpulse { gear: scale * gear, constraint }
             };
-            let drives = self.tree.columns(joint).iter().enumerate().map(drive).collect();
-            JointReaction { joint, reaction: layout.reaction(&loads[child], scale), drives }
-        });
-        let of_constraint = |constraint: &ConstraintLayout| {
-            let action = &self.groups[constraint.group].group().constraints[constraint.index];
-            let own = &multipliers[constraint.group][action.first..];
-            let sum = |sum, (wrench, multiplier): (&Wrench<f64>, &f64)| sum + *wrench * *multiplier;
-            let total = action.wrenches.iter().zip(own).fold(Wrench::zero(), sum);
-            constraint.layout.reaction(&total, scale)
-        };
-        Reactions {
-            ground: self
-                .ground
-                .as_ref()
-                .map(|g| g.reaction(&loads[self.tree.mechanism.root().index()], scale)),
-            joints: joints.collect(),
-            closures: self.closures.iter().map(of_constraint).collect(),
-            holds: self.holds.iter().map(of_constraint).collect(),
-            residual,
+            to.joint = joint;
+            to.drives.clear();
+            to.drives.extend(self.tree.columns(joint).iter().enumerate().map(drive));
+            layout.write_reaction(&loads[child], scale, &mut to.reaction);
         }
+        let all = [(&self.closures, &mut reactions.closures), (&self.holds, &mut reactions.holds)];
+        for (constraints, to) in all {
+            to.resize_with(constraints.len(), Reaction::zero);
+            for (constraint, to) in constraints.iter().zip(to) {
+                let action = &self.groups[constraint.group].group().constraints[constraint.index];
+                let own = &multipliers[self.first_rows[constraint.group] + action.first..];
+                let sum = |sum, (wrench, multiplier): (&Wrench<f64>, &f64)| sum + *wrench * *multiplier;
+                let total = action.wrenches.iter().zip(own).fold(Wrench::zero(), sum);
+                constraint.layout.write_reaction(&total, scale, to);
+            }
+        }
+        reactions.residual = residual;
     }
 
-    /// Sets the forces of springs and dampers at `pose`, with the velocities of all joints.
-    pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
-        self.tree.apply_springs(pose, springs, velocities);
+    /// Forces (N) and moments (N·m) as by [`reactions_to_loads`](Self::reactions_to_loads) in a motion: contact force `force`, rates and
+    /// accelerations of the coordinates, and `gravity` (m/s², root axes).
+    #[expect(clippy::too_many_arguments, reason = "a motion, and the memory for the results")]
+    pub(crate) fn reactions_in_motion(
+        &self,
+        pose: &Pose,
+        contact: &LocatedContact,
+        force: f64,
+        (rates, accelerations): (&[f64], &[f64]),
+        gravity: &Vector3<f64>,
+        buffers: &mut ReactionBuffers,
+        reactions: &mut Reactions,
+    ) {
+        let tree = &self.tree;
+        let mut velocities = Vec::new();
+        tree.joint_velocities(rates, &mut velocities);
+        tree.joint_velocities(accelerations, &mut buffers.change);
+        let rates = (&velocities[..], tree.base_twist(rates));
+        let changes = (&buffers.change[..], tree.base_twist(accelerations));
+        buffers.loads = tree.motion_loads(pose, contact, force, rates, changes, gravity);
+        self.reactions_to_loads(1.0, buffers, reactions);
+    }
+
+    /// Sets the forces of springs and dampers at `pose`, with the rates of the coordinates.
+    pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], rates: &[f64]) {
+        let mut velocities = Vec::new();
+        self.tree.joint_velocities(rates, &mut velocities);
+        self.tree.apply_springs(pose, springs, &velocities);
     }
 
     /// Frames and motion subspaces of the tree.
@@ -373,17 +437,15 @@ impl ReactionMap {
 }
 
 impl ReactionLayout {
-    /// Reaction of a wrench, times `scale`.
-    fn reaction(&self, wrench: &Wrench<f64>, scale: f64) -> Reaction {
+    /// Overwrites `reaction` with the reaction of a wrench, times `scale`.
+    fn write_reaction(&self, wrench: &Wrench<f64>, scale: f64, reaction: &mut Reaction) {
         let along = |vector: &Vector3<f64>, first: usize| {
             [0, 1, 2].map(|k| component(scale * self.axes.column(k).dot(vector), self.open[first + k]))
         };
-        Reaction {
-            frame: self.frame,
-            force: along(&wrench.force, 0),
-            moment: along(&wrench.moment, 3),
-            loops: self.loops.clone(),
-        }
+        reaction.frame = self.frame;
+        reaction.force = along(&wrench.force, 0);
+        reaction.moment = along(&wrench.moment, 3);
+        reaction.loops.clone_from(&self.loops);
     }
 }
 

@@ -128,9 +128,10 @@ impl TreeFrames {
 
     /// Generalised forces that the constraints must supply, over the coordinates, with gears, springs and dampers: M Δq̇ + jᵀ for
     /// [`impulse_loads`](Self::impulse_loads), h + jᵀF − Q + M u̇ for [`motion_loads`](Self::motion_loads). `change`: changes of the
-    /// velocities, or accelerations, of all joints.
-    pub fn generalised_loads(&self, loads: &[Wrench<f64>], change: &[f64]) -> Vec<f64> {
-        let mut forces = vec![0.0; self.coordinate_count];
+    /// velocities, or accelerations, of all joints. Overwrites `forces`.
+    pub fn generalised_loads(&self, loads: &[Wrench<f64>], change: &[f64], forces: &mut Vec<f64>) {
+        forces.clear();
+        forces.resize(self.coordinate_count, 0.0);
         if self.is_floating {
             let root = &loads[self.mechanism.root().index()];
             forces.iter_mut().zip(root.moment.iter().chain(&root.force)).for_each(|(to, from)| *to = *from);
@@ -144,7 +145,6 @@ impl TreeFrames {
                 forces[c + k] += multiplier * (load.power(column) + gear + self.applied[first + k]);
             }
         }
-        forces
     }
 
     /// Motion subspace of a joint, in the axes of the child.
@@ -159,15 +159,18 @@ impl TreeFrames {
 
     /// Wrench on each link from its parent joint (from the ground, for the root), in the link's axes at its origin, without the
     /// constraints of loops and holds. `change`: changes of the velocities of all joints; `base`: change of the twist of the root (root
-    /// axes, root origin). A unit impulse acts at the contact: −n̂ on the contact link, n̂ on the other link.
+    /// axes, root origin). A unit impulse acts at the contact: −n̂ on the contact link, n̂ on the other link. Overwrites `twists` (of all
+    /// links) and `loads`.
     pub fn impulse_loads(
         &self,
         contact: &LocatedContact,
         change: &[f64],
         base: Twist<f64>,
-    ) -> Vec<Wrench<f64>> {
-        let mut twists = vec![Twist::zero(); self.frames.len()];
-        let mut loads = vec![Wrench::zero(); self.frames.len()];
+        twists: &mut Vec<Twist<f64>>,
+        loads: &mut Vec<Wrench<f64>>,
+    ) {
+        twists.resize(self.frames.len(), Twist::zero());
+        loads.resize(self.frames.len(), Wrench::zero());
         for &link in self.mechanism.order() {
             let i = link.index();
             twists[i] = match self.mechanism.parent_joint(link) {
@@ -183,8 +186,7 @@ impl TreeFrames {
             };
             loads[i] = self.mechanism.link(link).inertia().momentum(&twists[i]);
         }
-        self.add_contact(contact, 1.0, &mut loads);
-        loads
+        self.add_contact(contact, 1.0, loads);
     }
 
     /// Wrenches (N, N·m) on each link from its parent joint, as by [`impulse_loads`](Self::impulse_loads), in a motion. `rates`,

@@ -8,6 +8,7 @@ use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use percuss_dynamics::{ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::JointId;
+use percuss_spatial::Twist;
 
 /// Rigid impact at one contact, frictionless unless [`with_friction`](Self::with_friction).
 ///
@@ -41,6 +42,22 @@ pub struct RigidImpact {
 }
 
 impl RigidImpact {
+    /// No impact, without memory: for [`ImpactsAtPose::impact_into`](crate::ImpactsAtPose::impact_into).
+    pub fn none() -> Self {
+        let at_rest = JointRates { joints: Vec::new(), base: Twist::zero() };
+        Self {
+            restitution: 0.0,
+            closing_speed: 0.0,
+            impulse: 0.0,
+            energy_loss: 0.0,
+            before: at_rest.clone(),
+            after: at_rest,
+            undetermined: Vec::new(),
+            friction: None,
+            reactions: Reactions::none(),
+        }
+    }
+
     /// Impact with the closing speed `closing_speed` (m/s) and the coefficient of restitution `restitution`.
     ///
     /// `before`: rates before the impact; `None` for the motion v* c. Other motions with the same closing speed have

@@ -1,8 +1,7 @@
 //! Rigid impacts at many poses, contacts or speeds, in reused memory.
 
 use crate::error::ImpactError;
-use crate::motion::joint_rates::JointRates;
-use crate::reactions::reaction_map::ReactionMap;
+use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
 use crate::rigid::impact::{RigidImpact, checked_mass};
 use percuss_dynamics::{Contact, Pose, RemarkFlags, Workspace};
 
@@ -16,13 +15,14 @@ pub struct ImpactWorkspace {
     responses: Workspace,
     /// v* of all joints.
     star: Vec<f64>,
+    buffers: ReactionBuffers,
 }
 
 impl ImpactWorkspace {
     /// Workspace for the poses of the system of `pose`.
     pub fn new(pose: &Pose) -> Self {
         let responses = pose.assembly().workspace();
-        Self { map: ReactionMap::new(pose), responses, star: Vec::new() }
+        Self { map: ReactionMap::new(pose), responses, star: Vec::new(), buffers: ReactionBuffers::default() }
     }
 
     /// Impacts at a pose of the same system.
@@ -53,33 +53,42 @@ impl ImpactsAtPose<'_> {
         closing_speed: f64,
         restitution: f64,
     ) -> Result<RigidImpact, ImpactError> {
-        let (ImpactWorkspace { map, responses, star }, pose) = (&mut *self.workspace, self.pose);
+        let mut impact = RigidImpact::none();
+        self.impact_into(contact, closing_speed, restitution, &mut impact)?;
+        Ok(impact)
+    }
+
+    /// Impact as by [`impact`](Self::impact), in `impact`, whose memory is reused: without allocations, except for joints that a motion
+    /// without mass moves, and for open components.
+    ///
+    /// # Errors
+    /// As for [`impact`](Self::impact); the contents of `impact` are then undefined.
+    pub fn impact_into(
+        &mut self,
+        contact: &Contact,
+        closing_speed: f64,
+        restitution: f64,
+        impact: &mut RigidImpact,
+    ) -> Result<(), ImpactError> {
+        let (ImpactWorkspace { map, responses, star, buffers }, pose) = (&mut *self.workspace, self.pose);
         let found = responses.respond_at(pose, contact, star)?;
         if found.remarks.contains(RemarkFlags::UNDETERMINED_MOTION) {
             let response = pose.respond(contact)?;
-            return RigidImpact::with_reaction_map(pose, map, &response, closing_speed, restitution, None);
+            *impact = RigidImpact::with_reaction_map(pose, map, &response, closing_speed, restitution, None)?;
+            return Ok(());
         }
         let mass = checked_mass(found.effective_mass, closing_speed, restitution)?;
-        let impulse = (1.0 + restitution) * mass * closing_speed;
-        let base = found.base_velocity;
-        let rates = star.iter().copied();
-        let reactions =
-            map.reactions_of_motion(&found.contact, found.effective_mass, rates, base, impulse)?;
-        let rates = |factor: f64| {
-            let tree = map.tree();
-            let of_joint = |joint| tree.of_joint(joint, star).iter().map(|v| factor * v).collect();
-            JointRates { joints: tree.mechanism.joint_ids().map(of_joint).collect(), base: base * factor }
-        };
-        Ok(RigidImpact {
-            restitution,
-            closing_speed,
-            impulse,
-            energy_loss: 0.5 * mass * (1.0 - restitution * restitution) * closing_speed * closing_speed,
-            before: rates(closing_speed),
-            after: rates(-restitution * closing_speed),
-            undetermined: Vec::new(),
-            friction: None,
-            reactions,
-        })
+        let (mass_at, base) = (found.effective_mass, found.base_velocity);
+        impact.restitution = restitution;
+        impact.closing_speed = closing_speed;
+        impact.impulse = (1.0 + restitution) * mass * closing_speed;
+        impact.energy_loss = 0.5 * mass * (1.0 - restitution * restitution) * closing_speed * closing_speed;
+        impact.before.set_scaled(map.tree(), star, base, closing_speed);
+        impact.after.set_scaled(map.tree(), star, base, -restitution * closing_speed);
+        impact.undetermined.clear();
+        impact.friction = None;
+        let (rates, reactions) = (star.iter().copied(), &mut impact.reactions);
+        map.reactions_of_motion(&found.contact, mass_at, rates, base, impact.impulse, buffers, reactions)?;
+        Ok(())
     }
 }

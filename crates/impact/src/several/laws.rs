@@ -10,7 +10,8 @@ use nalgebra::{DMatrix, DVector};
 /// Law of several simultaneous contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SimultaneousLaw {
-    /// Newton in the form of Moreau: u⁺ + e u⁻ ≥ 0 ⊥ P ≥ 0.
+    /// Newton: u⁺ ≥ −e u⁻ ⊥ P ≥ 0 for a contact that closes, u⁺ ≥ 0 ⊥ P ≥ 0 for one that opens or rests. (Moreau's form has −e u⁻ for
+    /// all contacts: the sides of a contact that opens could then move into each other.)
     Newton,
     /// Poisson (Glocker and Pfeiffer 1995): compression u ≥ 0 ⊥ P_c ≥ 0, then expansion u⁺ ≥ 0 ⊥ P_e − e P_c ≥ 0.
     Poisson,
@@ -103,7 +104,7 @@ pub fn simultaneous_impact_of_matrix(
     let no_end = || ImpactError::NoEnd { law: law.name() };
     let (solution, is_open) = match law {
         SimultaneousLaw::Newton => {
-            let q = DVector::from_fn(k, |i, _| before[i] * (1.0 + restitution[i]));
+            let q = DVector::from_fn(k, |i, _| before[i] + restitution[i] * before[i].min(0.0));
             let found = complementarity(matrix, &q).ok_or_else(no_end)?;
             (found.z, found.is_open)
         }

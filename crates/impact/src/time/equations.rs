@@ -88,7 +88,8 @@ impl MotionEquations {
         let (rates, bias) =
             ((&self.velocities[..], base), (&self.bias[..], self.tree.base_twist(&accelerations)));
         let loads = self.tree.motion_loads(pose, contact, force, rates, bias, gravity);
-        let forces = self.tree.generalised_loads(&loads, &self.bias);
+        let mut forces = Vec::new();
+        self.tree.generalised_loads(&loads, &self.bias, &mut forces);
         let mass = pose.mass_matrix();
         let d = self.basis.len().checked_div(n).unwrap_or(0);
         let basis = DMatrix::from_column_slice(n, d, &self.basis);

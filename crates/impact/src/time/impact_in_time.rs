@@ -6,7 +6,7 @@ use crate::motion::joint_rates::JointRates;
 use crate::numerics::extrapolation::step;
 use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
-use crate::reactions::reaction_map::ReactionMap;
+use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
 use crate::reactions::tree_frames::SpringAtJoint;
 use crate::time::equations::{MotionEquations, rates_of};
 use crate::tolerances::{
@@ -48,6 +48,8 @@ pub struct TimeConditions {
     pub ends_without_force: bool,
     /// Springs and dampers of joints.
     pub springs: Vec<JointSpring>,
+    /// Number of further samples within each step of the integration, for curves and for maxima between the steps.
+    pub samples_within_steps: usize,
 }
 
 /// State of an impact at one time.
@@ -329,6 +331,7 @@ impl<'a> Motion<'a> {
         let at = self.instant(&y, &mut sampler.pose).ok_or_else(lost)?;
         sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
+        let mut closing = at.closing;
         let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
@@ -345,10 +348,11 @@ impl<'a> Motion<'a> {
                 if !is_exact {
                     end = locate(&single, &mut sampler.pose)?;
                 }
-                if deepest.is_none() {
-                    let states: &dyn Fn(f64) -> Vec<f64> = if is_exact { &dense } else { &single };
-                    deepest = self.turning_point(&y, taken, states);
+                let states: &dyn Fn(f64) -> Vec<f64> = if is_exact { &dense } else { &single };
+                if closing > 0.0 {
+                    deepest = deeper(deepest, self.turning_point(&y, taken, states));
                 }
+                sampler.add_within(self, time, end.2, states);
                 return self.finish(sampler, time, end, deepest);
             };
             let then = self.instant(&next, &mut sampler.pose).filter(|at| at.closing.is_finite());
@@ -356,13 +360,19 @@ impl<'a> Motion<'a> {
             let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
             let dense = |h: f64| integrator.state_before(&y, h);
             let states: &dyn Fn(f64) -> Vec<f64> = if integrator.is_dense() { &dense } else { &single };
-            if deepest.is_none() && then.closing <= 0.0 {
-                deepest = Some(self.turning_point(&y, taken, states).ok_or_else(lost)?);
+            // The penetration can have several maxima: a linkage may swing back towards the contact before the sides separate.
+            if closing > 0.0 && then.closing <= 0.0 {
+                let turn = self.turning_point(&y, taken, states).ok_or_else(lost)?;
+                deepest = deeper(deepest, Some(turn));
             }
+            closing = then.closing;
             if self.is_end(&then) {
                 let end = self.locate(&y, taken, &single, &|at| self.remaining(at), &mut sampler.pose);
-                return self.finish(sampler, time, end.ok_or_else(lost)?, deepest);
+                let end = end.ok_or_else(lost)?;
+                sampler.add_within(self, time, end.2, &single);
+                return self.finish(sampler, time, end, deepest);
             }
+            sampler.add_within(self, time, taken, states);
             time += taken;
             y = next;
             sampler.add(self, time, &then, integrator.rate());
@@ -454,6 +464,11 @@ impl<'a> Motion<'a> {
     }
 }
 
+/// The larger of two penetrations, with its m̄.
+fn deeper(a: Option<(f64, Option<f64>)>, b: Option<(f64, Option<f64>)>) -> Option<(f64, Option<f64>)> {
+    [a, b].into_iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
 /// True if two scaled states differ by at most the error of a step.
 fn are_close(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= TIME_STEP_ERROR * (1.0 + b.abs()))
@@ -464,6 +479,7 @@ struct Sampler {
     /// Pose of the sample.
     pose: Pose,
     map: ReactionMap,
+    buffers: ReactionBuffers,
     masses: Workspace,
     samples: Vec<ImpactSample>,
 }
@@ -472,7 +488,7 @@ impl Sampler {
     fn new(motion: &Motion) -> Self {
         let pose = motion.start.clone();
         let (map, masses) = (ReactionMap::new(&pose), pose.assembly().workspace());
-        Self { pose, map, masses, samples: Vec::new() }
+        Self { pose, map, buffers: ReactionBuffers::default(), masses, samples: Vec::new() }
     }
 
     /// Adds a sample at the current pose. `time`: scaled time; `rate`: derivative of the scaled state by scaled time.
@@ -484,16 +500,18 @@ impl Sampler {
         let scaled = rate[first..].iter().zip(&motion.lengths);
         let change: Vec<f64> = scaled.map(|(scaled, length)| scaled * unit / length).collect();
         self.map.update(pose);
-        let tree = self.map.tree();
-        let (mut velocities, mut accelerations) = (Vec::new(), Vec::new());
-        tree.joint_velocities(&at.rates, &mut velocities);
-        tree.joint_velocities(&change, &mut accelerations);
-        self.map.apply_springs(pose, &motion.springs, &velocities);
-        let tree = self.map.tree();
-        let rates = (&velocities[..], tree.base_twist(&at.rates));
-        let changes = (&accelerations[..], tree.base_twist(&change));
-        let loads = tree.motion_loads(pose, &at.contact, at.force, rates, changes, &gravity);
-        let reactions = self.map.reactions_to_loads(loads, &accelerations, 1.0);
+        self.map.apply_springs(pose, &motion.springs, &at.rates);
+        let (motion_of, buffers, mut reactions) =
+            ((&at.rates[..], &change[..]), &mut self.buffers, Reactions::none());
+        self.map.reactions_in_motion(
+            pose,
+            &at.contact,
+            at.force,
+            motion_of,
+            &gravity,
+            buffers,
+            &mut reactions,
+        );
         let effective_mass = self.effective_mass(motion.contact);
         let pose = &self.pose;
         self.samples.push(ImpactSample {
@@ -508,6 +526,25 @@ impl Sampler {
             base: *pose.base(),
             rates: rates_of(pose, &at.rates),
         });
+    }
+
+    /// Adds the samples within a step of the scaled length `h` that begins at the scaled time `time`. `states`: state at a distance from
+    /// the beginning.
+    fn add_within(&mut self, motion: &Motion, time: f64, h: f64, states: &dyn Fn(f64) -> Vec<f64>) {
+        let count = motion.conditions.samples_within_steps;
+        if count == 0 {
+            return;
+        }
+        let end = self.pose.clone();
+        for k in 1..=count {
+            let part = h * k as f64 / (count + 1) as f64;
+            let state = states(part);
+            let Some(at) = motion.instant(&state, &mut self.pose) else { continue };
+            let mut rate = vec![0.0; state.len()];
+            motion.derivative(&state, &mut rate);
+            self.add(motion, time + part, &at, &rate);
+        }
+        self.pose = end;
     }
 
     /// Largest force of the contact.

@@ -2,3 +2,4 @@
 
 pub(crate) mod equations;
 pub(crate) mod impact_in_time;
+pub(crate) mod motion_forces;

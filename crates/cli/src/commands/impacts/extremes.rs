@@ -44,72 +44,82 @@ pub fn show(
 
 /// Report as text.
 fn text(report: &ExtremesReport) -> String {
-    let mut out = String::new();
+    let facts: String = facts(report).iter().map(|(name, value)| fact_line(name, &line(value))).collect();
+    format!("{facts}\n{}", wrap_lines(note(report)))
+}
+
+/// What the search does not show.
+pub fn note(report: &ExtremesReport) -> &'static str {
+    match report.path {
+        Some(_) => {
+            "Local searches from the best samples of the path: an extreme between two samples can be missed.\n"
+        }
+        None => {
+            "Local searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
+             (--starts).\n"
+        }
+    }
+}
+
+/// Extremes, with their places and the searched positions.
+pub fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
+    let mut facts = Vec::new();
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
-        out += &fact_line(name, &line(&value(report, record)));
-        out += &fact_line("  at", &line(&positions(record)));
+        facts.push((name, value(report, record)));
+        facts.push(("  at", positions(record)));
         if let Some(row) = record.row {
             let place = match row.fract() {
                 0.0 => format!("row {row} of the path (from 0)"),
                 _ => format!("row {} of the path (from 0)", number(row)),
             };
-            out += &fact_line("  place", &place);
+            facts.push(("  place", place));
         }
         if let Some(gap) = record.gap.filter(|gap| gap.abs() > RESTING_GAP) {
             let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
-            out += &fact_line("  gap", &format!("{} m, the stop is {state} here", short_number(gap)));
+            facts.push(("  gap", format!("{} m, the stop is {state} here", short_number(gap))));
         }
         if let Some(normal) = &record.normal_world {
-            out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
+            facts.push(("  normal", format!("{} (world, up to its sign)", triple(normal))));
         }
         let starts = if report.path.is_some() { "local searches" } else { "starts" };
         let kept = record
             .kept_error
             .map_or_else(String::new, |error| format!("; error of kept points {} m", short_number(error)));
-        out += &fact_line(
+        facts.push((
             "  search",
-            &format!(
+            format!(
                 "{} of {} {starts} agree; optimality residual {}{kept}",
                 record.agreeing,
                 record.starts,
                 short_number(record.residual)
             ),
-        );
+        ));
     }
     if let Some(path) = &report.path {
         let unreached = match path.unreached {
             0 => String::new(),
             count => format!("; unreachable rows: {count}"),
         };
-        let moved = path.joints.join(", ");
-        out += &fact_line("path", &line(&format!("{} rows of {moved}{unreached}", path.rows)));
+        facts.push(("path", format!("{} rows of {}{unreached}", path.rows, path.joints.join(", "))));
     }
     if !report.kept.is_empty() {
         let kept: Vec<String> = report.kept.iter().map(kept_text).collect();
-        out += &fact_line("kept", &line(&kept.join("; ")));
+        facts.push(("kept", kept.join("; ")));
     }
     let range = |(joint, lower, upper): &(String, f64, f64)| {
         format!("{joint} {} to {}", short_number(*lower), short_number(*upper))
     };
     let ranges: Vec<String> = report.ranges.iter().map(range).collect();
     if !ranges.is_empty() {
-        out += &fact_line("ranges", &line(&format!("{} (rad or m)", ranges.join(", "))));
+        facts.push(("ranges", format!("{} (rad or m)", ranges.join(", "))));
     }
     if !report.held.is_empty() {
         let list = |values: &[f64]| values.iter().map(|x| short_number(*x)).collect::<Vec<_>>().join(",");
         let held = |(joint, values): &(String, Vec<f64>)| format!("{joint} at {}", list(values));
         let held: Vec<String> = report.held.iter().map(held).collect();
-        out += &fact_line("held", &line(&format!("{} (rad or m; give a range to vary it)", held.join(", "))));
+        facts.push(("held", format!("{} (rad or m; give a range to vary it)", held.join(", "))));
     }
-    out + &wrap_lines(match report.path {
-        Some(_) => {
-            "\nLocal searches from the best samples of the path: an extreme between two samples can be missed.\n"
-        }
-        None => {
-            "\nLocal searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
-             (--starts).\n"
-        }
-    })
+    facts
 }
 
 /// Kept link or point as text.

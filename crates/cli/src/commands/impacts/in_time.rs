@@ -10,6 +10,8 @@ use std::path::Path;
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
 const SHOWN_FORCE: f64 = 1e-3;
+/// Relative change of m̄ above which a percentage says nothing.
+const LARGEST_PERCENTAGE: f64 = 100.0;
 /// Most bearings in the figure: more lines cannot be told apart.
 const MOST_SHOWN: usize = 5;
 
@@ -26,8 +28,11 @@ pub fn place_name(place: ReactionPlace, name: &str) -> String {
 /// Results of the impact in time; empty unless requested.
 pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let Some(found) = &report.in_time else { return Vec::new() };
-    let change = found.mass_change.map_or_else(String::new, |change| {
-        format!("; the effective mass changes by {:+.2} % over it", 100.0 * change)
+    let change = found.mass_change.map_or_else(String::new, |change| match change {
+        change if change > LARGEST_PERCENTAGE => {
+            "; the mechanism comes close to a pose at which the contact is immovable".to_owned()
+        }
+        change => format!("; the effective mass changes by {:+.2} % over it", 100.0 * change),
     });
     let mut facts = vec![
         (

@@ -13,6 +13,9 @@ use percuss_study::{
     ReflectedRecord, Status, impact,
 };
 
+/// Part of the peak force of a bearing up to which the forces of the motion before the impact are not mentioned.
+const SMALL_MOTION_FORCE: f64 = 0.01;
+
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     let contact = args.contact.question()?;
@@ -75,7 +78,7 @@ fn text(report: &ImpactReport) -> String {
         out += &fact_line(name, &line(&value));
     }
     if report.mass.joint_stop.is_none() {
-        out += &format!("\n{}", mass_table(report));
+        out += &format!("\n{}{}", mass_table(report), wrap_lines(mass_note(report)));
     }
     if let Some(table) = law_table(report) {
         out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
@@ -91,8 +94,13 @@ fn text(report: &ImpactReport) -> String {
     let friction = if report.friction.is_some() { "" } else { "friction, " };
     let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
     out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
-    out += "Gravity, springs and dampers have no effect during an instantaneous impact.\n\
-            See docs/howto/IMPACT.md.\n";
+    out += match report.in_time {
+        None => "Gravity, springs and dampers have no effect during an instantaneous impact.\n",
+        Some(_) => {
+            "The impact in time includes the gravity and the joint springs that are given; an instantaneous impact has none.\n"
+        }
+    };
+    out += "See docs/howto/IMPACT.md.\n";
     out
 }
 
@@ -168,6 +176,15 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             ),
         ));
     }
+    let motion = report.contact_law.iter().flat_map(|law| &law.motion_force);
+    facts.extend(motion.filter(|motion| motion.ratio > SMALL_MOTION_FORCE).map(|motion| {
+        let text = format!(
+            "the velocities before the impact alone load {} with {} N; the peak forces of the bearings do not include this, --in-time does",
+            in_time::place_name(motion.place, &motion.name),
+            short_number(motion.force)
+        );
+        ("motion forces", text)
+    }));
     facts.extend(in_time::facts(report));
     if let Some(greatest) = &report.greatest_closing_speed {
         let gear = if greatest.limit == "gear" { "the gear of " } else { "" };
@@ -236,7 +253,7 @@ fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'st
             "coefficient {}; {slides}: {end}, separation speed {} of the closing speed; impulse on the contact link {} N·s \
              (world)",
             number(friction.coefficient),
-            short_number(friction.kinematic_restitution),
+            short_number(rounded(friction.kinematic_restitution, 1.0)),
             triple(&friction.tangential_impulse_world),
         ),
     )];
@@ -272,7 +289,7 @@ pub fn mass_table(report: &ImpactReport) -> Table<3> {
         let name = match state.state {
             "rotors-decoupled" => "rotors decoupled (compliant gears)",
             "rotors-coupled" => "rotors coupled (result above)",
-            _ => "joints locked (one free body)",
+            _ => "joints locked (one body, free of the ground)",
         };
         table.row([
             name.to_owned(),
@@ -281,6 +298,17 @@ pub fn mass_table(report: &ImpactReport) -> Table<3> {
         ]);
     }
     table
+}
+
+/// Explanation of the last row of the masses, if it is the smallest.
+pub fn mass_note(report: &ImpactReport) -> &'static str {
+    let [_, coupled, locked] = &report.mass_states[..] else { return "" };
+    let sliding = coupled.sliding.zip(locked.sliding);
+    if sliding.is_some_and(|(coupled, locked)| locked < coupled) {
+        "The body of the last row has no bearings on the ground, which make the mechanism heavier here.\n"
+    } else {
+        ""
+    }
 }
 
 /// Laws of restitution side by side; `None` without friction.
@@ -339,14 +367,16 @@ fn armature(range: &ReflectedRangeRecord) -> String {
         return format!("{}: not finite over the range", range.joint);
     };
     let unit = range.unit;
+    let state = if range.held.iter().any(Option::is_some) { "with the other drivers held" } else { "free" };
     format!(
-        "{}: {} to {} {unit} over {} positions; the best constant is {} {unit}, wrong by up to {} %",
+        "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It contains the inertia of the \
+         links: for a simulator that has the links themselves, only the part that its model lacks is an armature",
         range.joint,
         number(least),
         number(most),
         range.positions.len(),
         number(constant),
-        short_number(100.0 * error),
+        short_number(rounded(100.0 * error, 100.0)),
     )
 }
 
@@ -419,7 +449,8 @@ fn component(value: Option<f64>, size: f64) -> String {
 /// Explanation of the table of reactions.
 pub fn legend(report: &ImpactReport) -> String {
     let mut legend = "Rates of a ball joint are the angular velocity of its child in the axes of the child. Reactions are the action of the \
-                      parent on the child, along two transverse axes and the axis of the joint (--format json has the axes). Joints \
+                      parent on the child, along two transverse axes and the axis of the joint; the moment refers to the origin of \
+                      the child. The ground acts along the axes of the root link. --format json contains all axes and points. Joints \
                       without any reaction are left out.\n"
         .to_owned();
     let mut open: Vec<&str> =

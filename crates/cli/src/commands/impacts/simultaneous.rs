@@ -97,9 +97,12 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
 /// Table of the laws of simultaneous impacts: impulses, opening speeds and energy loss, or the reason for a missing result.
 pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
     let mut table = Table::new(["law", "impulses N·s", "opening speeds m/s", "energy loss J"]);
+    let speed = several.contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.closing_speed.abs()));
     for law in &several.laws {
         let list = |values: Vec<String>| values.join(", ");
         let created = if law.creates_energy { " (creates energy: not valid)" } else { "" };
+        // The exchanged energy, for the rounding of the loss.
+        let energy = speed * law.impulses.iter().flatten().fold(0.0, |sum: f64, p| sum + p.abs());
         let Some(loss) = law.energy_loss else {
             let why = law.refusal.clone().unwrap_or_default();
             table.row([law.law.to_owned(), "-".to_owned(), "-".to_owned(), why]);
@@ -108,8 +111,8 @@ pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
         table.row([
             law.law.to_owned(),
             list(law.impulses.iter().map(|p| p.map_or_else(|| "?".to_owned(), short_number)).collect()),
-            list(law.opening_speeds.iter().map(|u| short_number(*u)).collect()),
-            format!("{}{created}", short_number(loss)),
+            list(law.opening_speeds.iter().map(|u| short_number(rounded(*u, speed))).collect()),
+            format!("{}{created}", short_number(rounded(loss, energy))),
         ]);
     }
     table
@@ -122,7 +125,7 @@ pub fn law_note(several: &SimultaneousRecord) -> String {
         "Without friction. Masses and restitution do not determine several simultaneous impacts: the opening speeds of the laws \
          differ by up to {} of the closing speed. The energetic law has contact stiffnesses in the ratio {} and the exponent {} \
          (--stiffness-ratio, --contact-exponent).{}\n",
-        short_number(several.spread.unwrap_or_default()),
+        short_number(rounded(several.spread.unwrap_or_default(), 1.0)),
         ratios.join(":"),
         short_number(several.contact_exponent),
         if several
@@ -171,7 +174,7 @@ pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -
 /// suffices for every contact at the best distribution of the open impulses.
 fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
     match (sticking.required_friction[contact], sticking.least_friction) {
-        (Some(required), _) => short_number(required),
+        (Some(required), _) => short_number(rounded(required, 1.0)),
         (None, Some(least)) => format!("at most {}", short_number(least)),
         (None, None) => "none suffices".to_owned(),
     }

@@ -2,12 +2,13 @@
 
 use super::findings::add_warnings;
 use super::mechanism::drawing;
-use crate::commands::impacts::{in_time, rigid_impact, simultaneous};
+use crate::commands::impacts::{extremes, in_time, rigid_impact, simultaneous};
 use crate::files::html::Page;
 use crate::terminal::text::short_number;
 use percuss_render::{Drawing, DrawnArrow, SkinMark};
 use percuss_study::{
-    DrawnMechanism, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord, SimultaneousRecord,
+    DrawnMechanism, ExtremesReport, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord,
+    SimultaneousRecord,
 };
 
 /// Impulse in a bearing, relative to the largest, below which the picture has no arrow.
@@ -38,6 +39,10 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
     if report.mass.joint_stop.is_none() {
         page.heading("Masses");
         page.table(rigid_impact::mass_table(report).rows());
+        let note = rigid_impact::mass_note(report);
+        if !note.is_empty() {
+            page.paragraph("soft", note);
+        }
     }
     add_simultaneous(report, mechanism, page);
     // A free body has no bearings.
@@ -61,6 +66,14 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
             page.table(table.rows());
         }
     }
+    add_warnings(&report.diagnostics, page);
+}
+
+/// Section of the extremes of a contact.
+pub(super) fn add_extremes(report: &ExtremesReport, page: &mut Page) {
+    page.section("Extremes");
+    page.facts(extremes::facts(report).into_iter().map(|(name, value)| (name.trim_start(), value)));
+    page.paragraph("soft", &extremes::note(report).replace('\n', " "));
     add_warnings(&report.diagnostics, page);
 }
 

@@ -58,6 +58,9 @@ pub(super) fn text(
     if let Some(report) = &results.impact {
         impact::add_impact(report, &results.mechanism, &mut page);
     }
+    if let Some(report) = &results.extremes {
+        impact::add_extremes(report, &mut page);
+    }
     match &results.mapped {
         None => {}
         Some(MapResult::Surfaces(answer)) => answers::add_surface(answer, &mut page),
@@ -131,9 +134,10 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.heading("Command");
     page.paragraph("soft", "In the folder of the study, this command makes the report again:");
     page.code(&format!(
-        "percuss run {} --report {}{}",
+        "percuss run {} --report {}{}{}",
         shell_quoted(&file_name(&args.study)),
         shell_quoted(&file_name(path)),
+        if args.allow_outside { " --allow-outside" } else { "" },
         args.explorer.as_ref().map_or_else(String::new, |explorer| format!(
             " --explorer {}",
             shell_quoted(&relative(explorer, path))
@@ -147,8 +151,8 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.paragraph(
         "",
         &format!(
-            "Not included: {friction}compliance of the links{several}. Gravity, springs, dampers and speed have no effect: a finite \
-             force does no work in an instantaneous impact."
+            "Not included: {friction}compliance of the links{several}. Gravity, springs and dampers have no effect: a finite force \
+             does no work in an instantaneous impact. The effective mass does not depend on the speed."
         ),
     );
 }

@@ -11,9 +11,9 @@ use crate::commands::mass::MassRequests;
 use crate::terminal::failure::Failure;
 use percuss_study::{
     CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
-    ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport,
-    StudyFile, StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of,
-    map_point, mass_with_drawing,
+    ExtremesReport, ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport,
+    SafeSpeedReport, StudyFile, StudyMapQuestion, check as check_of, draw_mechanism, extremes as extremes_of,
+    impact as impact_of, map as map_of, map_point, mass_with_drawing,
 };
 
 /// Result of a map.
@@ -39,6 +39,7 @@ pub(super) struct StudyResults {
     /// Damper of a joint stop.
     pub stop: Option<DampingReport>,
     pub impact: Option<ImpactReport>,
+    pub extremes: Option<ExtremesReport>,
     pub sweep: Option<SweepSection>,
     pub compared: Option<ComparisonReport>,
     /// Tolerances over the rows at each of several contacts.
@@ -95,6 +96,10 @@ impl StudyResults {
         let impact = question.zip(study.impact.as_ref());
         let impact =
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
+        let extremes = question.zip(study.extremes.as_ref());
+        let extremes = extremes
+            .map(|(question, requested)| extremes_of(&study.model, question, requested))
+            .transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
         Ok(Self {
             mass,
@@ -103,6 +108,7 @@ impl StudyResults {
             contents,
             stop,
             impact,
+            extremes,
             sweep,
             compared,
             tolerances,
@@ -167,6 +173,7 @@ impl StudyResults {
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
         let own = own.chain(self.impact.iter().flat_map(|impact| &impact.diagnostics));
+        let own = own.chain(self.extremes.iter().flat_map(|extremes| &extremes.diagnostics));
         let own = own.chain(self.kinematics.iter().flat_map(|kinematics| &kinematics.diagnostics));
         let all = own.chain(&self.mechanism.diagnostics).chain(sweep);
         let mut each: Vec<DiagnosticRecord> = Vec::new();

@@ -118,6 +118,7 @@ impl BodyTree {
             only_limit: None,
         };
         let at_rest = immovable_links(mechanism);
+        let mut errors = Vec::new();
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             let name = mechanism.link(link).name();
@@ -140,7 +141,10 @@ impl BodyTree {
                 }
                 continue;
             }
-            refused?;
+            if let Err(error) = refused {
+                errors.push(error);
+                continue;
+            }
             // MuJoCo accepts moments of 0 of a body without joints of its own.
             let moves = chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0);
             if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| moves)
@@ -154,7 +158,10 @@ impl BodyTree {
                 ));
             }
         }
-        Ok(tree)
+        match MjcfError::combined(errors) {
+            Some(error) => Err(error),
+            None => Ok(tree),
+        }
     }
 
     /// True unless the link is merged into the body of its child.

@@ -45,7 +45,7 @@ pub(crate) fn read_body(
     }
     let of_purpose = |parts: &[Collision], purpose| {
         let shapes = parts.iter().filter_map(|part| Some((part.shape.solid()?, part.frame)));
-        shapes.map(|(solid, frame)| Shape { purpose, solid, frame }).collect::<Vec<_>>()
+        shapes.map(|(solid, frame)| Shape { purpose, solid: solid.clone(), frame }).collect::<Vec<_>>()
     };
     let mut shapes = of_purpose(&collisions, Purpose::Collision);
     shapes.extend(of_purpose(&visuals, Purpose::Visual));

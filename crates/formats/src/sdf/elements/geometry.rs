@@ -11,20 +11,7 @@ use std::f64::consts::PI;
 /// Shape in its own frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum SdfShape {
-    Box {
-        size: [f64; 3],
-    },
-    Sphere {
-        radius: f64,
-    },
-    Cylinder {
-        radius: f64,
-        length: f64,
-    },
-    Capsule {
-        radius: f64,
-        length: f64,
-    },
+    Solid(Solid),
     /// Cone about z with its apex at +length/2.
     Cone {
         radius: f64,
@@ -32,10 +19,6 @@ pub(crate) enum SdfShape {
     },
     Ellipsoid {
         radii: [f64; 3],
-    },
-    Mesh {
-        file: String,
-        scale: [f64; 3],
     },
     /// Plane, height map, image or polyline.
     Other(String),
@@ -57,10 +40,12 @@ pub(crate) fn read_shape(tree: &ElementTree, geometry: ElementId) -> Result<Opti
     let length = |tag| number_in::<1>(tree, shape, tag).map(|[value]| value);
     Ok(Some(match tree.tag(shape) {
         "empty" => return Ok(None),
-        "box" => SdfShape::Box { size: number_in(tree, shape, "size")? },
-        "sphere" => SdfShape::Sphere { radius: length("radius")? },
-        "cylinder" => SdfShape::Cylinder { radius: length("radius")?, length: length("length")? },
-        "capsule" => SdfShape::Capsule { radius: length("radius")?, length: length("length")? },
+        "box" => SdfShape::Solid(Solid::Box { size: number_in(tree, shape, "size")? }),
+        "sphere" => SdfShape::Solid(Solid::Sphere { radius: length("radius")? }),
+        "cylinder" => {
+            SdfShape::Solid(Solid::Cylinder { radius: length("radius")?, length: length("length")? })
+        }
+        "capsule" => SdfShape::Solid(Solid::Capsule { radius: length("radius")?, length: length("length")? }),
         "cone" => SdfShape::Cone { radius: length("radius")?, length: length("length")? },
         "ellipsoid" => SdfShape::Ellipsoid { radii: number_in(tree, shape, "radii")? },
         "mesh" => {
@@ -69,7 +54,7 @@ pub(crate) fn read_shape(tree: &ElementTree, geometry: ElementId) -> Result<Opti
                 Some(scale) => parse_numbers::<3>(tree.text(scale))?,
                 None => [1.0; 3],
             };
-            SdfShape::Mesh { file: uri.to_owned(), scale }
+            SdfShape::Solid(Solid::Mesh { file: uri.to_owned(), scale })
         }
         other => SdfShape::Other(other.to_owned()),
     }))
@@ -88,38 +73,38 @@ fn number_in<const N: usize>(tree: &ElementTree, shape: ElementId, tag: &str) ->
 
 impl SdfShape {
     /// Solid for drawings and maps; `None` for a kind without a counterpart.
-    pub fn solid(&self) -> Option<Solid> {
-        Some(match self {
-            SdfShape::Box { size } => Solid::Box { size: *size },
-            SdfShape::Sphere { radius } => Solid::Sphere { radius: *radius },
-            SdfShape::Cylinder { radius, length } => Solid::Cylinder { radius: *radius, length: *length },
-            SdfShape::Capsule { radius, length } => Solid::Capsule { radius: *radius, length: *length },
-            SdfShape::Mesh { file, scale } => Solid::Mesh { file: file.clone(), scale: *scale },
-            SdfShape::Cone { .. } | SdfShape::Ellipsoid { .. } | SdfShape::Other(_) => return None,
-        })
+    pub fn solid(&self) -> Option<&Solid> {
+        match self {
+            SdfShape::Solid(solid) => Some(solid),
+            SdfShape::Cone { .. } | SdfShape::Ellipsoid { .. } | SdfShape::Other(_) => None,
+        }
     }
 
     /// Radius of the sphere about the origin of the shape that contains the shape, m; `None` for meshes and infinite shapes.
     pub fn radius(&self) -> Option<f64> {
         Some(match self {
-            SdfShape::Box { size: [a, b, c] } => a.hypot(*b).hypot(*c) / 2.0,
-            SdfShape::Sphere { radius } => *radius,
-            SdfShape::Cylinder { radius, length } | SdfShape::Cone { radius, length } => {
+            SdfShape::Solid(Solid::Box { size: [a, b, c] }) => a.hypot(*b).hypot(*c) / 2.0,
+            SdfShape::Solid(Solid::Sphere { radius }) => *radius,
+            SdfShape::Solid(Solid::Cylinder { radius, length }) | SdfShape::Cone { radius, length } => {
                 radius.hypot(length / 2.0)
             }
-            SdfShape::Capsule { radius, length } => radius + length / 2.0,
+            SdfShape::Solid(Solid::Capsule { radius, length }) => radius + length / 2.0,
             SdfShape::Ellipsoid { radii: [a, b, c] } => a.max(*b).max(*c),
-            SdfShape::Mesh { .. } | SdfShape::Other(_) => return None,
+            SdfShape::Solid(Solid::Mesh { .. }) | SdfShape::Other(_) => return None,
         })
     }
 
     /// Volume and moments of the solid shape, and the position of its centroid along z, m; `None` for meshes and infinite shapes.
     pub fn unit_inertia(&self) -> Option<(UnitInertia, f64)> {
         let centred = match self {
-            SdfShape::Box { size } => solids::cuboid(size.map(|edge| edge / 2.0), false),
-            SdfShape::Sphere { radius } => solids::sphere(*radius, false),
-            SdfShape::Cylinder { radius, length } => solids::cylinder(*radius, length / 2.0, false),
-            SdfShape::Capsule { radius, length } => solids::capsule(*radius, length / 2.0, false),
+            SdfShape::Solid(Solid::Box { size }) => solids::cuboid(size.map(|edge| edge / 2.0), false),
+            SdfShape::Solid(Solid::Sphere { radius }) => solids::sphere(*radius, false),
+            SdfShape::Solid(Solid::Cylinder { radius, length }) => {
+                solids::cylinder(*radius, length / 2.0, false)
+            }
+            SdfShape::Solid(Solid::Capsule { radius, length }) => {
+                solids::capsule(*radius, length / 2.0, false)
+            }
             SdfShape::Ellipsoid { radii } => solids::ellipsoid(*radii),
             SdfShape::Cone { radius, length } => {
                 let (r2, h2) = (radius * radius, length * length);
@@ -128,7 +113,7 @@ impl SdfShape {
                 // The centroid of a cone is a quarter of its height above the base.
                 return Some((UnitInertia { volume: PI * r2 * length / 3.0, moments }, -length / 4.0));
             }
-            SdfShape::Mesh { .. } | SdfShape::Other(_) => return None,
+            SdfShape::Solid(Solid::Mesh { .. }) | SdfShape::Other(_) => return None,
         };
         Some((centred, 0.0))
     }

@@ -118,6 +118,14 @@ pub enum Fault {
         /// The result.
         result: &'static str,
     },
+    /// Result about the contact point for a contact along a line between two points.
+    #[error(
+        "a cable, a spring or a rod has no {result}: its force acts along the line between its ends; give a contact by link, point and normal"
+    )]
+    OfLine {
+        /// The result.
+        result: &'static str,
+    },
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),
@@ -138,7 +146,8 @@ pub enum Fault {
     },
     /// Rates that open the gap.
     #[error(
-        "the closing speed is {closing} m/s; expected a speed above zero: the rates open the gap, so no impact occurs"
+        "the closing speed of these rates is {} m/s; expected a speed above zero{}", rounded_speed(*closing),
+        if *closing < 0.0 { ": the rates open the gap; opposite rates close it" } else { ": the rates move the contact point along the surface, or not at all" }
     )]
     GapOpens {
         /// Closing speed of the given rates, m/s.
@@ -500,6 +509,11 @@ impl Fault {
             other => other.to_string(),
         }
     }
+}
+
+/// Speed with six significant digits.
+fn rounded_speed(speed: f64) -> f64 {
+    format!("{speed:.5e}").parse().unwrap_or(speed)
 }
 
 /// Message: a floating root link without mass.

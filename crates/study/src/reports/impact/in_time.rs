@@ -19,6 +19,9 @@ use percuss_impact::{
 use percuss_spatial::Vector3;
 use serde::Serialize;
 
+/// Further samples within each step of the integration: smooth curves, and maxima with an error below 1e-4.
+const SAMPLES_WITHIN_STEPS: usize = 9;
+
 /// Force in one bearing over the time of an impact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BearingForceRecord {
@@ -32,7 +35,7 @@ pub struct BearingForceRecord {
     pub peak_force: f64,
     /// Time of the largest magnitude, s.
     pub peak_time: f64,
-    /// The estimate for comparison: reaction to a unit impulse at the touch, times the peak force of the contact, N.
+    /// For comparison: reaction to a unit impulse at the touch, times the largest force of the contact in time, N.
     pub estimate: f64,
     /// True for each component (two transverse directions, the axis of the joint) that redundant loops leave open.
     pub open_components: [bool; 3],
@@ -58,7 +61,8 @@ pub struct ImpactTimeRecord {
     pub max_penetration: f64,
     /// Largest force of the contact, N.
     pub peak_force: f64,
-    /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there.
+    /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there. Near a pose at which the contact is
+    /// immovable it has no bound.
     pub mass_change: Option<f64>,
     /// The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; null for others, with gravity, or if the
     /// motion ends before.
@@ -108,6 +112,7 @@ pub(crate) fn in_time(
             Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. }
         ),
         springs: springs(pose, impact)?,
+        samples_within_steps: SAMPLES_WITHIN_STEPS,
     };
     let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
     let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)

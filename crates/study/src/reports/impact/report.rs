@@ -22,13 +22,14 @@ use crate::reports::impact::friction::{FrictionRecord, friction_record};
 use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
 use crate::reports::impact::masses::{MassStateRecord, mass_states};
 use crate::reports::impact::question::ImpactQuestion;
-use crate::reports::impact::reactions::{ReactionRecord, records};
+use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous};
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
-use percuss_dynamics::{Base, Pose};
+use percuss_dynamics::{Base, Direction, Pose};
 use percuss_impact::{
-    DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, held_point_mass, rates_from_drivers,
+    DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, forces_of_motion, held_point_mass,
+    rates_from_drivers,
 };
 use percuss_spatial::{Twist, Vector3};
 use serde::Serialize;
@@ -87,9 +88,25 @@ pub struct ImpactLawRecord {
     pub mass_in_compression: Option<f64>,
     /// True if the direction of the contact force changes during compression; the peaks of the bearings are then for its mean direction.
     pub direction_changes: bool,
-    /// Relative change of m̄ over the penetration: the order of the error of all peak forces; null if the penetration is
-    /// not reachable.
+    /// Relative change of m̄ over the penetration: the order of the error of all peak forces without the forces of `motion_force`; null if
+    /// the penetration is not reachable.
     pub mass_change_over_penetration: Option<f64>,
+    /// The bearing that the velocities before the impact load most, relative to its peak force; null for a mechanism without bearings. The
+    /// peak forces do not include such forces.
+    pub motion_force: Option<MotionForceRecord>,
+}
+
+/// Force in a bearing from the velocities before the impact alone: terms that are quadratic in the rates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MotionForceRecord {
+    /// Place.
+    pub place: ReactionPlace,
+    /// Name of the joint or closure; of the held link; of the root link.
+    pub name: String,
+    /// Magnitude of the force, N: of the components that redundant loops leave determinate.
+    pub force: f64,
+    /// This force divided by the peak force of the bearing in the contact.
+    pub ratio: f64,
 }
 
 /// Report of `percuss impact`, as JSON. All keys are always present; a value is null if not applicable.
@@ -164,7 +181,7 @@ pub fn impact(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
     let response = &result.response;
-    refuse_of_joint_stop(&evaluated, impact)?;
+    refuse_without_surface(&evaluated, impact)?;
     if response.singular_pose {
         return Err(StudyError::SingularImpact);
     }
@@ -180,7 +197,7 @@ pub fn impact(
     let rigid = rigid.map_err(|error| impact_error(error, impact))?;
     let mut mass = build_mass_report(&evaluated)?;
     let mut diagnostics = std::mem::take(&mut mass.diagnostics);
-    let contact_law = match &impact.law {
+    let mut contact_law = match &impact.law {
         None => None,
         Some(law) => {
             let (record, found) = peak_force(&evaluated, law, &rigid)?;
@@ -188,6 +205,7 @@ pub fn impact(
             Some(record)
         }
     };
+    let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
     // With friction the normal force is largest in compression, so the peaks are scaled from the reactions to its impulse.
@@ -197,6 +215,10 @@ pub fn impact(
         None => (&rigid.reactions, rigid.impulse),
     };
     let peak = contact_law.as_ref().map(|law| (of_peak, law.peak_force / per_impulse));
+    let reactions = records(pose, &rigid.reactions, &held, peak);
+    if let Some(law) = &mut contact_law {
+        law.motion_force = motion_force(&evaluated, &rigid, &held, &reactions);
+    }
     let sticking =
         held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
     let sticking = match prepared.other_mass() {
@@ -204,7 +226,6 @@ pub fn impact(
         Some(other) => sticking.against_mass(Some(other)),
     };
     let (sticking_status, sticking_mass) = Status::classify(sticking);
-    let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
     Ok(ImpactReport {
         schema: "percuss.impact/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -223,7 +244,7 @@ pub fn impact(
         other_body: prepared
             .other_mass()
             .map(|mass| OtherBodyRecord { mass, speed_change: rigid.impulse / mass }),
-        reactions: records(pose, &rigid.reactions, &held, peak),
+        reactions,
         reaction_residual: rigid.reactions.residual,
         in_time: in_time(&evaluated, impact, &rigid, &held)?,
         contact_law,
@@ -237,10 +258,13 @@ pub fn impact(
     })
 }
 
-/// Refuses results about the contact point for the stop of a joint.
-fn refuse_of_joint_stop(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
+/// Refuses results about the contact point for the stop of a joint, and for a cable, a spring or a rod.
+fn refuse_without_surface(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
     let prepared = &evaluated.prepared;
-    if prepared.question.stop_of_joint(&prepared.model.mechanism).is_none() {
+    let is_stop = prepared.question.stop_of_joint(&prepared.model.mechanism).is_some();
+    let is_line =
+        matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..));
+    if !is_stop && !is_line {
         return Ok(());
     }
     let results = [
@@ -249,9 +273,33 @@ fn refuse_of_joint_stop(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
         (impact.sticking, Field::Also, "sticking contact point"),
     ];
     match results.into_iter().find(|(is_requested, ..)| *is_requested) {
-        Some((_, field, result)) => Err(StudyError::input(field, Fault::OfJointStop { result })),
+        Some((_, field, result)) if is_stop => Err(StudyError::input(field, Fault::OfJointStop { result })),
+        Some((_, field, result)) => Err(StudyError::input(field, Fault::OfLine { result })),
         None => Ok(()),
     }
+}
+
+/// The bearing that the rates before the impact load most, relative to its peak force.
+fn motion_force(
+    evaluated: &EvaluatedQuestion,
+    rigid: &RigidImpact,
+    held: &[String],
+    reactions: &[ReactionRecord],
+) -> Option<MotionForceRecord> {
+    let pose = &evaluated.pose;
+    let size = |force: &[Option<f64>; 3]| force.iter().flatten().map(|f| f * f).sum::<f64>().sqrt();
+    let forces = forces_of_motion(pose, &evaluated.result.response.contact, &rigid.before)?;
+    let of_motion = records(pose, &forces, held, None);
+    let of_bearing = |(motion, peak): (&ReactionRecord, &ReactionRecord)| {
+        let (force, largest) = (size(&motion.force), size(&peak.peak_force?));
+        let ratio = if force == 0.0 { 0.0 } else { force / largest };
+        Some(MotionForceRecord { place: motion.place, name: motion.name.clone(), force, ratio })
+    };
+    // The ground repeats the bearings of the root link.
+    let bearings =
+        of_motion.iter().zip(reactions).filter(|(motion, _)| motion.place != ReactionPlace::Ground);
+    let all = bearings.filter_map(of_bearing);
+    all.filter(|record| record.ratio.is_finite()).max_by(|a, b| a.ratio.total_cmp(&b.ratio))
 }
 
 /// Closing speed and rates before the impact; no rates for the motion of least energy.
@@ -382,6 +430,7 @@ fn peak_force(
         mass_in_compression: compression.map(|compression| compression.equivalent_mass),
         direction_changes: compression.is_some_and(|compression| !compression.has_constant_direction),
         mass_change_over_penetration: report.drift.and_then(|drift| drift.over_penetration),
+        motion_force: None,
     };
     Ok((record, report.diagnostics))
 }
