@@ -6,8 +6,9 @@
 
 use percuss_dynamics::{
     BatchAnswer, BatchPositions, Contact, ContactColumns, ContactResponse, ContactStatus, Direction,
-    EffectiveMass, Frame, MapAnswers, Pose, ResponseError, Workspace,
+    EffectiveMass, Frame, MapAnswers, Pose, Remark, ResponseError, Workspace,
 };
+use percuss_impact::{ImpactWorkspace, RigidImpact};
 use percuss_oracle::linkage;
 use percuss_tests::cases::{self, Case};
 use percuss_tests::gauge::Gauge;
@@ -274,6 +275,38 @@ fn a_workspace_of_loops_allocates_nothing_and_agrees_with_a_pose() {
     same.report();
     println!("{allocating} of {asked} answers allocated");
     assert!(16 * allocating < asked, "{allocating} of {asked} answers allocated");
+}
+
+#[test]
+fn an_impact_in_a_workspace_allocates_nothing() {
+    let (mut asked, mut allocating) = (0, 0);
+    for (number, linkage) in linkage::all().into_iter().enumerate() {
+        let rig = Rig::new(linkage);
+        let pose = rig.closed();
+        let mut rng = StdRng::seed_from_u64(7 + number as u64);
+        let (mut workspace, mut impact) = (ImpactWorkspace::new(&pose), RigidImpact::none());
+        let mut here = workspace.at(&pose);
+        for _ in 0..4 {
+            let (on, against, point, normal) = percuss_oracle::random::contact(&mut rng, &rig.mechanism);
+            let contact = Contact::new(on, point, normal).normal(Direction::Along(normal, Frame::World));
+            let contact = against.map_or(contact, |other| contact.against(other));
+            // Then the dense route is asked for the joints that such a motion moves.
+            let remarks = pose.respond(&contact).map(|response| response.remarks).unwrap_or_default();
+            if remarks.contains(&Remark::UndeterminedMotion) {
+                continue;
+            }
+            let mut run = || here.impact_into(&contact, 1.0, 0.3, &mut impact).is_ok();
+            if !run() {
+                continue;
+            }
+            let before = allocations();
+            assert!(run());
+            (asked, allocating) = (asked + 1, allocating + usize::from(allocations() > before));
+        }
+    }
+    println!("{allocating} of {asked} impacts allocated");
+    // Allocations come from the dense route.
+    assert!(asked > 60 && 10 * allocating < asked, "{allocating} of {asked} impacts allocated");
 }
 
 fn pose(case: &Case, system: &percuss_dynamics::System, flat: &[f64]) -> Pose {

@@ -53,14 +53,15 @@ impl GroupRows {
     }
 
     /// Appends the multipliers λ of least norm with Aᵀλ = `forces` (generalised forces on the coordinates of the model) to `multipliers`.
-    /// Returns the largest residual |Aᵀλ − forces| over scaled coordinates.
-    pub fn add_multipliers(&self, forces: &[f64], multipliers: &mut Vec<f64>) -> f64 {
+    /// Returns the largest residual |Aᵀλ − forces| over scaled coordinates. `y`: memory.
+    pub fn add_multipliers(&self, forces: &[f64], multipliers: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
         let (group, rank) = (&self.group, self.group.rank);
         let scaled = |k: usize| {
             let at = self.qr.order()[k];
             forces[group.coordinates[at]] / group.lengths[at]
         };
-        let mut y = vec![0.0; rank];
+        y.clear();
+        y.resize(rank, 0.0);
         for k in 0..rank {
             let known: f64 = (0..k).map(|i| self.qr.r(i, k) * y[i]).sum();
             y[k] = (scaled(k) - known) / self.qr.r(k, k);

@@ -5,7 +5,8 @@ use nalgebra::{DVector, Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, Remark, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    ImpactError, ImpactInTime, JointRates, JointSpring, RigidImpact, TimeConditions, impact_in_time,
+    ImpactError, ImpactInTime, JointRates, JointSpring, RigidImpact, TimeConditions, forces_of_motion,
+    impact_in_time,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -87,7 +88,13 @@ fn a_rod_loads_its_hinge_as_newton_says() {
     let mass = 3.0;
     let (pose, contact) = at(&body(JointKind::Continuous, mass), 0.4, Vector3::y());
     let gravity = Vector3::new(0.0, -9.81, 0.0);
-    let conditions = TimeConditions { gravity, ends_without_force: true, ..TimeConditions::default() };
+    // The samples within the steps obey the same equations.
+    let conditions = TimeConditions {
+        gravity,
+        ends_without_force: true,
+        samples_within_steps: 2,
+        ..TimeConditions::default()
+    };
     let force = |x: f64, v: f64| 2e4 * x + 30.0 * v;
     let before = motion(&pose, &contact, 1.0);
     let found = impact_in_time(&pose, &contact, 1.0, &before, &force, &conditions).expect("an impact");
@@ -108,7 +115,36 @@ fn a_rod_loads_its_hinge_as_newton_says() {
         let reaction = hinge.frame.rotation * Vector3::from(values);
         assert!((reaction - expected).norm() < 1e-9 * sample.force.max(1.0), "{reaction} {expected}");
     }
-    assert!(found.samples.len() > 40);
+    assert!(found.samples.len() > 120);
+}
+
+/// A rod that rotates about its hinge pulls with m ω²/2 along its axis, and any motion with twice the rates with four times the forces.
+#[test]
+fn a_motion_loads_bearings_quadratically() {
+    let (pose, contact) = at(&body(JointKind::Continuous, 3.0), 0.4, Vector3::y());
+    let located = pose.locate(&contact).expect("a contact");
+    let rates = JointRates { joints: vec![vec![5.0]], base: Twist::zero() };
+    let hinge = forces_of_motion(&pose, &located, &rates).expect("forces").joints.remove(0).reaction;
+    let force = hinge.frame.rotation * Vector3::from(hinge.force.map(|c| c.value().expect("determinate")));
+    let expected = Vector3::new(0.4_f64.cos(), 0.4_f64.sin(), 0.0) * (-3.0 * 0.5 * 25.0);
+    assert!((force - expected).norm() < 1e-12, "{force}");
+    let mut count = 0;
+    for case in all(24) {
+        let Ok(located) = case.pose.locate(&case.contact) else { continue };
+        let once = motion(&case.pose, &case.contact, 0.5);
+        let twice = once.plus_scaled(&once, 1.0);
+        let [once, twice] =
+            [once, twice].map(|rates| forces_of_motion(&case.pose, &located, &rates).expect("fits"));
+        let largest = |r: &percuss_impact::Reactions| {
+            let all = r.joints.iter().flat_map(|joint| joint.reaction.force);
+            all.filter_map(|c| c.value()).fold(0.0, |most: f64, f| most.max(f.abs()))
+        };
+        let (a, b) = (4.0 * largest(&once), largest(&twice));
+        // The accelerations are solved to the accuracy of a regular linkage.
+        assert!((a - b).abs() < 1e-6 * a.max(1e-6), "{}: {a} {b}", case.name);
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
 }
 
 /// Steps of the classical Runge–Kutta method for one freedom of the four-bar linkage.
@@ -254,7 +290,8 @@ fn elastic_contacts_keep_the_energy() {
         if fast > 20.0 {
             continue;
         }
-        let conditions = TimeConditions { ends_without_force: true, ..TimeConditions::default() };
+        let conditions =
+            TimeConditions { ends_without_force: true, samples_within_steps: 3, ..TimeConditions::default() };
         let force = |x: f64, _: f64| stiffness * x;
         let found = match impact_in_time(pose, &case.contact, speed, &before, &force, &conditions) {
             Ok(found) => found,
@@ -266,6 +303,8 @@ fn elastic_contacts_keep_the_energy() {
             Err(error) => panic!("{}: {error}", case.name),
         };
         let last = found.samples.last().expect("samples");
+        let deepest = found.samples.iter().fold(0.0, |most: f64, sample| most.max(sample.penetration));
+        assert!(deepest <= found.max_penetration * (1.0 + 1e-9), "{}: {deepest} {found:?}", case.name);
         // The energy at the end by the mass matrix at the end, from the positions over time.
         let energy = kinetic_energy(pose, &found);
         let error = (energy / (0.5 * mass * speed * speed) - 1.0).abs();

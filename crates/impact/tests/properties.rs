@@ -269,7 +269,7 @@ fn undetermined_rates_are_named() {
 /// A workspace has the results of single impacts, at every pose of every system.
 #[test]
 fn workspaces_agree_with_single_impacts() {
-    let mut count = 0;
+    let (mut count, mut reused) = (0, RigidImpact::none());
     for case in all(48) {
         let pose = &case.pose;
         let response = pose.respond(&case.contact).expect("a contact");
@@ -283,6 +283,10 @@ fn workspaces_agree_with_single_impacts() {
             }
             (a, b) => panic!("{}: {a:?} {b:?}", case.name),
         };
+        // Memory of the impact on another mechanism does not matter.
+        let mut again = ImpactWorkspace::new(pose);
+        again.at(pose).impact_into(&case.contact, 0.7, 0.4, &mut reused).expect("an impact");
+        assert_eq!(format!("{reused:?}"), format!("{workspace:?}"), "{}", case.name);
         // The stated error of m̄, kg, bounds the difference of two routes.
         let mass = response.effective_mass.kilograms().expect("a mass");
         let error =

@@ -4,6 +4,8 @@ use nalgebra::{DMatrix, DVector};
 use percuss_impact::{
     ContactStiffness, ImpactError, SimultaneousImpact, SimultaneousLaw, simultaneous_impact_of_matrix,
 };
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
 
 /// Contacts between neighbours in a row of balls of mass 1, the first of which moves with the speed 1.
 fn row_of_balls(count: usize) -> (DMatrix<f64>, DVector<f64>) {
@@ -92,6 +94,27 @@ fn energy_is_kept_by_e_one_and_the_momentum_by_all() {
     let found = solve(&w, &u, 1.0, SimultaneousLaw::Energetic, &stiffness(&[1.0; 9], 1.5));
     let last = balls_after(&found)[9];
     assert!((last - 0.985_866).abs() < 1e-6, "{last}");
+}
+
+/// No law lets the sides of a closed contact move into each other, whether the contact closes, rests or opens before.
+#[test]
+fn no_contact_closes_after_the_impact() {
+    let mut random = StdRng::seed_from_u64(5);
+    let mut opening = 0;
+    for _ in 0..2000 {
+        let k = random.random_range(2..5);
+        let a = DMatrix::from_fn(k, k, |_, _| random.random_range(-1.0..1.0));
+        let w = &a * a.transpose() + DMatrix::identity(k, k) * 0.1;
+        let mut u = DVector::from_fn(k, |_, _| random.random_range(-1.0..1.0));
+        u[0] = -1.0;
+        opening += usize::from(u.iter().any(|u| *u > 0.0));
+        let e = random.random_range(0.01..1.0);
+        for law in SimultaneousLaw::ALL {
+            let found = solve(&w, &u, e, law, &stiffness(&vec![1.0; k], 1.0));
+            assert!(found.after.iter().all(|u| *u > -1e-9), "{}: {w} {u} {:?}", law.name(), found.after);
+        }
+    }
+    assert!(opening > 1000, "{opening}");
 }
 
 #[test]

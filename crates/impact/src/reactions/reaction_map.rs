@@ -82,6 +82,8 @@ pub(crate) struct ReactionBuffers {
     forces: Vec<f64>,
     /// Multipliers of all groups one after another.
     multipliers: Vec<f64>,
+    /// Memory of the triangular solution.
+    solution: Vec<f64>,
 }
 
 impl ReactionMap {
@@ -184,12 +186,12 @@ impl ReactionMap {
         buffers: &mut ReactionBuffers,
         reactions: &mut Reactions,
     ) {
-        let ReactionBuffers { change, loads, forces, multipliers, .. } = buffers;
+        let ReactionBuffers { change, loads, forces, multipliers, solution, .. } = buffers;
         self.tree.generalised_loads(loads, change, forces);
         let mut residual: f64 = 0.0;
         multipliers.clear();
         for group in &self.groups {
-            residual = residual.max(group.add_multipliers(forces, multipliers));
+            residual = residual.max(group.add_multipliers(forces, multipliers, solution));
         }
         let size = self.tree.mechanism.characteristic_length();
         for (force, _) in forces.iter().zip(&self.bound).filter(|(_, bound)| !**bound) {

@@ -96,9 +96,7 @@ fn text(report: &ImpactReport) -> String {
     out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
     out += match report.in_time {
         None => "Gravity, springs and dampers have no effect during an instantaneous impact.\n",
-        Some(_) => {
-            "The impact in time includes the gravity and the joint springs that are given; an instantaneous impact has none.\n"
-        }
+        Some(_) => "The impact in time includes the given gravity and joint springs.\n",
     };
     out += "See docs/howto/IMPACT.md.\n";
     out

@@ -126,6 +126,14 @@ pub enum Fault {
         /// The result.
         result: &'static str,
     },
+    /// Closure in place of a joint.
+    #[error(
+        "\"{closure}\" closes a loop; expected a joint of the tree. Its reaction is in the table of reactions of `percuss impact`"
+    )]
+    IsClosure {
+        /// The closure.
+        closure: String,
+    },
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),

@@ -99,7 +99,12 @@ pub struct GreatestSpeedRecord {
 
 /// Joint by name.
 pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
-    mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
+    mechanism.find_joint(name).map_err(|error| {
+        if mechanism.closures().iter().any(|closure| closure.name() == name) {
+            return StudyError::input(field, Fault::IsClosure { closure: name.to_owned() });
+        }
+        StudyError::input(field, error)
+    })
 }
 
 /// Rates in SI units, with the joint.
