@@ -26,8 +26,12 @@ fn measure(criterion: &mut Criterion<CpuTime>, name: &str, pose: &Pose, contact:
     criterion.bench_function(&format!("{name}/impact_in_workspace"), |bencher| {
         bencher.iter(|| black_box(here.impact(black_box(contact), 1.0, 0.3)));
     });
+    let mut reused = RigidImpact::none();
+    criterion.bench_function(&format!("{name}/impact_in_reused_memory"), |bencher| {
+        bencher.iter(|| black_box(here.impact_into(black_box(contact), 1.0, 0.3, &mut reused)));
+    });
     criterion.bench_function(&format!("{name}/impact_at_new_pose"), |bencher| {
-        bencher.iter(|| black_box(workspace.at(black_box(pose)).impact(contact, 1.0, 0.3)));
+        bencher.iter(|| black_box(workspace.at(black_box(pose)).impact_into(contact, 1.0, 0.3, &mut reused)));
     });
     let mass = response.effective_mass.kilograms().expect("a mass");
     let stiffness = mass / (DEPTH * DEPTH);
