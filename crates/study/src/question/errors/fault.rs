@@ -111,10 +111,10 @@ pub enum Fault {
         message: String,
     },
     /// Requested result that is not defined for the stop of a joint.
-    #[error(
-        "the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal"
-    )]
-    OfJointStop {
+    #[error("{contact} has no {result}: it has no contact point; give a contact by link, point and normal")]
+    NoContactPoint {
+        /// Kind of the contact.
+        contact: &'static str,
         /// The result.
         result: &'static str,
     },

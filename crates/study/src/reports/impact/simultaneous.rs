@@ -21,8 +21,10 @@ use serde::Serialize;
 pub struct TouchingRecord {
     /// Name of the contact, or its link and number.
     pub name: String,
-    /// True for the stop of a joint: kg·m², rad/s and N·m·s if the joint turns.
+    /// True for the stop of a joint.
     pub is_joint_stop: bool,
+    /// True for a moment about an axis, and for the stop of a joint that turns: kg·m², rad/s and N·m·s.
+    pub is_moment: bool,
     /// Contact link.
     pub link: String,
     /// Point, world frame, m.
@@ -209,6 +211,7 @@ pub(crate) fn simultaneous(
                 Some(further) => matches!(question.also[further], FurtherContact::JointStop { .. }),
                 None => prepared.question.stop_of_joint(pose.mechanism()).is_some(),
             },
+            is_moment: located[i].is_moment,
             link: pose.mechanism().link(located[i].link).name().to_owned(),
             point_world: point_world(evaluated, &located[i]),
             normal_world: located[i].normal_world.into(),
