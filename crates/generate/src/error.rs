@@ -30,7 +30,9 @@ pub enum GenerateError {
         value: f64,
     },
     /// The contact is a moment about an axis.
-    #[error("the contact is a moment about an axis, for which no code is generated; give a contact point with a normal")]
+    #[error(
+        "the contact is a moment about an axis, for which no code is generated; give a contact point with a normal"
+    )]
     Moment,
     /// The normal of a stop is a line that may turn by 5° only.
     #[error(

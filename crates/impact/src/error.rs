@@ -30,7 +30,9 @@ pub enum ImpactError {
         got: f64,
     },
     /// Friction of a moment about an axis.
-    #[error("the contact is a moment about an axis, which has no tangential friction; expected a contact point with a normal")]
+    #[error(
+        "the contact is a moment about an axis, which has no tangential friction; expected a contact point with a normal"
+    )]
     FrictionOfMoment,
     /// The law of restitution has no solution, or the integration found no end.
     #[error(

@@ -183,7 +183,10 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out += &fact_line(ContactUnits::new(report.contact.is_moment).name, &headline(report));
     if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
         let off = (m / expected - 1.0).abs();
-        out += &fact_line("expected", &format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit));
+        out += &fact_line(
+            "expected",
+            &format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit),
+        );
     }
     out.push('\n');
     for (name, value) in facts(report) {
@@ -337,7 +340,8 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
         None if contact.is_moment => of_axis(),
         None => of_point,
     };
-    facts.extend(report.point_in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
+    let in_sheet = report.point_in_sheet.filter(|_| !contact.is_moment);
+    facts.extend(in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
     facts.extend([
         ("against", other_side(report)),
         ("base", assumed.base.clone()),
@@ -409,8 +413,9 @@ pub fn loop_facts(report: &MassReport) -> Vec<(&'static str, String)> {
         facts.push(("loops closed to", format!("{residual:.1e} m{gap}")));
     }
     if !report.branch_limits.is_empty() {
-        let limit =
-            |m: &Option<f64>| m.map_or_else(|| "immovable".to_owned(), |m| format!("{} {}", number(m), report.unit));
+        let limit = |m: &Option<f64>| {
+            m.map_or_else(|| "immovable".to_owned(), |m| format!("{} {}", number(m), report.unit))
+        };
         facts.push((
             "along the branches",
             report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),

@@ -17,8 +17,9 @@ pub fn explanation(explained: &Explanation, unit: &str) -> String {
         names.zip(items).map(|(name, item)| fact_line(name, &line(&item))).collect::<String>()
     };
     let masses = explained.most_per_kilogram.iter();
-    let masses: Vec<String> =
-        masses.map(|c| format!("1 kg less of {}: {} {unit} less", c.link, short_number(c.lowers_by))).collect();
+    let masses: Vec<String> = masses
+        .map(|c| format!("1 kg less of {}: {} {unit} less", c.link, short_number(c.lowers_by)))
+        .collect();
     if !masses.is_empty() {
         out += &list("most per kilogram", masses);
     }
@@ -83,8 +84,9 @@ pub fn tolerances(report: &ToleranceReport, unit: &str) -> String {
             words.push(format!("{name} {} mm: {} {unit}", short_number(1e3 * part), short_number(*of)));
         }
     }
-    let percent =
-        |m: f64| format!("{} {unit} ({} %)", short_number(m), short_number(100.0 * m / report.effective_mass));
+    let percent = |m: f64| {
+        format!("{} {unit} ({} %)", short_number(m), short_number(100.0 * m / report.effective_mass))
+    };
     let mut out = String::from("\neffect of the tolerances\n");
     let _ = writeln!(out, "  nominal value      {} {unit}", number(report.effective_mass));
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));

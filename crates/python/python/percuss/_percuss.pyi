@@ -545,7 +545,10 @@ class Response:
     """m̄ at a contact of a pose, and the quantities derived from it."""
     @property
     def effective_mass(self) -> float | None:
-        """m̄, kg; None unless finite."""
+        """m̄ in unit; None unless finite."""
+    @property
+    def unit(self) -> str:
+        """Unit of the effective mass and its errors: "kg", or "kg·m²" for a moment about an axis."""
     @property
     def status(self) -> _Status:
         """"finite"; "immovable": no admissible motion closes the gap; "massless": a motion without energy closes it."""

@@ -53,7 +53,10 @@ impl FromStr for JointStop {
 
 impl JointStop {
     /// Stop that the text of `at` describes, with the question without it; `None` for another contact.
-    pub(crate) fn of_question(question: &MassQuestion, mechanism: &Mechanism) -> Option<(Self, MassQuestion)> {
+    pub(crate) fn of_question(
+        question: &MassQuestion,
+        mechanism: &Mechanism,
+    ) -> Option<(Self, MassQuestion)> {
         question.stop_of_joint(mechanism)?;
         let stop = question.at.as_ref()?.parse().ok()?;
         Some((stop, MassQuestion { at: None, ..question.clone() }))

@@ -20,8 +20,8 @@ use crate::thresholds::{LEAST_OTHER_MASS, MOST_TURNS_SET};
 use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactError, ContactResponse, Direction,
-    EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
+    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactError,
+    ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
 };
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism, UnknownName};
 use std::borrow::Cow;

@@ -35,7 +35,9 @@ pub(crate) fn misspelled_end(text: &str) -> Option<String> {
     let (joint, word) = text.rsplit_once(':')?;
     let near = near_names(word, ["lower", "upper"]).concat();
     (!near.is_empty()).then(|| {
-        format!("\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper")
+        format!(
+            "\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper"
+        )
     })
 }
 
@@ -139,6 +141,18 @@ impl MassQuestion {
     pub fn is_moment(&self, mechanism: &Mechanism) -> bool {
         let is_stop = || self.stop_of_joint(mechanism).is_some_and(|(_, motion)| motion == StopMotion::Turn);
         matches!(self.normal, Normal::About(_)) || is_stop()
+    }
+
+    /// Refuses a result about the contact point if the resolved contact is a moment.
+    pub(crate) fn refuse_moment(&self, result: &'static str) -> Result<(), StudyError> {
+        if !matches!(self.normal, Normal::About(_)) {
+            return Ok(());
+        }
+        let (field, contact) = match &self.at {
+            Some(_) => (Field::At, "the stop of a joint"),
+            None => (Field::AboutAxis, "a moment about an axis"),
+        };
+        Err(StudyError::input(field, Fault::NoContactPoint { contact, result }))
     }
 
     /// Question with the link, point, normal and other side of `contact`. The joint of a stop is set to its limit, unless the question

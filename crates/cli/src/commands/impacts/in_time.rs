@@ -42,7 +42,10 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 short_number(found.peak_force),
             ),
         ),
-        ("penetration", format!("{} {small_length} at most{change}", short_number(1e3 * found.max_penetration))),
+        (
+            "penetration",
+            format!("{} {small_length} at most{change}", short_number(1e3 * found.max_penetration)),
+        ),
     ];
     if let Some(one) = &found.one_freedom {
         facts.push((

@@ -76,7 +76,10 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
         if let Some(samples) = &tolerance.samples {
             let rounded = |x: f64| within_uncertainty(x, samples.standard_deviation);
             let (low, high) = (rounded(samples.percentile_2_5), rounded(samples.percentile_97_5));
-            facts.push(("95 % of samples", format!("{low} to {high} {} ({} samples)", report.unit, samples.count)));
+            facts.push((
+                "95 % of samples",
+                format!("{low} to {high} {} ({} samples)", report.unit, samples.count),
+            ));
         }
     }
     let error = match report.effective_mass_error {
@@ -90,7 +93,7 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
 /// Section with the contact and the conditions.
 pub(super) fn add_conditions(report: &MassReport, page: &mut Page) {
     page.section("Contact and conditions");
-    match &report.point_in_sheet {
+    match report.point_in_sheet.as_ref().filter(|_| !report.contact.is_moment) {
         Some(contact) => page.facts(super::conditions::facts(report, contact)),
         None => page.facts(conditions(report).into_iter().chain([method(report)])),
     }

@@ -7,7 +7,8 @@ use crate::files::html::Page;
 use crate::terminal::text::short_number;
 use percuss_render::{Drawing, DrawnArrow, SkinMark};
 use percuss_study::{
-    DrawnMechanism, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord, SimultaneousRecord, TouchingRecord,
+    DrawnMechanism, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord, SimultaneousRecord,
+    TouchingRecord,
 };
 
 /// Impulse in a bearing, relative to the largest, below which the picture has no arrow.
@@ -111,12 +112,10 @@ fn contacts_drawing(
 ) -> Drawing {
     let contacts = several.contacts.iter().zip(&law.impulses).enumerate();
     let arrows =
-        contacts.filter(|(_, (contact, _))| has_point(contact)).map(|(k, (contact, impulse))| {
-            DrawnArrow {
-                from: contact.point_world,
-                vector: contact.normal_world.map(|n| -impulse.unwrap_or(0.0) * n),
-                label: format!("p{}", k + 1),
-            }
+        contacts.filter(|(_, (contact, _))| has_point(contact)).map(|(k, (contact, impulse))| DrawnArrow {
+            from: contact.point_world,
+            vector: contact.normal_world.map(|n| -impulse.unwrap_or(0.0) * n),
+            label: format!("p{}", k + 1),
         });
     let marks = several.contacts.iter().filter(|contact| has_point(contact));
     loaded_drawing(
@@ -148,8 +147,11 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
         impulse.iter_mut().zip(friction.tangential_impulse_world).for_each(|(p, t)| *p += t);
     }
     // A moment has no point and no arrow.
-    let of_contact = (!contact.is_moment)
-        .then(|| DrawnArrow { from: contact.point_world, vector: impulse, label: "p".into() });
+    let of_contact = (!contact.is_moment).then(|| DrawnArrow {
+        from: contact.point_world,
+        vector: impulse,
+        label: "p".into(),
+    });
     // The reaction of the ground repeats those of the joints of the root link. A fixed joint is no bearing.
     let bearings = report.reactions.iter().filter(|record| match record.place {
         ReactionPlace::Ground => false,
@@ -194,7 +196,8 @@ fn bearing_rows(report: &ImpactReport) -> Vec<Vec<String>> {
     let largest = |of: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
         report.reactions.iter().map(|record| magnitude(of(record))).fold(0.0, f64::max)
     };
-    let (force, moment) = rigid_impact::largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
+    let (force, moment) =
+        rigid_impact::largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
     let mut bearings: Vec<&ReactionRecord> = report
         .reactions
         .iter()

@@ -33,11 +33,11 @@ pub struct TouchingRecord {
     pub normal_world: [f64; 3],
     /// Gap of a named contact at the pose, m: it is taken as closed; null for others.
     pub gap: Option<f64>,
-    /// Closing speed before the impact, m/s; negative if the gap opens.
+    /// Closing speed before the impact, m/s (rad/s for a moment, as below kg·m²); negative if the gap opens.
     pub closing_speed: f64,
     /// Effective mass of the contact alone, kg; null if immovable.
     pub effective_mass: Option<f64>,
-    /// Principal masses of the point, kg, ascending; null for a direction in which it cannot move.
+    /// Principal masses of the point, kg, ascending; null for a direction in which it cannot move. Principal inertias for a moment.
     pub principal_masses: [Option<f64>; 3],
     /// Directions of the principal masses, world axes.
     pub principal_directions_world: [[f64; 3]; 3],
@@ -106,7 +106,8 @@ pub struct StickingRecord {
 pub struct SimultaneousRecord {
     /// The contacts; the first is that of all other results.
     pub contacts: Vec<TouchingRecord>,
-    /// Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents.
+    /// Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: the angular velocity
+    /// about these axes, so that its block is in 1/(kg·m²).
     pub delassus: Vec<Vec<f64>>,
     /// Axes of the rows: for each contact the opening direction and the two tangents, world axes.
     pub delassus_axes_world: Vec<[[f64; 3]; 3]>,

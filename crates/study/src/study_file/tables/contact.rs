@@ -307,9 +307,7 @@ impl ContactTable {
     pub(crate) fn apply_to(&self, question: &mut MassQuestion) -> Result<(), InvalidKey> {
         self.check_axis()?;
         let normal = match (&self.along_line, self.normal) {
-            (None, None) if self.about_axis.is_some() => {
-                Normal::About(self.about_axis.unwrap_or_default().0)
-            }
+            (None, None) if self.about_axis.is_some() => Normal::About(self.about_axis.unwrap_or_default().0),
             (None, _) if self.turning_normal => {
                 return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
             }
@@ -331,8 +329,7 @@ impl ContactTable {
         };
         let with_normal = Self { normal: None, normal_frame: None, ..self.clone() };
         if self.at.is_some() && (!with_normal.has_no_geometry() || self.against.is_some()) {
-            let why =
-                "it names a contact of the model: remove `link`, `point`, `along_line`, `about_axis`, `frame` and `against`";
+            let why = "it names a contact of the model: remove `link`, `point`, `along_line`, `about_axis`, `frame` and `against`";
             return Err(InvalidKey::new("contact.at", why));
         }
         if self.against.is_some() && self.against_mass.is_some() {
@@ -372,7 +369,9 @@ impl ContactTable {
         ];
         match others.into_iter().find(|(_, is_given)| *is_given && self.about_axis.is_some()) {
             Some((key, _)) => {
-                let why = format!("the contact is a moment about an axis: remove `{key}`, or give a point and a normal");
+                let why = format!(
+                    "the contact is a moment about an axis: remove `{key}`, or give a point and a normal"
+                );
                 Err(InvalidKey::new("contact.about_axis", why))
             }
             None => Ok(()),
@@ -387,7 +386,16 @@ impl ContactTable {
     /// True without link, point, normal and frame.
     fn has_no_geometry(&self) -> bool {
         let Self {
-            link, point, normal, along_line, about_axis, turning_normal, cable, frame, normal_frame, ..
+            link,
+            point,
+            normal,
+            along_line,
+            about_axis,
+            turning_normal,
+            cable,
+            frame,
+            normal_frame,
+            ..
         } = self;
         link.is_none()
             && point.is_none()

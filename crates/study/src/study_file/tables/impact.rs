@@ -14,7 +14,6 @@ use crate::values::rates::GivenRates;
 use crate::values::value::{self, PositionText, Words};
 use percuss_contact::Law;
 use percuss_impact::RestitutionLaw;
-use percuss_units::Dimension;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
