@@ -45,7 +45,7 @@ fn masses_have_the_closed_form() {
     for words in [
         "effective inertia",
         "kg·m²",
-        "moment about         0,0,1 in the link frame",
+        "moment about         (0, 0, 1) in the link frame",
         "against              the ground",
     ] {
         assert!(text.contains(words), "{words}: {text}");

@@ -577,7 +577,7 @@ class Response:
         followed."""
     @property
     def joint_velocities(self) -> dict[str, _Array]:
-        """v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m."""
+        """v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m (per rad for a moment)."""
     @property
     def base_velocity(self) -> _Array:
         """v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed, root link's axes; (6,)."""

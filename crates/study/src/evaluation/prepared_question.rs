@@ -125,6 +125,9 @@ impl<'a> PreparedQuestion<'a> {
         if let Some(mass) = question.against_mass.filter(|_| normal.is_moment()) {
             return Err(StudyError::input(Field::AgainstMass, ContactError::MassOfMoment { mass }));
         }
+        if question.estimate.is_some() {
+            question.refuse_moment("classical estimate")?;
+        }
         let compile = |skipped| compile(mechanism, question, skipped);
         let system = compile(None)?;
         let estimate = question.estimate.as_ref().map(|e| PreparedEstimate::new(mechanism, e)).transpose()?;
