@@ -43,6 +43,7 @@ mod families {
     mod gazebo_joints;
     mod held_points;
     mod independent_groups;
+    mod moments;
     mod rigid;
     mod rounded_files;
     mod tiny_and_huge;

@@ -47,9 +47,11 @@ fn with_other_normals(subject: &Subject, rng: &mut StdRng) -> Vec<Contact> {
     let [direction, to] = [vector(), vector()];
     let far = links[rng.random_range(0..links.len())];
     let along = |frame| Direction::Along(direction, frame);
+    let about = |frame| Direction::About(direction, frame);
     let kinds = [along(Frame::Link), along(Frame::World), along(Frame::Against)];
+    let moments = [about(Frame::Link), about(Frame::World), about(Frame::Against)];
     let lines = [Direction::TurningToward(far, to), Direction::TurningAwayFrom(far, to)];
-    let others = kinds.into_iter().chain(lines).map(|normal| own.normal(normal));
+    let others = kinds.into_iter().chain(moments).chain(lines).map(|normal| own.normal(normal));
     // A line between points of one link, or too short, is refused.
     let valid = others.filter(|contact| subject.pose.locate(contact).is_ok());
     std::iter::once(own).chain(valid).collect()

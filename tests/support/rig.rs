@@ -141,6 +141,7 @@ pub fn question<'a>(
     maximal::Question {
         floating_base: system.base() == Base::Floating,
         against: located.against,
+        is_moment: located.is_moment,
         ..maximal::Question::new(
             mechanism,
             positions(mechanism, pose),

@@ -24,6 +24,7 @@ mod impacts {
     mod extremes;
     mod free_body;
     mod masses_and_peaks;
+    mod moments;
     mod rigid_impact;
     mod safe_speed;
 }

@@ -29,6 +29,11 @@ pub enum GenerateError {
         /// Pivot relative to its length scale.
         value: f64,
     },
+    /// The contact is a moment about an axis.
+    #[error(
+        "the contact is a moment about an axis, for which no code is generated; give a contact point with a normal"
+    )]
+    Moment,
     /// The normal of a stop is a line that may turn by 5° only.
     #[error(
         "the normal is a line that may turn by at most 5°, which generated code does not check; give a fixed normal, or \

@@ -203,8 +203,10 @@ pub(crate) fn build(request: &Request) -> Result<Functions, GenerateError> {
 
 /// Refuses contacts and closures for which no code is generated.
 fn refuse_unsupported(request: &Request) -> Result<(), GenerateError> {
-    if let Direction::Toward(..) = request.contact.normal {
-        return Err(GenerateError::LimitedLine);
+    match request.contact.normal {
+        Direction::Toward(..) => return Err(GenerateError::LimitedLine),
+        Direction::About(..) => return Err(GenerateError::Moment),
+        Direction::Along(..) | Direction::TurningToward(..) | Direction::TurningAwayFrom(..) => {}
     }
     for closure in request.system.mechanism().closures() {
         if closure.kind() == ClosureKind::Distance && closure.distance().is_some_and(|d| d <= 0.0) {

@@ -29,6 +29,11 @@ pub enum ImpactError {
         /// Given value.
         got: f64,
     },
+    /// Friction of a moment about an axis.
+    #[error(
+        "the contact is a moment about an axis, which has no tangential friction; expected a contact point with a normal"
+    )]
+    FrictionOfMoment,
     /// The law of restitution has no solution, or the integration found no end.
     #[error(
         "the impact has no end by the {law} law of restitution; expected another law, or other coefficients of restitution or \

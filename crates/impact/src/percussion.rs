@@ -39,6 +39,14 @@ pub enum PercussionError {
         /// True for the point of the least reaction, false for the given contact point.
         is_best: bool,
     },
+    /// The contact is a moment about an axis.
+    #[error(
+        "joint \"{joint}\": no centre of percussion, because the contact is a moment about an axis; expected a contact point with a normal"
+    )]
+    Moment {
+        /// The joint.
+        joint: String,
+    },
     /// The direction of the line is too short or not finite.
     #[error("the direction of the line is {direction:?}; expected a vector of length above zero")]
     Direction {
@@ -295,10 +303,14 @@ fn require_movable(
     joint: JointId,
     is_best: bool,
 ) -> Result<(), PercussionError> {
-    if pose.respond(contact)?.effective_mass != EffectiveMass::Immovable {
+    let immovable = pose.respond(contact)?.effective_mass == EffectiveMass::Immovable;
+    if !immovable && !contact.normal.is_moment() {
         return Ok(());
     }
     let joint = pose.mechanism().joint(joint).name().to_owned();
+    if contact.normal.is_moment() {
+        return Err(PercussionError::Moment { joint });
+    }
     Err(PercussionError::Immovable { joint, point: contact.point.into(), is_best })
 }
 

@@ -71,6 +71,7 @@ impl Case {
         Question {
             floating_base: self.is_floating,
             against: located.against,
+            is_moment: located.is_moment,
             locked: self.locked.clone(),
             armature: self.armature.clone(),
             held: self.held.clone(),

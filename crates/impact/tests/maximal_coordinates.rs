@@ -2,7 +2,7 @@
 
 use crate::cases::{Case, all};
 use nalgebra::{Matrix3, Vector3};
-use percuss_dynamics::EffectiveMass;
+use percuss_dynamics::{Direction, EffectiveMass};
 use percuss_impact::{Component, Reaction, Reactions, reactions_to_unit_impulse};
 use percuss_oracle::maximal::{ImpactReactions, PlaceReaction, reactions};
 
@@ -79,8 +79,30 @@ fn compare_all(case: &Case, found: &Reactions, oracle: &ImpactReactions, count: 
 
 #[test]
 fn reactions_are_those_of_maximal_coordinates() {
+    let count = compare_cases(all(400));
+    println!("{count:?}");
+    assert!(count.cases >= 1_000 && count.redundant > 400, "{count:?}");
+    assert!(count.determinate > 10_000 && count.indeterminate > 1_000, "{count:?}");
+}
+
+/// The same for moments about an axis.
+#[test]
+fn reactions_to_moments_are_those_of_maximal_coordinates() {
+    let mut cases = all(120);
+    for case in &mut cases {
+        let (axis, frame) = case.contact.normal.vector().expect("a vector");
+        case.contact.normal = Direction::About(axis, frame);
+    }
+    let count = compare_cases(cases);
+    println!("{count:?}");
+    assert!(count.cases >= 250 && count.redundant > 100, "{count:?}");
+    assert!(count.determinate > 2_500 && count.indeterminate > 250, "{count:?}");
+}
+
+/// Compares the reactions of all cases with a finite m̄ and a clear rank.
+fn compare_cases(cases: Vec<Case>) -> Count {
     let mut count = Count::default();
-    for case in all(400) {
+    for case in cases {
         let response = case.pose.respond(&case.contact).expect("a contact");
         let EffectiveMass::Finite(_) = response.effective_mass else {
             count.skipped += 1;
@@ -105,7 +127,5 @@ fn reactions_are_those_of_maximal_coordinates() {
         count.redundant += usize::from(oracle.redundant > 0);
         compare_all(&case, &found, &oracle, &mut count);
     }
-    println!("{count:?}");
-    assert!(count.cases >= 1_000 && count.redundant > 400, "{count:?}");
-    assert!(count.determinate > 10_000 && count.indeterminate > 1_000, "{count:?}");
+    count
 }

@@ -96,3 +96,40 @@ fn principal_masses_are_extreme() {
     }
     assert!(compared > 60, "{compared}");
 }
+
+/// W of a moment and a contact point: its first diagonal entry is 1/m̄ of the moment, the block of the moment is the angular part of the
+/// inverse operational inertia, and the blocks between both contacts are transposes.
+#[test]
+fn moments_are_rows_of_angular_velocities() {
+    let mut compared = 0;
+    for case in all(64) {
+        let pose = &case.pose;
+        if !pose.rank().clear || pose.constraint_groups().iter().any(|g| g.least_singular_value < 1e-4) {
+            continue;
+        }
+        let (axis, frame) = case.contact.normal.vector().expect("a vector");
+        let moment = case.contact.normal(Direction::About(axis, frame));
+        let located = [moment, case.contact].map(|contact| pose.locate(&contact).expect("a contact"));
+        let Ok(delassus) = Delassus::new(pose, &located) else { continue };
+        let w = delassus.matrix();
+        let EffectiveMass::Finite(mass) = pose.respond(&moment).expect("a response").effective_mass else {
+            continue;
+        };
+        let size = delassus.block(0).norm();
+        let error = (w[(0, 0)] * mass - 1.0).abs();
+        // Rounding of a light axis relative to the largest mobility.
+        assert!(error < 1e-9 * (1.0 + size * mass), "{}: {error:e}, {mass} kg·m²", case.name);
+        let Ok(inertia) = pose.inverse_operational_inertia(&located[0]) else { continue };
+        let block = |r: usize, c: usize| inertia.matrix().fixed_view::<3, 3>(r, c).into_owned();
+        let mut angular: Matrix3<f64> = block(0, 0);
+        if moment.against.is_some() {
+            angular += block(6, 6) - block(0, 6) - block(6, 0);
+        }
+        let axes = delassus.axes(0);
+        let expected = axes.transpose() * angular * axes;
+        assert!((delassus.block(0) - expected).norm() < 1e-8 * (size + angular.norm()), "{}", case.name);
+        compared += 1;
+    }
+    println!("{compared} compared");
+    assert!(compared > 100, "{compared}");
+}

@@ -195,8 +195,8 @@ impl Session {
                     .question()?
                     .ok_or_else(|| Refusal::of_message("the damper needs a restitution and a stiffness"))?;
                 let Some(stop) = &damping.limit else {
-                    damping.check_units(&wanted, false)?;
                     let (model, question) = self.model_and_question(&question)?;
+                    damping.check_units(&wanted, question.is_moment(&model.mechanism))?;
                     return Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)));
                 };
                 let conditions = question.conditions().map_err(Refusal::of_message)?;

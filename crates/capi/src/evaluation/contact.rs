@@ -36,6 +36,14 @@ pub const PERCUSS_NORMAL_TURNING_TOWARD: percuss_normal = 4;
 /// The opposite direction of that line: a stop that limits the extension of a damper.
 pub const PERCUSS_NORMAL_TURNING_AWAY: percuss_normal = 5;
 
+/// The axis of a moment in the contact link's frame. The contact is a moment about the axis (a couple): effective masses are inertias
+/// in kg·m², speeds rad/s, and the point has no effect.
+pub const PERCUSS_AXIS_LINK: percuss_normal = 6;
+/// The axis of a moment in the world's frame.
+pub const PERCUSS_AXIS_WORLD: percuss_normal = 7;
+/// The axis of a moment in the other link's frame (the world's frame if the other side is the ground).
+pub const PERCUSS_AXIS_AGAINST: percuss_normal = 8;
+
 /// A contact between a point of a link and another link, or the ground. Initialise it with percuss_contact_init.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +57,7 @@ pub struct percuss_contact {
     /// The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD,
     /// PERCUSS_NORMAL_TURNING_TOWARD and PERCUSS_NORMAL_TURNING_AWAY: a point of the line, m.
     pub normal: [f64; 3],
-    /// Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
+    /// Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY; or PERCUSS_AXIS_LINK to PERCUSS_AXIS_AGAINST.
     pub normal_given: percuss_normal,
     /// Link of that point; not read if the normal is a vector.
     pub toward: usize,
@@ -106,6 +114,9 @@ impl percuss_contact {
             Direction::Along(vector, Frame::Link) => (PERCUSS_NORMAL_LINK, None, vector),
             Direction::Along(vector, Frame::World) => (PERCUSS_NORMAL_WORLD, None, vector),
             Direction::Along(vector, Frame::Against) => (PERCUSS_NORMAL_AGAINST, None, vector),
+            Direction::About(vector, Frame::Link) => (PERCUSS_AXIS_LINK, None, vector),
+            Direction::About(vector, Frame::World) => (PERCUSS_AXIS_WORLD, None, vector),
+            Direction::About(vector, Frame::Against) => (PERCUSS_AXIS_AGAINST, None, vector),
             Direction::Toward(link, point) => (PERCUSS_NORMAL_TOWARD, Some(link), point),
             Direction::TurningToward(link, point) => (PERCUSS_NORMAL_TURNING_TOWARD, Some(link), point),
             Direction::TurningAwayFrom(link, point) => (PERCUSS_NORMAL_TURNING_AWAY, Some(link), point),
@@ -124,9 +135,12 @@ impl percuss_contact {
     #[inline]
     pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
-        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None, None];
+        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY and of PERCUSS_AXIS_LINK to PERCUSS_AXIS_AGAINST.
+        let vectors = [Frame::Link, Frame::World, Frame::Against].map(Some);
+        let [link, world, against] = vectors;
+        let frames = [link, world, against, None, None, None, link, world, against];
         let normal = match enumeration_value(&frames, self.normal_given, "normal_given")? {
+            Some(frame) if self.normal_given >= PERCUSS_AXIS_LINK => Direction::About(vector, frame),
             Some(frame) => Direction::Along(vector, frame),
             None if self.normal_given == PERCUSS_NORMAL_TOWARD => {
                 Direction::Toward(contact_link(model, self.toward, "toward")?, vector)

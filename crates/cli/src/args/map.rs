@@ -37,6 +37,11 @@ impl MapArgs {
     /// Converts the flags to a map; refuses flags of a contact that do not apply to a map.
     pub fn map(&self) -> Result<StudyMap, Failure> {
         let contact = &self.contact.contact;
+        if contact.about_axis.is_some() {
+            return Err(Failure::bad_input(
+                "--about-axis: a map is about contact points; use percuss mass for the inertia about an axis",
+            ));
+        }
         if contact.normal.is_some() || contact.along_line.is_some() {
             return Err(Failure::bad_input(
                 "--normal, --along-line: a map uses the outward normals of the surface, or with --directions all directions; \

@@ -201,7 +201,9 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         most.collect::<Vec<_>>().join(", ")
     };
     if report.designs.iter().all(|design| design.reference.is_none()) {
-        let mut table = Table::new(["contact", "kg", "contact/wheel", "kg over the range", "most of it"]);
+        let unit = mass_unit(report);
+        let over = format!("{unit} over the range");
+        let mut table = Table::new(["contact", unit, "contact/wheel", &over, "most of it"]);
         for (i, design) in report.designs.iter().enumerate() {
             let ratio = design.motion_ratio.map_or("–".into(), short_number);
             let masses = report.rows.iter().filter_map(|row| row.effective_mass[i]);
@@ -214,7 +216,7 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         }
         return table;
     }
-    let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
+    let mut table = Table::new(["design", mass_unit(report), "difference", "over the range", "most of it"]);
     for design in &report.designs {
         let difference = match design.difference_percent {
             Some(x) => percent(x),
@@ -226,6 +228,12 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         table.row([design.name.clone(), answer_text(design), difference, range, most(design)]);
     }
     table
+}
+
+/// Unit of all effective masses; both units if the designs have contact points and moments.
+fn mass_unit(report: &ComparisonReport) -> &'static str {
+    let unit = report.designs.first().map_or("kg", |design| design.mass_unit);
+    if report.designs.iter().all(|design| design.mass_unit == unit) { unit } else { "kg, kg·m²" }
 }
 
 /// "COUNT designs", or "COUNT contacts" of one design.
@@ -286,7 +294,7 @@ pub fn has_several_contacts(report: &ComparisonReport) -> bool {
 fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
     let rounded = |x: Option<f64>, error| Cell::from_value(x.map(|x| style.number(x, error)));
     if report.varied.is_empty() {
-        let mass = style.name_with_unit("effective_mass", "kg");
+        let mass = style.name_with_unit("effective_mass", mass_unit(report));
         let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned).to_vec();
         let row = |design: &DesignRecord| {
             let status = design.status.map_or("no answer", |status| status.name());
@@ -306,7 +314,7 @@ fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Ve
         Some(_) => csv::with_unit(&column.name, unit),
         None => format!("travel_{}", unit.name),
     }));
-    header.extend(report.designs.iter().map(|design| style.name_with_unit(&design.name, "kg")));
+    header.extend(report.designs.iter().map(|design| style.name_with_unit(&design.name, design.mass_unit)));
     let compared: Vec<usize> =
         (0..report.designs.len()).filter(|i| report.designs[*i].reference.is_some()).collect();
     header.extend(compared.iter().map(|i| format!("{} difference_percent", report.designs[*i].name)));
@@ -452,7 +460,7 @@ fn figure_of(
     let all = designs.iter().copied();
     let masses = all.clone().map(|i| series(i, &|row| report.rows[row].effective_mass[i])).collect();
     let mut panels = vec![Panel {
-        y_label: "m̄ (kg)".into(),
+        y_label: format!("m̄ ({})", mass_unit(report)),
         series: masses,
         y_limits: requested.y_limits.map(AxisLimits::ends),
     }];

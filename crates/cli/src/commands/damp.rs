@@ -8,6 +8,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, upper_bound};
+use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_hanging};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
@@ -36,7 +37,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.format == CheckFormat::Json && question.tools.is_empty() {
         question.tools = Tool::ALL.to_vec();
     }
-    if args.limit.is_none() {
+    if args.mass.is_some() {
         args.damping.check_units(&question, false)?;
     }
     let contact = &args.contact;
@@ -49,8 +50,9 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
                 damp_stop(&model, stop, contact.conditions()?, &question)?
             }
             None => {
-                let of_contact = contact.question()?;
-                damp_contact(&args.reading.load(path)?, &of_contact, &question)?
+                let (of_contact, model) = (contact.question()?, args.reading.load(path)?);
+                args.damping.check_units(&question, of_contact.is_moment(&model.mechanism))?;
+                damp_contact(&model, &of_contact, &question)?
             }
         },
         (Some(_), _) => {
@@ -100,30 +102,16 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
 
 /// Name and value of the effective mass, or of the effective inertia for a rotational stop.
 pub fn headline(report: &DampingReport) -> (&'static str, String) {
-    let units = Units::from_report(report);
+    let units = units(report);
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
-/// Units of the numbers of a report.
-struct Units {
-    name: &'static str,
-    mass: &'static str,
-    /// SI unit of penetrations: m, or rad for a rotational stop.
-    length: &'static str,
-    /// Unit in which penetrations are shown, and the factor from the SI unit.
-    shown: (&'static str, f64),
-    force: &'static str,
-}
+/// Factor from the SI unit of penetrations to the shown unit: mm or mrad.
+const SMALL: f64 = 1e3;
 
-impl Units {
-    /// Units of a contact or of the stop of a joint.
-    fn from_report(report: &DampingReport) -> Self {
-        if report.stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn) {
-            let shown = ("mrad", 1e3);
-            return Self { name: "effective inertia", mass: "kg·m²", length: "rad", shown, force: "N·m" };
-        }
-        Self { name: "effective mass", mass: "kg", length: "m", shown: ("mm", 1e3), force: "N" }
-    }
+/// Units of the numbers of a report.
+fn units(report: &DampingReport) -> ContactUnits {
+    ContactUnits::new(report.is_moment)
 }
 
 /// Text of [`facts`], one line each.
@@ -139,7 +127,8 @@ pub fn exports(report: &DampingReport) -> String {
 /// Damper, impact and validity as names with values.
 pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
-    let Units { length, shown: (shown, factor), force, mass: mass_unit, .. } = Units::from_report(report);
+    let ContactUnits { length, small_length: shown, force, mass: mass_unit, .. } = units(report);
+    let factor = SMALL;
     let e = damper.restitution;
     let mut facts = Vec::new();
     let law = match damper.separation {
@@ -228,7 +217,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
 
 /// Stiffness with its unit.
 fn stiffness(report: &DampingReport) -> String {
-    let (damper, Units { length, force, .. }) = (&report.damper, Units::from_report(report));
+    let (damper, ContactUnits { length, force, .. }) = (&report.damper, units(report));
     format!("{} {force}/{length}{}", number(damper.stiffness), unit_power(damper.exponent))
 }
 
@@ -369,8 +358,7 @@ fn csv(samples: &[Sample]) -> String {
 /// Force over time, and over penetration; the loop encloses the dissipated energy.
 pub fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
-    let units = Units::from_report(report);
-    let (shown, factor) = units.shown;
+    let (units, factor) = (units(report), SMALL);
     let panel = |x: &dyn Fn(&Sample) -> f64| Panel {
         y_label: format!("force ({})", units.force),
         series: vec![Series {
@@ -397,7 +385,7 @@ pub fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
         ..Figure::default()
     };
     let over_penetration = Figure {
-        x_label: format!("penetration ({shown})"),
+        x_label: format!("penetration ({})", units.small_length),
         panels: vec![panel(&|s| factor * s.penetration)],
         ..Figure::default()
     };

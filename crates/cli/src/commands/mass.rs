@@ -11,11 +11,11 @@ use crate::terminal::report::{
     note, notes_are_shown, with_findings, write_diagnostics, write_json, write_out,
 };
 use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty};
+use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{self, fact_line};
-use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, SheetPoint, Status,
-    StudyMass, Tolerance, explain, mass, mass_with_damper, tolerance_report,
+    StudyMass, Tolerance, contact_names, explain, mass, mass_with_damper, tolerance_report,
 };
 use std::fmt::Write;
 
@@ -24,17 +24,21 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let requests = args.requests.options()?;
     let damping = args.damping.question()?;
-    if let Some(question) = &damping {
-        args.damping.check_units(question, false)?;
-    }
     let is_list = args.contact.contact.at.as_deref() == Some(ALL_CONTACTS);
     if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
+        if let Some(question) = &damping {
+            args.damping.check_units(question, false)?;
+        }
         return show_all_contacts(args, &model, damping.as_ref());
     }
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "this command")?;
+    let contact = args.contact.question()?;
+    if let Some(question) = &damping {
+        args.damping.check_units(question, contact.is_moment(&model.mechanism))?;
+    }
     show(
         &model,
-        &args.contact.question()?,
+        &contact,
         damping.as_ref(),
         args.format,
         &MassRequests::from_study(&requests),
@@ -64,13 +68,13 @@ fn show_all_contacts(
 
 /// Refuses several contacts, which `percuss compare` evaluates.
 pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -> Result<(), Failure> {
-    // A colon marks a contact with coordinates, such as foot:0,0,0:0,0,-1; its commas do not separate names.
-    let several = at.filter(|names| *names == ALL_CONTACTS || (names.contains(',') && !names.contains(':')));
-    match several.filter(|names| model.mechanism.find_contact(names).is_err()) {
-        Some(names) => Err(Failure::bad_input(format!(
-            "--at {names}: {command} has one contact; percuss compare MODEL --at {names} has all of them"
+    let Some(at) = at else { return Ok(()) };
+    match contact_names(at, &model.mechanism) {
+        Err(why) => Err(Failure::bad_input(format!("--at {at}: {why}"))),
+        Ok(names) if matches!(&names[..], [name] if name == at) => Ok(()),
+        Ok(_) => Err(Failure::bad_input(format!(
+            "--at {at}: {command} has one contact; percuss compare MODEL --at {at} has all of them"
         ))),
-        None => Ok(()),
     }
 }
 
@@ -160,12 +164,14 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
     match report.effective_mass {
         Some(m) if (m / expected - 1.0).abs() <= tolerance => Ok(()),
         Some(m) => Err(Failure::NoAnswer(format!(
-            "the effective mass {m} kg differs from the expected {expected} kg (relative difference {:.1e}, \
+            "the effective mass {m} {unit} differs from the expected {expected} {unit} (relative difference {:.1e}, \
              tolerance {tolerance:e})",
-            (m / expected - 1.0).abs()
+            (m / expected - 1.0).abs(),
+            unit = report.unit
         ))),
         None => Err(Failure::NoAnswer(format!(
-            "{expected} kg was expected; the contact is {}",
+            "{expected} {} was expected; the contact is {}",
+            report.unit,
             report.status.name()
         ))),
     }
@@ -174,10 +180,13 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
 /// Report as text.
 fn text(report: &MassReport, expected: Option<f64>) -> String {
     let mut out = String::new();
-    out += &fact_line("effective mass", &headline(report));
+    out += &fact_line(ContactUnits::new(report.contact.is_moment).name, &headline(report));
     if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
         let off = (m / expected - 1.0).abs();
-        out += &fact_line("expected", &format!("{} kg   (relative difference {off:.1e})", number(expected)));
+        out += &fact_line(
+            "expected",
+            &format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit),
+        );
     }
     out.push('\n');
     for (name, value) in facts(report) {
@@ -193,8 +202,11 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     if report.effective_mass.is_some() {
         out += &contribution_text(report);
     }
-    out += &report.explanation.as_ref().map_or_else(String::new, explanation);
-    out += &report.tolerance.as_ref().map_or_else(String::new, crate::terminal::explanation::tolerances);
+    out += &report.explanation.as_ref().map_or_else(String::new, |found| explanation(found, report.unit));
+    out += &report
+        .tolerance
+        .as_ref()
+        .map_or_else(String::new, |found| crate::terminal::explanation::tolerances(found, report.unit));
     out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
             Gravity, springs, dampers and speed have no effect: a finite force does no work\n\
             in an instantaneous impact. See docs/explanation/LIMITS.md.\n";
@@ -207,6 +219,12 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
 /// m̄, or the outcome in words.
 pub fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
+        (Status::Immovable, _) if report.contact.is_moment => {
+            "immovable: no motion of the mechanism turns the link about this axis".into()
+        }
+        (Status::Massless, _) if report.contact.is_moment => {
+            "massless (0 kg·m²): a motion without mass turns the link about this axis".into()
+        }
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
         (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
         (Status::Finite, m) => {
@@ -215,22 +233,12 @@ pub fn headline(report: &MassReport) -> String {
                 Some(tolerance) if tolerance.root_sum_square > 0.0 => {
                     let spread = tolerance.root_sum_square;
                     let [mass, spread] = [mass, spread].map(|x| within_uncertainty(x, spread));
-                    format!("{mass} ± {spread} kg (tolerances, root sum square)")
+                    format!("{mass} ± {spread} {} (tolerances, root sum square)", report.unit)
                 }
-                _ => format!("{} {}", number(mass), mass_unit(report)),
+                _ => format!("{} {}", number(mass), report.unit),
             }
         }
     }
-}
-
-/// Unit of m̄: kg·m² for the stop of a revolute joint, kg for other contacts.
-pub fn mass_unit(report: &MassReport) -> &'static str {
-    if is_stop_of_hinge(report) { "kg·m²" } else { "kg" }
-}
-
-/// True if the contact is the stop of a joint that turns.
-pub fn is_stop_of_hinge(report: &MassReport) -> bool {
-    report.joint_stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn)
 }
 
 /// Classical estimate, its error, and the contributions that it leaves out.
@@ -320,11 +328,20 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
             ),
         ),
     ];
+    let of_axis = || {
+        vec![
+            ("contact link", contact.link.clone()),
+            ("moment about", format!("{} in the link frame", triple(&contact.normal_link))),
+            ("in the world", format!("axis {}", triple(&contact.normal_world))),
+        ]
+    };
     let mut facts = match &report.joint_stop {
         Some(stop) => vec![("stop of joint", stop.joint.clone())],
+        None if contact.is_moment => of_axis(),
         None => of_point,
     };
-    facts.extend(report.point_in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
+    let in_sheet = report.point_in_sheet.filter(|_| !contact.is_moment);
+    facts.extend(in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
     facts.extend([
         ("against", other_side(report)),
         ("base", assumed.base.clone()),
@@ -396,8 +413,9 @@ pub fn loop_facts(report: &MassReport) -> Vec<(&'static str, String)> {
         facts.push(("loops closed to", format!("{residual:.1e} m{gap}")));
     }
     if !report.branch_limits.is_empty() {
-        let limit =
-            |m: &Option<f64>| m.map_or_else(|| "immovable".to_owned(), |m| format!("{} kg", number(m)));
+        let limit = |m: &Option<f64>| {
+            m.map_or_else(|| "immovable".to_owned(), |m| format!("{} {}", number(m), report.unit))
+        };
         facts.push((
             "along the branches",
             report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),

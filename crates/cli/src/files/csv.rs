@@ -25,11 +25,11 @@ const GAP_COLUMN: &str = "gap";
 /// Prefix of the names of the gradient columns, which follow the column of the gap.
 const GRADIENT_COLUMN: &str = "gradient";
 
-/// Unit of the gradient by a joint with one velocity.
-fn gradient_unit(mechanism: &Mechanism, joint: &str) -> Option<&'static str> {
+/// Unit of the gradient by a joint with one velocity. `mass`: unit of m̄.
+fn gradient_unit(mechanism: &Mechanism, joint: &str, mass: &str) -> Option<String> {
     match mechanism.joint(mechanism.find_joint(joint).ok()?).kind() {
-        JointKind::Revolute | JointKind::Continuous => Some("kg/rad"),
-        JointKind::Prismatic => Some("kg/m"),
+        JointKind::Revolute | JointKind::Continuous => Some(format!("{mass}/rad")),
+        JointKind::Prismatic => Some(format!("{mass}/m")),
         _ => None,
     }
 }
@@ -104,7 +104,8 @@ impl SweepTable {
             None => format!("travel_{}", unit.name),
         }));
         header.extend(FIXED_COLUMNS.map(|name| match (style.names_units, name) {
-            (true, "effective_mass" | "estimate") => format!("{name}_kg"),
+            (true, "effective_mass") => format!("{name}_{}", heading.unit),
+            (true, "estimate") => format!("{name}_kg"),
             (true, "closure_residual") => format!("{name}_{}", style.unit("m").name),
             _ => name.to_owned(),
         }));
@@ -119,7 +120,7 @@ impl SweepTable {
         for (joint, velocities) in heading.gradient.iter().flat_map(|layout| layout.joints()) {
             let before = header.len();
             add_joint_columns(&mut header, &format!("{GRADIENT_COLUMN}_{joint}"), velocities);
-            if let (true, Some(unit)) = (style.names_units, gradient_unit(mechanism, joint)) {
+            if let (true, Some(unit)) = (style.names_units, gradient_unit(mechanism, joint, heading.unit)) {
                 header[before..].iter_mut().for_each(|name| *name = format!("{name} [{unit}]"));
             }
         }

@@ -131,7 +131,7 @@ pub fn sweep_figure(
         first.push(series(&estimate_name(question), Style::Dashed, estimates));
     }
     let mut panels = vec![Panel {
-        y_label: "m̄ (kg)".into(),
+        y_label: format!("m̄ ({})", heading.unit),
         series: first,
         y_limits: requested.y_limits.map(AxisLimits::ends),
     }];

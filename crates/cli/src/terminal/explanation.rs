@@ -9,22 +9,23 @@ use percuss_study::{
 };
 use std::fmt::Write;
 
-/// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
-pub fn explanation(explained: &Explanation) -> String {
+/// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most. `unit`: unit of m̄.
+pub fn explanation(explained: &Explanation, unit: &str) -> String {
     let mut out = String::from("\nsensitivities (first order; an opposite change has the opposite effect)\n");
     let list = |name: &str, items: Vec<String>| {
         let names = std::iter::once(name).chain(std::iter::repeat(""));
         names.zip(items).map(|(name, item)| fact_line(name, &line(&item))).collect::<String>()
     };
     let masses = explained.most_per_kilogram.iter();
-    let masses: Vec<String> =
-        masses.map(|c| format!("1 kg less of {}: {} kg less", c.link, short_number(c.lowers_by))).collect();
+    let masses: Vec<String> = masses
+        .map(|c| format!("1 kg less of {}: {} {unit} less", c.link, short_number(c.lowers_by)))
+        .collect();
     if !masses.is_empty() {
         out += &list("most per kilogram", masses);
     }
     let moves = explained.most_per_millimetre.iter().map(|c| {
         let direction = c.direction.map(|x| (x * 1e4).round() / 1e4);
-        format!("{} 1 mm along {}: {} kg less", c.point, triple(&direction), short_number(c.lowers_by))
+        format!("{} 1 mm along {}: {} {unit} less", c.point, triple(&direction), short_number(c.lowers_by))
     });
     let moves: Vec<String> = moves.collect();
     if !moves.is_empty() {
@@ -47,7 +48,8 @@ pub fn explanation(explained: &Explanation) -> String {
         let _ = write!(out, "\n{table}");
     }
     if !explained.points.is_empty() {
-        let mut table = Table::new(["hardpoint", "kg per mm along x, y, z of the sheet"]);
+        let rates = format!("{unit} per mm along x, y, z of the sheet");
+        let mut table = Table::new(["hardpoint", &rates]);
         for point in &explained.points {
             let rates = point
                 .per_metre
@@ -64,35 +66,36 @@ fn per_millimetre(rates: &[f64; 3]) -> String {
     triple(&rates.map(|rate| format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3)))
 }
 
-/// Effects of the tolerances.
-pub fn tolerances(report: &ToleranceReport) -> String {
+/// Effects of the tolerances. `unit`: unit of m̄.
+pub fn tolerances(report: &ToleranceReport, unit: &str) -> String {
     let given = &report.tolerance;
     let mut words = Vec::new();
     for (name, part, of) in
         [("mass", given.mass, &report.parts.mass), ("armature", given.armature, &report.parts.armature)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} %: {} kg", short_number(100.0 * part), short_number(*of)));
+            words.push(format!("{name} {} %: {} {unit}", short_number(100.0 * part), short_number(*of)));
         }
     }
     for (name, part, of) in
         [("com", given.com, &report.parts.com), ("point", given.point, &report.parts.point)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} mm: {} kg", short_number(1e3 * part), short_number(*of)));
+            words.push(format!("{name} {} mm: {} {unit}", short_number(1e3 * part), short_number(*of)));
         }
     }
-    let percent =
-        |kg: f64| format!("{} kg ({} %)", short_number(kg), short_number(100.0 * kg / report.effective_mass));
+    let percent = |m: f64| {
+        format!("{} {unit} ({} %)", short_number(m), short_number(100.0 * m / report.effective_mass))
+    };
     let mut out = String::from("\neffect of the tolerances\n");
-    let _ = writeln!(out, "  nominal value      {} kg", number(report.effective_mass));
+    let _ = writeln!(out, "  nominal value      {} {unit}", number(report.effective_mass));
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
     out += &fact_line("  of which", &words.join("; "));
     if let Some(samples) = &report.samples {
         let spread = samples.standard_deviation;
         let text = format!(
-            "{} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
+            "{} ± {} {unit} (mean, standard deviation), 95 % within {} to {} {unit}, seed {}",
             within_uncertainty(samples.mean, spread),
             within_uncertainty(spread, spread),
             within_uncertainty(samples.percentile_2_5, spread),

@@ -9,4 +9,5 @@ pub(crate) mod import_text;
 pub(crate) mod limits;
 pub(crate) mod report;
 pub(crate) mod text;
+pub(crate) mod units;
 pub(crate) mod wrap;

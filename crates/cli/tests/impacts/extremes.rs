@@ -297,13 +297,14 @@ fn every_command_takes_a_contact_in_one_text() {
     ));
     assert_eq!(stop["effective_mass"], damper["effective_mass"]);
     assert_eq!(stop["joint_stop"], serde_json::json!({"joint": "elbow", "motion": "turn"}));
-    assert!(stop["diagnostics"].to_string().contains("joint-stop"));
+    assert_eq!((&stop["unit"], &stop["contact"]["is_moment"]), (&"kg·m²".into(), &true.into()));
     assert!(!stop["diagnostics"].to_string().contains("far-point"));
     let limit = stop["pose"]["elbow"][0].as_f64().expect("a position");
     assert_eq!(limit, 2.6);
     let text = percuss(&format!("mass {robot} --at elbow:upper")).stdout;
     assert!(text.contains("kg·m²") && text.contains("stop of joint        elbow"), "{text}");
     let impact = json(&format!("impact {robot} --at elbow:upper --restitution 0.2 --speed 2 --format json"));
+    assert!(impact["sticking_mass"].is_null() && impact["mass_states"] == serde_json::json!([]), "{impact}");
     let expected = 1.2 * 2.0 * value(&stop);
     assert!((impact["impulse"].as_f64().expect("an impulse") / expected - 1.0).abs() < 1e-12);
     // The jump of the rate of the joint is (1+e) times its speed.
@@ -313,10 +314,12 @@ fn every_command_takes_a_contact_in_one_text() {
     assert!((jump + 1.2 * 2.0).abs() < 1e-12, "{elbow}");
     let text = percuss(&format!("impact {robot} --at elbow:upper --restitution 0.2 --speed 2")).stdout;
     assert!(text.contains("N·m·s") && text.contains("rad/s, restitution 0.2"), "{text}");
+    assert!(!text.contains(" kg\n") && !text.contains(" N·s\n"), "{text}");
     let rows = percuss(&format!("sweep {robot} --at elbow:upper --vary wrist_pitch=0:1:3")).stdout;
     assert_eq!(rows.lines().count(), 4, "{rows}");
     let extremes = json(&format!("extremes {robot} --at elbow:upper --range wrist_pitch=0:1 --format json"));
     assert!(extremes["least"]["effective_mass"].as_f64().expect("a mass") > 0.0);
+    assert_eq!(extremes["unit"], "kg·m²");
     for (command, words) in [
         ("mass models/six_r_arm.urdf --at nope:upper", "nope"),
         ("mass models/six_r_arm.urdf --at tool:0,0,0", "--at"),

@@ -89,6 +89,15 @@ pub enum ExportError {
         /// Tools with an export of joint stops.
         known: String,
     },
+    /// Contact that is a moment about an axis.
+    #[error(
+        "{tool}: the contact is a moment about an axis, and contacts of simulators act at points; give the stop of a joint (JOINT:lower or \
+         JOINT:upper), or a contact point with a normal"
+    )]
+    Moment {
+        /// Tool.
+        tool: Tool,
+    },
     /// Tool in which mechanisms with closed loops do not reach the required restitution.
     #[error("{tool}: closed loops: {why}; {remedy}")]
     NoLoop {

@@ -253,7 +253,7 @@ impl Pose {
     }
 
     /// Contact row j = n̂ᵀ(J_on − J_against) over the coordinates: closing speed of the gap at unit rates, 1×n (m for
-    /// rotations, 1 for translations). Joints that move both sides equally are left out.
+    /// rotations, 1 for translations). For a moment j = âᵀ(J_ω,on − J_ω,against) (1 and 0). Joints that move both sides equally are left out.
     pub fn contact_row(&self, contact: &LocatedContact) -> Vec<f64> {
         let model = self.assembly.model();
         let mut values = vec![0.0; model.velocity_coordinates.len()];
@@ -271,5 +271,15 @@ impl Pose {
     pub fn point_jacobian(&self, link: LinkId, point: &Vector3<f64>) -> DMatrix<f64> {
         self.refuse_foreign(link);
         self.assembly.model().point_jacobian(&self.kinematics, link, point)
+    }
+
+    /// Jacobian of the angular velocity of a link over the coordinates, 3×n: ω = J u, in root axes, relative to the ground (1 for
+    /// rotations, 0 for translations).
+    ///
+    /// # Panics
+    /// If the link belongs to another mechanism.
+    pub fn angular_jacobian(&self, link: LinkId) -> DMatrix<f64> {
+        self.refuse_foreign(link);
+        self.assembly.model().angular_jacobian(&self.kinematics, link)
     }
 }

@@ -83,8 +83,11 @@ impl ContactResponse {
     /// An immovable mechanism gives m̄ = m₂; a massless mechanism stays massless.
     ///
     /// # Errors
-    /// [`ContactError::OtherMass`]: `other` is not finite, or not above 1e-100 kg.
+    /// [`ContactError::OtherMass`]: `other` is not finite, or not above 1e-100 kg. [`ContactError::MassOfMoment`]: the contact is a moment.
     pub fn against_mass(mut self, other: f64) -> Result<Self, ContactError> {
+        if self.contact.is_moment {
+            return Err(ContactError::MassOfMoment { mass: other });
+        }
         if !(other.is_finite() && other > LEAST_OTHER_MASS) {
             return Err(ContactError::OtherMass { mass: other, least: LEAST_OTHER_MASS });
         }
@@ -112,7 +115,8 @@ impl ContactResponse {
 }
 
 impl Pose {
-    /// Effective mass of a contact along its normal, in kilograms, with motion, contributions and errors.
+    /// Effective mass of a contact along its normal, in kilograms, with motion, contributions and errors. For a moment about an axis the
+    /// effective inertia in kg·m², with j = âᵀ(J_ω,on − J_ω,against).
     ///
     /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and the mechanism has no loops.
     ///

@@ -2,7 +2,8 @@
 
 use crate::dense::direct::{LeastEnergySolution, Minimum};
 use crate::error::budget::{BudgetWorkspace, RelativeErrors, UnitImpulse};
-use crate::kinematics::contact::{ContactRow, LocatedContact};
+use crate::kinematics::contact::LocatedContact;
+use crate::kinematics::contact_row::ContactRow;
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{DenseReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::kinematics::remarks::RemarkFlags;
@@ -14,8 +15,7 @@ use crate::tolerances::{
     DENSE_ROUTE_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT,
     POOLED_WORKSPACES, ROUTE_ROUNDINGS, TRUSTED_ERROR,
 };
-use nalgebra::Vector3;
-use percuss_spatial::{Twist, Wrench};
+use percuss_spatial::Twist;
 use std::sync::Mutex;
 
 /// A contact at given frames: the input of both routes.
@@ -53,9 +53,10 @@ impl RouteResult {
     }
 }
 
-/// Sum of the bodies' masses, kg.
-fn total_mass(model: &Model) -> f64 {
-    model.bodies.iter().map(|body| body.inertia.mass.abs()).sum()
+/// Largest possible m̄ in order of magnitude: the sum of the bodies' masses, kg; for a moment times the square of the characteristic length,
+/// kg·m².
+fn total_mass(model: &Model, row: &ContactRow) -> f64 {
+    row.unit_mass() * model.bodies.iter().map(|body| body.inertia.mass.abs()).sum::<f64>()
 }
 
 /// Pool of reusable recursion workspaces. Results do not depend on their contents.
@@ -134,7 +135,7 @@ impl RecursionWorkspace {
     /// Upper limit of m̄ (kg) for a contact found massless; `None` if negligible.
     pub fn massless_limit(&self, model: &Model) -> Option<f64> {
         let up_to = self.deciding.massless_limit[0];
-        (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model)).then_some(up_to)
+        (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model, &self.row)).then_some(up_to)
     }
 
     /// True if m̄ is finite, no motion has a negative mass, the closing speed is well above zero, and the rounding error
@@ -189,7 +190,7 @@ impl RouteInput<'_> {
         let (model, located) = (self.model, self.located);
         let RecursionWorkspace { recursion, deciding, response, .. } = workspace;
         recursion.clear();
-        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
+        let unit = located.wrench_root();
         recursion.add_wrench(model.body_of(located.link), 0, unit);
         recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
         deciding.reset();
@@ -357,7 +358,7 @@ impl RouteInput<'_> {
             let found = self.dense_result(workspace)?;
             if found.massless_motion_count() > 0 {
                 // The recursion has no result, so no bound for the mass of the left-out motions.
-                workspace.deciding.massless_limit[0] = total_mass(self.model);
+                workspace.deciding.massless_limit[0] = total_mass(self.model, &workspace.row);
                 return Ok(RouteResult { errors: found.errors.with_frozen(1.0), ..found });
             }
             return Ok(found);
@@ -403,7 +404,7 @@ impl RouteInput<'_> {
         match (found.mass, recursive) {
             (EffectiveMass::Massless, EffectiveMass::Finite(m)) => {
                 let most = m * (1.0 + errors.rounding);
-                let most = if most.is_finite() { most } else { total_mass(self.model) };
+                let most = if most.is_finite() { most } else { total_mass(self.model, &workspace.row) };
                 let up_to = &mut workspace.deciding.massless_limit[0];
                 *up_to = up_to.max(most);
                 Ok(found)

@@ -51,7 +51,8 @@ impl Batch {
         let is_tree = model.groups.is_empty() && !model.has_active_mimics;
         let kernel = is_tree
             .then(|| mechanism(model))
-            .and_then(|bodies| DerivativeKernel::compile(&bodies, &kernel_contact(model, contact)));
+            .zip(kernel_contact(model, contact))
+            .and_then(|(bodies, contact)| DerivativeKernel::compile(&bodies, &contact));
         let (columns, values) = match &kernel {
             Some(_) => (model.positions + LaneContacts::COUNT, velocity_count(assembly).max(INERTIA_NUMBERS)),
             None => (0, 0),

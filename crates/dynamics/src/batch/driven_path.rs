@@ -69,9 +69,9 @@ impl Pose {
             true => None,
             false => linkage(&self.assembly),
         };
-        let on = kernel_contact(model, contact);
-        let driven = linkage
-            .and_then(|linkage| LoopContinuation::of(&linkage, &on, self.positions(), &dependent, &given));
+        let driven = linkage.zip(kernel_contact(model, contact)).and_then(|(linkage, on)| {
+            LoopContinuation::of(&linkage, &on, self.positions(), &dependent, &given)
+        });
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
         let mechanism = self.mechanism();
         let limit = |joint: JointId| {

@@ -1,7 +1,7 @@
 //! Contact points and normals that differ from configuration to configuration.
 
 use crate::batch::error::BatchError;
-use crate::kinematics::contact::{Contact, Direction};
+use crate::kinematics::contact::Contact;
 use crate::model::Model;
 use crate::tolerances::{LARGEST_NUMBER, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
@@ -33,7 +33,7 @@ impl BatchContacts<'_> {
         contact: &Contact,
         configurations: usize,
     ) -> Result<(), BatchError> {
-        let Direction::Along(_, frame) = contact.normal else { return Err(BatchError::NormalAlongLine) };
+        let Some((_, frame)) = contact.normal.vector() else { return Err(BatchError::NormalAlongLine) };
         let (points, normals) = (self.points.len(), self.normals.len());
         if [points, normals].iter().any(|n| *n != 3 && configurations.checked_mul(3) != Some(*n)) {
             return Err(BatchError::ContactCount { points, normals, configurations });
@@ -45,7 +45,7 @@ impl BatchContacts<'_> {
             if square > SHORTEST_DIRECTION && square + point.norm_squared() < LARGEST_NUMBER {
                 continue;
             }
-            let contact = Contact { point, normal: Direction::Along(normal, frame), ..*contact };
+            let contact = Contact { point, normal: contact.normal.with_vector(normal, frame), ..*contact };
             model.check_contact(&contact).map_err(|error| BatchError::Contact { configuration, error })?;
         }
         Ok(())
@@ -63,10 +63,11 @@ pub(super) struct RowContacts<'a> {
 impl RowContacts<'_> {
     /// Contact at a configuration. `base`: see [`in_root_axes`].
     pub fn at(&self, configuration: usize, base: Option<&Transform<f64>>) -> Contact {
-        let Direction::Along(_, frame) = self.contact.normal else { return *self.contact };
+        let Some((_, frame)) = self.contact.normal.vector() else { return *self.contact };
         self.contacts.map_or(*self.contact, |contacts| {
             let [point, normal] = contacts.at(configuration);
-            Contact { point, normal: Direction::Along(in_root_axes(normal, base), frame), ..*self.contact }
+            let normal = self.contact.normal.with_vector(in_root_axes(normal, base), frame);
+            Contact { point, normal, ..*self.contact }
         })
     }
 }

@@ -125,7 +125,8 @@ impl Workspace {
         let mut workspace = self.clone();
         let in_lanes = workspace
             .take_kernel()
-            .and_then(|mut lanes| lanes.set_contact(&kernel_contact(model, contact)).then_some(lanes));
+            .zip(kernel_contact(model, contact))
+            .and_then(|(mut lanes, contact)| lanes.set_contact(&contact).then_some(lanes));
         let worker = Worker {
             read: in_lanes.iter().flat_map(Kernel::read_positions).collect(),
             columns: Aligned::zeros(match in_lanes {

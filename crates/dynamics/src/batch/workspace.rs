@@ -6,7 +6,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
 use crate::kernels::kernel_contact;
-use crate::kinematics::contact::{Contact, Direction, Frame, LocatedContact};
+use crate::kinematics::contact::{Contact, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
@@ -153,9 +153,9 @@ impl Workspace {
         if let Some(remark) = self.assembly.base_remark(contact, self.base.is_some()) {
             flags |= RemarkFlags::from(&remark);
         }
-        match (self.base, contact.normal) {
-            (Some(x_wr), Direction::Along(normal, _)) if contact.has_world_normal() => {
-                let normal = Direction::Along(x_wr.inverse_vector(&normal), Frame::World);
+        match (self.base, contact.normal.vector()) {
+            (Some(x_wr), Some((vector, _))) if contact.has_world_normal() => {
+                let normal = contact.normal.with_vector(x_wr.inverse_vector(&vector), Frame::World);
                 (Contact { normal, ..*contact }, flags)
             }
             _ => (*contact, flags),
@@ -210,7 +210,8 @@ impl Workspace {
             self.kernel_contact = None;
             let model = self.assembly.model();
             model.check_contact(contact)?;
-            if self.kernel.as_mut().is_none_or(|lanes| !lanes.set_contact(&kernel_contact(model, contact))) {
+            let in_kernel = self.kernel.as_mut().zip(kernel_contact(model, contact));
+            if in_kernel.is_none_or(|(lanes, contact)| !lanes.set_contact(&contact)) {
                 return self.recursion_mass(contact);
             }
             self.kernel_contact = Some(*contact);

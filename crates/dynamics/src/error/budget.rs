@@ -296,7 +296,8 @@ impl UnitImpulse<'_> {
             sum.file += 2.0 * self.largest_misfit([self.contact.link, end]) / length * relative;
         }
         let by_joint = places == FrameErrorMode::ByJoint;
-        if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
+        let has_point = by_joint && !self.contact.is_moment;
+        if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| has_point) {
             // The contact point belongs to the contact link; relative to the other link it has a position error.
             sum.rounding += 2.0 * self.position_error_between(frames) * self.twists[other].angular.norm();
         }
@@ -383,11 +384,13 @@ impl UnitImpulse<'_> {
         2.0 * sum
     }
 
-    /// Velocity of the contact link at the contact point relative to the other side.
+    /// Velocity of the contact link at the contact point relative to the other side; the angular velocity for a moment.
     fn relative_velocity(&self) -> Vector3<f64> {
-        let twist = |body: Option<usize>| body.map_or_else(Vector3::zeros, |b| self.twists[b].linear);
-        twist(self.model.body_of(self.contact.link))
-            - twist(self.contact.against.and_then(|l| self.model.body_of(l)))
+        let velocity = |body: Option<usize>| {
+            body.map_or_else(Vector3::zeros, |b| self.contact.conjugate_velocity(&self.twists[b]))
+        };
+        velocity(self.model.body_of(self.contact.link))
+            - velocity(self.contact.against.and_then(|l| self.model.body_of(l)))
     }
 
     /// Largest misfit, m, of the loops that contain an ancestor of one of the links.

@@ -125,7 +125,7 @@ impl Stationary<'_> {
         let model = self.model;
         let mut transmitted: Vec<Wrench<f64>> =
             inertias.iter().zip(twists).map(|(inertia, twist)| -inertia.momentum(twist)).collect();
-        let unit = Wrench::new(nalgebra::Vector3::zeros(), self.contact.normal_root);
+        let unit = self.contact.wrench_root();
         for (link, sign) in [(Some(self.contact.link), 1.0), (self.contact.against, -1.0)] {
             if let Some(body) = link.and_then(|link| model.body_of(link)) {
                 transmitted[body] += unit * sign;
@@ -142,10 +142,8 @@ impl Stationary<'_> {
 
     /// Closing speed of the contact at given twists.
     fn closing_speed(&self, twists: &[Twist<f64>]) -> f64 {
-        let speed = |link| {
-            let body = self.model.body_of(link);
-            body.map_or(0.0, |b| twists[b].linear.dot(&self.contact.normal_root))
-        };
+        let unit = self.contact.wrench_root();
+        let speed = |link| self.model.body_of(link).map_or(0.0, |b| unit.power(&twists[b]));
         speed(self.contact.link) - self.contact.against.map_or(0.0, speed)
     }
 

@@ -7,13 +7,14 @@ use nalgebra::Vector3;
 use percuss_kernel::{LinkFrame, Normal, NormalFrame};
 use percuss_mechanism::LinkId;
 
-/// Converts a checked contact of a model to a contact of the crate `kernel`.
-pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> percuss_kernel::Contact {
+/// Converts a checked contact of a model to a contact of the crate `kernel`; `None` for a moment, which no kernel supports.
+pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> Option<percuss_kernel::Contact> {
     let link = |link: LinkId| {
         let own = &model.link_frames[link.index()];
         LinkFrame { body: own.body, frame: own.frame }
     };
     let normal = match contact.normal {
+        Direction::About(..) => return None,
         Direction::Along(n, frame) => {
             let frame = match frame {
                 Frame::Link => NormalFrame::Link,
@@ -36,5 +37,5 @@ pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> percuss_kernel
         }
     };
     let (on, against) = (link(contact.link), contact.against.map(link));
-    percuss_kernel::Contact { on, against, point: contact.point, normal }
+    Some(percuss_kernel::Contact { on, against, point: contact.point, normal })
 }

@@ -1,13 +1,13 @@
-//! Contacts: the contact point, the normal, and the closing speed of the gap per joint rate.
+//! Contacts: the contact point with its normal, or the axis of a moment.
 
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::tangent;
 use crate::tolerances::{DIRECTION_DECIMALS, LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
-use percuss_spatial::{Transform, plane_basis};
+use percuss_spatial::{Transform, Twist, Wrench};
 
 /// Frame of a contact point or a normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,11 +21,15 @@ pub enum Frame {
     Against,
 }
 
-/// Direction of the contact normal.
+/// Direction of the contact normal, or axis of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
     /// Along a vector given in a frame; the length of the vector has no effect.
     Along(Vector3<f64>, Frame),
+    /// A moment about an axis â, given in a frame, in place of a force along a normal. The closing speed is the relative
+    /// angular velocity â·(ω_link − ω_against), rad/s, and m̄ is an inertia, kg·m². Only the direction of the vector has
+    /// an effect: not its length, and not the contact point.
+    About(Vector3<f64>, Frame),
     /// From the contact point towards a point (m) of another link, in that link's frame: the normal of a stop.
     /// Refused if the line has turned by more than 5° from its direction as drawn (all joints at 0), measured in the
     /// frame of the other side, or if the line is shorter than a tenth of its length as drawn. In both cases the line
@@ -43,10 +47,32 @@ impl Direction {
     /// normal.
     pub fn line(&self) -> Option<(LinkId, Vector3<f64>)> {
         match *self {
-            Direction::Along(..) => None,
+            Direction::Along(..) | Direction::About(..) => None,
             Direction::Toward(link, point)
             | Direction::TurningToward(link, point)
             | Direction::TurningAwayFrom(link, point) => Some((link, point)),
+        }
+    }
+
+    /// True for a moment about an axis: m̄ in kg·m², closing speed in rad/s.
+    pub fn is_moment(&self) -> bool {
+        matches!(self, Direction::About(..))
+    }
+
+    /// Vector of a fixed normal or axis with its frame; `None` for a line.
+    pub fn vector(&self) -> Option<(Vector3<f64>, Frame)> {
+        match *self {
+            Direction::Along(vector, frame) | Direction::About(vector, frame) => Some((vector, frame)),
+            Direction::Toward(..) | Direction::TurningToward(..) | Direction::TurningAwayFrom(..) => None,
+        }
+    }
+
+    /// The same kind of direction along another vector in another frame; a line is unchanged.
+    pub(crate) fn with_vector(self, vector: Vector3<f64>, frame: Frame) -> Self {
+        match self {
+            Direction::Along(..) => Direction::Along(vector, frame),
+            Direction::About(..) => Direction::About(vector, frame),
+            Direction::Toward(..) | Direction::TurningToward(..) | Direction::TurningAwayFrom(..) => self,
         }
     }
 
@@ -54,21 +80,24 @@ impl Direction {
     pub(crate) fn least_cosine(&self) -> f64 {
         match self {
             Direction::Toward(..) => LINE_TURNED,
-            Direction::Along(..) | Direction::TurningToward(..) | Direction::TurningAwayFrom(..) => -2.0,
+            Direction::Along(..)
+            | Direction::About(..)
+            | Direction::TurningToward(..)
+            | Direction::TurningAwayFrom(..) => -2.0,
         }
     }
 }
 
-/// A contact between a point of one link and another link, or the ground.
+/// A contact between one link and another link, or the ground: at a point along a normal, or by a moment about an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// The contact link.
     pub link: LinkId,
     /// The link on the other side; `None` for the ground.
     pub against: Option<LinkId>,
-    /// The contact point in the frame of the contact link, m.
+    /// The contact point in the frame of the contact link, m. No effect on a moment.
     pub point: Vector3<f64>,
-    /// The normal n̂, **out of the contact link into the other side**.
+    /// The normal n̂, **out of the contact link into the other side**; the axis â of a moment.
     pub normal: Direction,
 }
 
@@ -95,22 +124,27 @@ impl Contact {
         Self { link, against: Some(other), point: point.into(), normal }
     }
 
+    /// Moment about an axis (frame of the link) between a link and the ground.
+    ///
+    /// m̄ = 1/(j M⁻¹ jᵀ), kg·m², with j q̇ = â·ω. For a free body m̄ = 1/(âᵀ I_c⁻¹ â), I_c its central inertia; for a link on one
+    /// hinge along â, m̄ is the moment of inertia about the hinge.
+    pub fn about_axis(link: LinkId, axis: impl Into<Vector3<f64>>) -> Self {
+        let normal = Direction::About(axis.into(), Frame::Link);
+        Self { link, against: None, point: Vector3::zeros(), normal }
+    }
+
     /// Stop of a joint with one velocity: a contact of child and parent whose closing speed is the rate of the joint, or minus this rate if
-    /// not `is_upper`. For a hinge the contact point is 1 m from the axis, so m̄ is the inertia at the joint in kg·m². `None` unless the joint
-    /// has one velocity.
+    /// not `is_upper`. For a hinge it is a moment about the axis, and m̄ is the inertia at the joint in kg·m². `None` unless the joint has one
+    /// velocity.
     pub fn joint_stop(mechanism: &Mechanism, joint: JointId, is_upper: bool) -> Option<Self> {
         let joint = mechanism.joint(joint);
-        let axis = joint.axis();
-        let (point, normal) = match joint.kind() {
-            JointKind::Revolute | JointKind::Continuous => {
-                let across = plane_basis(axis).0;
-                (across, axis.cross(&across))
-            }
-            JointKind::Prismatic => (Vector3::zeros(), *axis),
+        let axis = if is_upper { *joint.axis() } else { -joint.axis() };
+        let stop = match joint.kind() {
+            JointKind::Revolute | JointKind::Continuous => Self::about_axis(joint.child(), axis),
+            JointKind::Prismatic => Self::new(joint.child(), Vector3::zeros(), axis),
             JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => return None,
         };
-        let normal = if is_upper { normal } else { -normal };
-        Some(Self::new(joint.child(), point, normal).against(joint.parent()))
+        Some(stop.against(joint.parent()))
     }
 
     /// Replaces the ground on the other side by a link.
@@ -119,19 +153,16 @@ impl Contact {
         self
     }
 
-    /// True if the normal is constant in the world frame.
+    /// True if the normal or the axis is constant in the world frame.
     pub(crate) fn has_world_normal(&self) -> bool {
-        match self.normal {
-            Direction::Along(_, Frame::World) => true,
-            Direction::Along(_, Frame::Against) => self.against.is_none(),
-            Direction::Along(_, Frame::Link)
-            | Direction::Toward(..)
-            | Direction::TurningToward(..)
-            | Direction::TurningAwayFrom(..) => false,
+        match self.normal.vector() {
+            Some((_, Frame::World)) => true,
+            Some((_, Frame::Against)) => self.against.is_none(),
+            Some((_, Frame::Link)) | None => false,
         }
     }
 
-    /// Replaces the normal.
+    /// Replaces the normal or the axis.
     pub fn normal(mut self, normal: Direction) -> Self {
         self.normal = normal;
         self
@@ -145,6 +176,8 @@ pub enum ContactPart {
     Point,
     /// The normal.
     Normal,
+    /// The axis of a moment.
+    Axis,
     /// The point that the normal points towards.
     Line,
 }
@@ -155,6 +188,7 @@ impl ContactPart {
         match self {
             ContactPart::Point => "point",
             ContactPart::Normal => "normal",
+            ContactPart::Axis => "axis",
             ContactPart::Line => "line",
         }
     }
@@ -172,10 +206,12 @@ pub enum ContactError {
         /// The component.
         value: f64,
     },
-    /// The normal is zero or shorter than 1e-9.
-    #[error("the normal has length {length:e}; expected at least 1e-9, for a direction")]
-    NoNormal {
-        /// Length of the normal.
+    /// The normal or the axis is zero or shorter than 1e-9.
+    #[error("the {} has length {length:e}; expected at least 1e-9, for a direction", part.name())]
+    NoDirection {
+        /// The normal or the axis.
+        part: ContactPart,
+        /// Length of the vector.
         length: f64,
     },
     /// The end point of the line coincides with the contact point.
@@ -242,6 +278,15 @@ pub enum ContactError {
         /// Exclusive lower limit, kg.
         least: f64,
     },
+    /// A free body given by its mass on the other side of a moment.
+    #[error(
+        "the contact is a moment about an axis, and a free body of {mass} kg on its other side has no known moment of inertia; \
+         expected the other body as a link of the mechanism"
+    )]
+    MassOfMoment {
+        /// The given mass, kg.
+        mass: f64,
+    },
     /// The contact link is also the other side.
     #[error("link \"{link}\" cannot be in contact with itself; name another link, or none for the ground")]
     Itself {
@@ -274,7 +319,8 @@ pub(crate) struct DrawnLine {
     pub length: f64,
 }
 
-/// A contact at a pose: the point and the unit normal in the world frame and in the frame of the contact link.
+/// A contact at a pose: the point and the unit normal in the world frame and in the frame of the contact link. For a moment the point is
+/// the origin of the contact link, and the normal is the unit axis â.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocatedContact {
     /// The contact link.
@@ -289,12 +335,41 @@ pub struct LocatedContact {
     pub point_link: Vector3<f64>,
     /// n̂ in the frame of the contact link.
     pub normal_link: Vector3<f64>,
+    /// True for a moment about an axis: m̄ in kg·m², closing speed in rad/s.
+    pub is_moment: bool,
     /// The point in the root link's frame, m.
     pub(crate) point_root: Vector3<f64>,
     /// n̂ in the root link's frame.
     pub(crate) normal_root: Vector3<f64>,
     /// Far end of the line that defines n̂, as a link and a point (m) in the link's frame; `None` for a fixed normal.
     pub(crate) line: Option<(LinkId, Vector3<f64>)>,
+}
+
+impl LocatedContact {
+    /// Wrench of a unit impulse between the two sides, in the frame of the contact link: (p × n̂, n̂), or (â, 0) for a moment. Its power on
+    /// the relative twist of the links is the closing speed.
+    pub fn wrench_link(&self) -> Wrench<f64> {
+        unit_wrench(self.is_moment, self.normal_link, &self.point_link)
+    }
+
+    /// The same wrench in root axes, about the contact point.
+    pub(crate) fn wrench_root(&self) -> Wrench<f64> {
+        unit_wrench(self.is_moment, self.normal_root, &Vector3::zeros())
+    }
+
+    /// Part of a twist (root axes, at the contact point) on which the wrench acts: the linear velocity, or the angular velocity for a
+    /// moment.
+    pub(crate) fn conjugate_velocity(&self, twist: &Twist<f64>) -> Vector3<f64> {
+        if self.is_moment { twist.angular } else { twist.linear }
+    }
+}
+
+/// Unit force along `direction` at a point, or unit moment about it.
+fn unit_wrench(is_moment: bool, direction: Vector3<f64>, point: &Vector3<f64>) -> Wrench<f64> {
+    match is_moment {
+        true => Wrench::new(direction, Vector3::zeros()),
+        false => Wrench::of_force(direction, point),
+    }
 }
 
 /// Contact point and unit normal in the frame of the root link.
@@ -319,10 +394,15 @@ impl Model {
         }
         finite(ContactPart::Point, &contact.point)?;
         match contact.normal {
-            Direction::Along(normal, _) => {
-                finite(ContactPart::Normal, &normal)?;
-                let length = normal.norm();
-                if length < SHORTEST_DIRECTION { Err(ContactError::NoNormal { length }) } else { Ok(()) }
+            Direction::Along(vector, _) | Direction::About(vector, _) => {
+                let is_moment = contact.normal.is_moment();
+                let part = if is_moment { ContactPart::Axis } else { ContactPart::Normal };
+                finite(part, &vector)?;
+                let length = vector.norm();
+                if length < SHORTEST_DIRECTION {
+                    return Err(ContactError::NoDirection { part, length });
+                }
+                Ok(())
             }
             Direction::Toward(_, point)
             | Direction::TurningToward(_, point)
@@ -398,7 +478,8 @@ impl Model {
         Ok(())
     }
 
-    /// Contact point and normal of a checked contact. The normal is zero if the ends of the line coincide.
+    /// Contact point and normal of a checked contact; for a moment the origin of the contact link and the axis. The normal is zero if the
+    /// ends of the line coincide.
     pub fn contact_point(
         &self,
         kinematics: &Kinematics,
@@ -406,9 +487,9 @@ impl Model {
         contact: &Contact,
     ) -> ContactPoint {
         let x_rl = kinematics.link_frame(self, contact.link);
-        let point = x_rl.point(&contact.point);
+        let point = if contact.normal.is_moment() { x_rl.translation } else { x_rl.point(&contact.point) };
         let normal = match contact.normal {
-            Direction::Along(normal, frame) => {
+            Direction::Along(normal, frame) | Direction::About(normal, frame) => {
                 let unit = normal.normalize();
                 let in_frame = unit;
                 match (frame, contact.against) {
@@ -445,102 +526,14 @@ impl Model {
             against: contact.against,
             point_world: base.point(&point),
             normal_world: base.vector(&normal),
-            point_link: contact.point,
+            point_link: if contact.normal.is_moment() { Vector3::zeros() } else { contact.point },
+            is_moment: contact.normal.is_moment(),
             normal_link: x_rl.inverse_vector(&normal),
             point_root: point,
             normal_root: normal,
             line: contact.normal.line(),
         })
     }
-
-    /// Contact row over the tree velocities, with the size of the summed terms of each entry. Joints that move both
-    /// sides equally are left out: their contributions cancel.
-    pub fn contact_row(&self, kinematics: &Kinematics, contact: &LocatedContact) -> ContactRow {
-        let mut row = ContactRow::default();
-        self.contact_row_into(kinematics, contact, &mut row);
-        row
-    }
-
-    /// Computes [`contact_row`](Self::contact_row) in place.
-    pub fn contact_row_into(&self, kinematics: &Kinematics, contact: &LocatedContact, row: &mut ContactRow) {
-        row.entries.clear();
-        row.length = 0.0;
-        let against = contact.against.and_then(|link| self.body_of(link));
-        self.for_each_support(self.body_of(contact.link), against, |i, sign| {
-            let arm = (contact.point_root - kinematics.frames[i].translation).norm();
-            for (component, velocity) in self.bodies[i].v.clone().enumerate() {
-                let turns = self.bodies[i].motion.turns(component);
-                let (point_velocity, size) =
-                    self.velocity_column(kinematics, i, component, &contact.point_root);
-                let value = sign * contact.normal_root.dot(&point_velocity);
-                row.entries.push(RowEntry { velocity, body: i, value, size, turns });
-                if turns {
-                    row.length = row.length.max(arm);
-                }
-            }
-        });
-        if row.length == 0.0 {
-            row.length = 1.0;
-        }
-    }
-
-    /// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the sum of the magnitudes of its
-    /// terms.
-    fn velocity_column(
-        &self,
-        kinematics: &Kinematics,
-        i: usize,
-        k: usize,
-        at: &Vector3<f64>,
-    ) -> (Vector3<f64>, f64) {
-        let frame = &kinematics.frames[i];
-        let column = kinematics.column(self, i, k);
-        let (omega, slide) = (frame.vector(&column.angular), frame.vector(&column.linear));
-        let arm = at - frame.translation;
-        (slide + omega.cross(&arm), slide.norm() + omega.norm() * arm.norm())
-    }
-
-    /// Jacobian of a point (m, link frame) of a link over the coordinates, 3×n, in root axes.
-    pub fn point_jacobian(
-        &self,
-        kinematics: &Kinematics,
-        link: LinkId,
-        point: &Vector3<f64>,
-    ) -> DMatrix<f64> {
-        let at = kinematics.link_frame(self, link).point(point);
-        let mut jacobian = DMatrix::zeros(3, self.coordinates.len());
-        self.for_each_support(self.body_of(link), None, |i, _| {
-            for (k, v) in self.bodies[i].v.clone().enumerate() {
-                if let Some(f) = self.velocity_coordinates[v] {
-                    let column = self.velocity_column(kinematics, i, k, &at).0 * f.multiplier;
-                    let mut target = jacobian.column_mut(f.index);
-                    target += column;
-                }
-            }
-        });
-        jacobian
-    }
-}
-
-/// Entry of the contact row.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RowEntry {
-    /// Index among the tree velocities.
-    pub velocity: usize,
-    pub body: usize,
-    pub value: f64,
-    /// Sum of the magnitudes of the terms of `value`.
-    pub size: f64,
-    pub turns: bool,
-}
-
-/// Contact row over the tree velocities, without the structural zeros.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct ContactRow {
-    pub entries: Vec<RowEntry>,
-    /// Characteristic length of the contact, m: the largest distance of the contact point from a rotating joint on
-    /// its path; 1 without such a joint.
-    pub length: f64,
 }
 
 /// Checks that all components are valid numbers.

@@ -20,7 +20,7 @@
 
 use crate::analysis::pose::Pose;
 use crate::analysis::response::ContactResponse;
-use crate::kinematics::contact::{Contact, Direction, Frame};
+use crate::kinematics::contact::{Contact, Frame};
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::rows::{MOST, closure_wrench_rates, closure_wrenches};
 use crate::model::{Constraint, CouplingTerm, Group, Model};
@@ -30,7 +30,7 @@ use percuss_spatial::{Transform, Twist, Wrench};
 /// Gradient of a finite effective mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassGradient {
-    /// m̄, kg.
+    /// m̄, kg (kg·m² for a moment, as in all units below).
     pub effective_mass: f64,
     /// For each joint, in joint order, and each of its velocities: change of m̄ per unit velocity, kg/rad or kg/m. In a mechanism
     /// with loops only sums over admissible motions are defined; see [`rate`](Self::rate).
@@ -168,16 +168,16 @@ impl<'a> BodyResponse<'a> {
         let normal = located.normal_root;
         let (on, against) = (model.body_of(contact.link), contact.against.and_then(|l| model.body_of(l)));
         // The contact point is the origin.
-        let wrench = Wrench::new(Vector3::zeros(), normal);
+        let wrench = located.wrench_root();
         let line = located.line.map(|(link, to)| {
             let end = self.pose.kinematics.link_frame(model, link).point(&to) - located.point_root;
             (model.body_of(link), end)
         });
         let others: Vec<Option<usize>> = line.iter().map(|(body, _)| *body).collect();
-        let carrier = match contact.normal {
-            Direction::Along(_, Frame::Link) => Some(0),
-            Direction::Along(_, Frame::Against) => Some(1),
-            _ => None,
+        let carrier = match contact.normal.vector() {
+            Some((_, Frame::Link)) => Some(0),
+            Some((_, Frame::Against)) => Some(1),
+            Some((_, Frame::World)) | None => None,
         };
         let rate = |number: usize, motion: &Twist<f64>| {
             // The line turns with the motion of its ends; the far end may be on any link.
@@ -195,6 +195,9 @@ impl<'a> BodyResponse<'a> {
                 None if carrier == Some(number) => motion.angular.cross(&normal),
                 None => Vector3::zeros(),
             };
+            if located.is_moment {
+                return Wrench::new(turn, Vector3::zeros());
+            }
             let displaced = if number == 0 { motion.linear.cross(&normal) } else { Vector3::zeros() };
             Wrench::new(displaced, turn)
         };

@@ -25,7 +25,8 @@ impl Pose {
     }
 
     /// Effective mass at a contact of the rigid bodies of its two sides without their joints, kg:
-    /// 1/Σ (1/m + (r × n̂)ᵀ I_c⁻¹ (r × n̂)), r from the centre of mass to the point; the ground adds nothing to the sum.
+    /// 1/Σ (1/m + (r × n̂)ᵀ I_c⁻¹ (r × n̂)), r from the centre of mass to the point; for a moment 1/Σ âᵀ I_c⁻¹ â, kg·m². The ground adds
+    /// nothing to the sum.
     /// `None` for a body without mass or with a singular rotational inertia, and for an invalid contact.
     pub fn free_body_mass(&self, contact: &Contact) -> Option<f64> {
         let at = self.locate(contact).ok()?;
@@ -41,8 +42,9 @@ impl Pose {
             let c = inertia.first_moment / inertia.mass;
             let central = inertia.rotational
                 - (Matrix3::identity() * c.norm_squared() - c * c.transpose()) * inertia.mass;
-            let arm = (point - c).cross(&normal);
-            inverse += 1.0 / inertia.mass + arm.dot(&(central.try_inverse()? * arm));
+            let moment = if at.is_moment { normal } else { (point - c).cross(&normal) };
+            let of_force = if at.is_moment { 0.0 } else { 1.0 / inertia.mass };
+            inverse += of_force + moment.dot(&(central.try_inverse()? * moment));
         }
         Some(1.0 / inverse).filter(|mass| mass.is_finite() && *mass > 0.0)
     }

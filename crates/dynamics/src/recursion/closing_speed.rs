@@ -1,7 +1,7 @@
 //! Relative closing speed: |j restricted to ker A| relative to the size of its terms. Decides if any admissible
 //! motion closes the gap. The result depends on lengths, not on masses.
 
-use crate::kinematics::contact::{ContactRow, RowEntry};
+use crate::kinematics::contact_row::{ContactRow, RowEntry};
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Model, VelocityCoordinate};

@@ -66,7 +66,7 @@ impl Bodies {
             self.vector_between(g, from, body, normal)
         };
         let normal = match contact.normal {
-            Direction::Along(normal, frame) => {
+            Direction::Along(normal, frame) | Direction::About(normal, frame) => {
                 let unit = normal.normalize();
                 match (frame, contact.against) {
                     (Frame::Link, _) => {

@@ -191,7 +191,7 @@ fn normal_text(request: &Request) -> String {
     use percuss_dynamics::{Direction, Frame};
     let mechanism = request.system.mechanism();
     match request.contact.normal {
-        Direction::Along(n, frame) => {
+        Direction::Along(n, frame) | Direction::About(n, frame) => {
             let frame = match frame {
                 Frame::Link => "the link",
                 Frame::World => "the world",

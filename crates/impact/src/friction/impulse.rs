@@ -133,6 +133,9 @@ pub(crate) fn frictional_impulse(
     if !(coefficient.is_finite() && coefficient >= 0.0) {
         return Err(ImpactError::Friction { got: coefficient });
     }
+    if response.contact.is_moment {
+        return Err(ImpactError::FrictionOfMoment);
+    }
     if !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
         return Err(ImpactError::Immovable);
     }

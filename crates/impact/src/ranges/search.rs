@@ -262,7 +262,11 @@ impl<'a> Search<'a> {
         };
         let normal: Vector3<f64> = base.vector(&(&directions * eigen.eigenvectors.column(best)));
         let normal = normal * normal[normal.iamax()].signum();
-        Some((Contact { normal: Direction::Along(normal, Frame::World), ..contact }, Some(normal)))
+        let direction = match contact.normal.is_moment() {
+            true => Direction::About(normal, Frame::World),
+            false => Direction::Along(normal, Frame::World),
+        };
+        Some((Contact { normal: direction, ..contact }, Some(normal)))
     }
 
     /// Measure at the middle of the ranges (with kept points at the configuration), a scale for the thresholds; 0 if it is not finite.

@@ -233,12 +233,11 @@ impl TreeFrames {
     /// Adds the contact and sums the wrenches over the subtrees.
     fn add_contact(&self, contact: &LocatedContact, force: f64, loads: &mut [Wrench<f64>]) {
         let on = contact.link.index();
-        loads[on] += Wrench::of_force(contact.normal_link * force, &contact.point_link);
+        let wrench = contact.wrench_link() * force;
+        loads[on] += wrench;
         if let Some(against) = contact.against {
-            let (own, other) = (&self.frames[on], &self.frames[against.index()]);
-            let point = other.inverse_point(&own.point(&contact.point_link));
-            let normal = other.inverse_vector(&own.vector(&contact.normal_link));
-            loads[against.index()] -= Wrench::of_force(normal * force, &point);
+            let x_ao = self.frames[against.index()].inverse() * self.frames[on];
+            loads[against.index()] -= x_ao.wrench(&wrench);
         }
         for &link in self.mechanism.order().iter().rev() {
             if let Some(joint) = self.mechanism.parent_joint(link) {

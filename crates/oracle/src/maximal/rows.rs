@@ -174,11 +174,19 @@ fn threshold(question: &Question) -> f64 {
     limits::RANK_THRESHOLD.max(limits::RANK_PER_RESIDUAL * residual)
 }
 
-/// j: closing speed of the contact point.
+/// j: closing speed of the contact point, or relative angular velocity about the axis of a moment.
 fn contact_row(question: &Question, x_wl: &[Matrix4<f64>]) -> Row {
     let links = question.mechanism.links();
     let on = question.on.index();
     let n = &question.normal;
+    if question.is_moment {
+        let angular = |link: usize| Row(vec![(link, *n, Vector3::zeros())]);
+        return match question.against {
+            Some(against) if against == question.on => Row::default(),
+            Some(against) => angular(on).add_scaled(-1.0, &angular(against.index())),
+            None => angular(on),
+        };
+    }
     let arm = rotation(&x_wl[on]) * (question.point - com(&links[on]));
     let row = velocity_row(on, &arm, n);
     let Some(against) = question.against.map(|link| link.index()) else { return row };

@@ -185,8 +185,11 @@ def _contact(
     normal_frame: _Any,
     turning: bool,
     cable: bool,
+    axis: tuple[float, float, float] | None = None,
 ) -> Contact:
     """Rebuilds a pickled contact."""
+    if axis is not None:
+        return Contact.about_axis(link, axis, against=against, axis_frame=normal_frame)
     return Contact(
         link,
         point,

@@ -179,7 +179,8 @@ class Contact:
     length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
     normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
     with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
-    cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link."""
+    cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
+    Contact.about_axis is a moment about an axis."""
     def __new__(
         cls,
         link: str,
@@ -203,19 +204,30 @@ class Contact:
         """The contact point in the contact link's frame, m."""
     @property
     def normal(self) -> _Vector | None:
-        """The normal as given; None if toward is given."""
+        """The normal as given; None if toward is given, and for a moment."""
+    @property
+    def axis(self) -> _Vector | None:
+        """The axis of a moment as given; None for other contacts."""
     @property
     def toward(self) -> tuple[str, _Vector] | None:
-        """The link and the point (m, its frame) that the normal points to; None if normal is given."""
+        """The link and the point (m, its frame) that the normal points to; None if normal is given, and for a moment."""
     @property
     def normal_frame(self) -> _NormalFrame:
-        """"link", "world" or "against"."""
+        """Frame of the normal or the axis: "link", "world" or "against"."""
     @property
     def turning(self) -> bool:
         """True if the line of toward may turn: a spring, a damper, a rod."""
     @property
     def cable(self) -> bool:
         """True if the line of toward is a cable, which resists lengthening."""
+    @staticmethod
+    def about_axis(
+        link: str, axis: ArrayLike, *, against: str | None = None, axis_frame: _NormalFrame = "link"
+    ) -> Contact:
+        """Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m², speeds rad/s,
+        impulses N·m·s, forces N·m.
+
+        axis: (3,), its length does not matter. axis_frame: "link", "world" or "against"."""
     def __eq__(self, other: object, /) -> bool: ...
     def __ne__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
@@ -533,7 +545,10 @@ class Response:
     """m̄ at a contact of a pose, and the quantities derived from it."""
     @property
     def effective_mass(self) -> float | None:
-        """m̄, kg; None unless finite."""
+        """m̄ in unit; None unless finite."""
+    @property
+    def unit(self) -> str:
+        """Unit of the effective mass and its errors: "kg", or "kg·m²" for a moment about an axis."""
     @property
     def status(self) -> _Status:
         """"finite"; "immovable": no admissible motion closes the gap; "massless": a motion without energy closes it."""
@@ -562,7 +577,7 @@ class Response:
         followed."""
     @property
     def joint_velocities(self) -> dict[str, _Array]:
-        """v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m."""
+        """v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m (per rad for a moment)."""
     @property
     def base_velocity(self) -> _Array:
         """v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed, root link's axes; (6,)."""

@@ -17,6 +17,7 @@ use pyo3::types::PyAny;
 /// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
 /// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
 /// cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
+/// Contact.about_axis is a moment about an axis.
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
@@ -38,6 +39,8 @@ enum NormalGiven {
     TurningToward(String, [f64; 3]),
     /// Away from a point, along a line that may turn: a cable.
     TurningAwayFrom(String, [f64; 3]),
+    /// Axis of a moment.
+    About([f64; 3], Frame),
 }
 
 /// Parses a frame name.
@@ -111,28 +114,61 @@ impl Contact {
         Ok(Self { link, against, point: triple(point, "point")?, normal })
     }
 
+    /// about_axis(link, axis, *, against=None, axis_frame="link")
+    /// --
+    ///
+    /// Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m², speeds rad/s,
+    /// impulses N·m·s, forces N·m.
+    ///
+    /// axis: (3,), its length does not matter. axis_frame: "link", "world" or "against".
+    #[staticmethod]
+    #[pyo3(signature = (link, axis, *, against=None, axis_frame=None), text_signature = "(link, axis, *, against=None, axis_frame='link')")]
+    fn about_axis(
+        link: &Bound<'_, PyAny>,
+        axis: &Bound<'_, PyAny>,
+        against: Option<&Bound<'_, PyAny>>,
+        axis_frame: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let link = extract(link, "link")?;
+        let against: Option<String> = against.map(|given| extract(given, "against")).transpose()?;
+        let axis_frame: String =
+            axis_frame.map_or_else(|| Ok("link".to_owned()), |given| extract(given, "axis_frame"))?;
+        let normal = NormalGiven::About(triple(axis, "axis")?, frame(&axis_frame, "axis_frame")?);
+        Ok(Self { link, against, point: [0.0; 3], normal })
+    }
+
+    /// The axis of a moment as given; None for other contacts.
+    #[getter]
+    fn axis(&self) -> Option<(f64, f64, f64)> {
+        match &self.normal {
+            NormalGiven::About(axis, _) => Some((*axis).into()),
+            _ => None,
+        }
+    }
+
     /// The contact point in the contact link's frame, m.
     #[getter]
     fn point(&self) -> (f64, f64, f64) {
         self.point.into()
     }
 
-    /// The normal as given; None if toward is given.
+    /// The normal as given; None if toward is given, and for a moment.
     #[getter]
     fn normal(&self) -> Option<(f64, f64, f64)> {
         match &self.normal {
             NormalGiven::Along(normal, _) => Some((*normal).into()),
-            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) | NormalGiven::TurningAwayFrom(..) => {
-                None
-            }
+            NormalGiven::About(..)
+            | NormalGiven::Toward(..)
+            | NormalGiven::TurningToward(..)
+            | NormalGiven::TurningAwayFrom(..) => None,
         }
     }
 
-    /// The link and the point (m, its frame) that the normal points to; None if normal is given.
+    /// The link and the point (m, its frame) that the normal points to; None if normal is given, and for a moment.
     #[getter]
     fn toward(&self) -> Option<(String, (f64, f64, f64))> {
         match &self.normal {
-            NormalGiven::Along(..) => None,
+            NormalGiven::Along(..) | NormalGiven::About(..) => None,
             NormalGiven::Toward(link, point)
             | NormalGiven::TurningToward(link, point)
             | NormalGiven::TurningAwayFrom(link, point) => Some((link.clone(), (*point).into())),
@@ -151,11 +187,11 @@ impl Contact {
         matches!(self.normal, NormalGiven::TurningAwayFrom(..))
     }
 
-    /// "link", "world" or "against".
+    /// Frame of the normal or the axis: "link", "world" or "against".
     #[getter]
     fn normal_frame(&self) -> &'static str {
         match &self.normal {
-            NormalGiven::Along(_, frame) => name(*frame),
+            NormalGiven::Along(_, frame) | NormalGiven::About(_, frame) => name(*frame),
             NormalGiven::Toward(..) | NormalGiven::TurningToward(..) | NormalGiven::TurningAwayFrom(..) => {
                 name(Frame::Link)
             }
@@ -176,12 +212,22 @@ impl Contact {
             contact.normal_frame(),
             contact.turning(),
             contact.cable(),
+            contact.axis(),
         );
         Ok((package.getattr("_contact")?, arguments.into_pyobject(py)?.into_any()))
     }
 
     fn __repr__(&self) -> String {
+        let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
+        if let NormalGiven::About(axis, of) = &self.normal {
+            let frame = match of {
+                Frame::Link => String::new(),
+                other => format!(", axis_frame=\"{}\"", name(*other)),
+            };
+            return format!("Contact.about_axis(\"{}\", axis={axis:?}{frame}{against})", self.link);
+        }
         let normal = match &self.normal {
+            NormalGiven::About(..) => String::new(),
             NormalGiven::Along(normal, Frame::Link) => format!("normal={normal:?}"),
             NormalGiven::Along(normal, frame) => {
                 format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame))
@@ -194,7 +240,6 @@ impl Contact {
                 format!("toward=(\"{link}\", {point:?}), cable=True")
             }
         };
-        let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
         format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
     }
 }
@@ -205,6 +250,7 @@ impl Contact {
         let name = |link| mechanism.link(link).name().to_owned();
         let normal = match contact.normal {
             Direction::Along(normal, frame) => NormalGiven::Along(normal.into(), frame),
+            Direction::About(axis, frame) => NormalGiven::About(axis.into(), frame),
             Direction::Toward(link, point) => NormalGiven::Toward(name(link), point.into()),
             Direction::TurningToward(link, point) => NormalGiven::TurningToward(name(link), point.into()),
             Direction::TurningAwayFrom(link, point) => NormalGiven::TurningAwayFrom(name(link), point.into()),
@@ -220,6 +266,7 @@ impl Contact {
         };
         let normal = match &self.normal {
             NormalGiven::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
+            NormalGiven::About(axis, frame) => Direction::About(Vector3::from(*axis), *frame),
             NormalGiven::Toward(link, point) => {
                 Direction::Toward(find(link, "contact.toward")?, Vector3::from(*point))
             }

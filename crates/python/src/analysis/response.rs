@@ -77,10 +77,16 @@ pub fn remark(remark: &Remark) -> String {
 
 #[pymethods]
 impl Response {
-    /// m̄, kg; None unless finite.
+    /// m̄ in unit; None unless finite.
     #[getter]
     fn effective_mass(&self) -> Option<f64> {
         value(self.response.effective_mass)
+    }
+
+    /// Unit of the effective mass and its errors: "kg", or "kg·m²" for a moment about an axis.
+    #[getter]
+    fn unit(&self) -> &'static str {
+        if self.response.contact.is_moment { "kg·m²" } else { "kg" }
     }
 
     /// "finite"; "immovable": no admissible motion closes the gap; "massless": a motion without energy closes it.
@@ -145,7 +151,7 @@ impl Response {
         Ok(found.into_iter().map(Diagnostic).collect())
     }
 
-    /// v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m.
+    /// v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m (per rad for a moment).
     #[getter]
     fn joint_velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let by_name = PyDict::new(py);
@@ -261,8 +267,8 @@ impl Response {
     fn __repr__(&self) -> String {
         let what = match self.effective_mass() {
             Some(m) => match self.error() {
-                Some(error) => format!("{m} kg ± {error:.1e}"),
-                None => format!("{m} kg"),
+                Some(error) => format!("{m} {} ± {error:.1e}", self.unit()),
+                None => format!("{m} {}", self.unit()),
             },
             None => self.status().to_owned(),
         };

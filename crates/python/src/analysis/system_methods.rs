@@ -237,6 +237,10 @@ pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolve
         | (Direction::Along(normal, Frame::Against), Some(base), None) => {
             Direction::Along(base.inverse_vector(&normal), Frame::World)
         }
+        (Direction::About(axis, Frame::World), Some(base), _)
+        | (Direction::About(axis, Frame::Against), Some(base), None) => {
+            Direction::About(base.inverse_vector(&axis), Frame::World)
+        }
         (normal, ..) => normal,
     };
     Resolved { normal, ..contact }

@@ -83,6 +83,7 @@ impl Impact<'_> {
             text.parse::<FurtherContact>().map_err(|error| input(format_args!("also: \"{text}\": {error}")))
         };
         Ok(ImpactQuestion {
+            dimensions: [None; 2],
             restitution: self.restitution,
             speed: self.speed,
             friction: self.friction,

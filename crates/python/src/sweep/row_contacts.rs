@@ -76,9 +76,9 @@ impl RowContacts {
         let Direction::Along(normal, frame) = contact.normal else {
             let refused = points.is_some() || normals.is_some();
             return match refused {
-                true => {
-                    Err(input("points and normals need a contact with a normal, and this one has toward"))
-                }
+                true => Err(input(
+                    "points and normals need a contact with a normal, and this one has toward or is a moment",
+                )),
                 false => Ok(None),
             };
         };

@@ -72,7 +72,6 @@ finding_kinds! {
     ImmovableRobot = "immovable-robot", Warning, Report;
     IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
     InexactLoops = "inexact-loops", Warning, Model;
-    JointStop = "joint-stop", Note, Model;
     ManyTurns = "many-turns", Warning, Model;
     MassDrifts = "mass-drifts", Warning, Report;
     MasslessMotions = "massless-motions", Note, Pose;

@@ -12,7 +12,7 @@ use crate::damper::joint_stop::JointStop;
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
-use crate::evaluation::status::Status;
+use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
@@ -21,7 +21,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{BEFORE_END, DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
 use percuss_contact::VaryingMassImpact;
-use percuss_contact::exports::{MassDrift, Options, StopMotion};
+use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism};
 
@@ -35,10 +35,8 @@ pub fn damp_contact(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    if let (Some(at), Some(_)) = (&question.at, question.stop_of_joint(&model.mechanism))
-        && let Ok(stop) = at.parse::<JointStop>()
-    {
-        return damp_stop(model, &stop, MassQuestion { at: None, ..question.clone() }, damping);
+    if let Some((stop, conditions)) = JointStop::of_question(question, &model.mechanism) {
+        return damp_stop(model, &stop, conditions, damping);
     }
     let mut report = damping_report(&EvaluatedQuestion::new(model, question)?, damping)?;
     report.diagnostics.extend(always_touching(report.named_contact.as_ref()).map(DiagnosticRecord::from));
@@ -67,10 +65,7 @@ pub fn damp_stop(
     let (question, record) = stop.question(model, conditions)?;
     let mut damping = damping.clone();
     damping.options.stop = Some(record.motion);
-    let mut evaluated = EvaluatedQuestion::new(model, &question)?;
-    // The contact point is chosen by percuss, 1 m from the axis.
-    evaluated.result.findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
-    let mut report = damping_report(&evaluated, &damping)?;
+    let mut report = damping_report(&EvaluatedQuestion::new(model, &question)?, &damping)?;
     report.stop = Some(record);
     // The mass of the child link alone has no meaning for a joint stop.
     report.body_alone = None;
@@ -95,12 +90,15 @@ pub(crate) fn damping_report(
     let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
     options.drift =
         options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
+    let is_moment = answer.response.contact.is_moment;
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(evaluated.contact.link));
-    let body_alone = alone.filter(|m| *m > 0.0).map(|m| compare_with_body_mass(damping, m, mass));
+    // A mass cannot replace an inertia.
+    let alone = alone.filter(|mass| *mass > 0.0 && !is_moment);
+    let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
-    let unit = if matches!(damping.options.stop, Some(StopMotion::Turn)) { "mrad" } else { "mm" };
+    let unit = if is_moment { "mrad" } else { "mm" };
     let reached = ended.zip(record.max_penetration);
     diagnostics.extend(drift_diagnostic(
         &drift,
@@ -114,13 +112,15 @@ pub(crate) fn damping_report(
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: prepared.inputs(),
         effective_mass: mass,
+        unit: mass_unit(is_moment),
+        is_moment,
         named_contact: named_contact(evaluated)?,
         stop: None,
         damper: record,
         drift: Some(drift),
         over_stroke,
         body_alone,
-        exports: exports(damping, mass, options)?,
+        exports: exports(damping, mass, options, is_moment)?,
         diagnostics,
     })
 }

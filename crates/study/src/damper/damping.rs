@@ -5,12 +5,13 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
+use crate::evaluation::status::mass_unit;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::spelled_contact::StopRecord;
-use percuss_contact::exports::{Options, Request};
+use percuss_contact::exports::{ExportError, Options, Request, StopMotion};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
     impact_with_varying_mass,
@@ -98,11 +99,15 @@ pub struct DampingReport {
     pub percuss: &'static str,
     /// Input files; empty if the mass is given directly.
     pub inputs: Vec<Input>,
-    /// m̄, kg.
+    /// m̄ in `unit`.
     pub effective_mass: f64,
+    /// Unit of the effective mass: `kg`, or `kg·m²` for a moment.
+    pub unit: &'static str,
+    /// True for a moment about an axis, and for the stop of a joint that turns: lengths are angles (rad), forces are moments (N·m).
+    pub is_moment: bool,
     /// Named contact; null for a contact given by link, point and normal, and for a joint stop.
     pub named_contact: Option<NamedContactRecord>,
-    /// Joint stop; its `motion` determines the units of the report. Null for a contact between bodies.
+    /// Joint stop. Null for a contact between bodies.
     pub stop: Option<StopRecord>,
     /// Damper and impact.
     #[serde(flatten)]
@@ -207,11 +212,12 @@ pub fn impact_history(
 }
 
 /// Parameters of all requested simulators. A simulator that does not support the contact gets an error record;
-/// if only one simulator is requested, the result is an error.
+/// if only one simulator is requested, the result is an error. `is_moment`: the contact is a moment about an axis.
 pub(crate) fn exports(
     question: &DampingQuestion,
     mass: f64,
     options: Options,
+    is_moment: bool,
 ) -> Result<BTreeMap<&'static str, ExportRecord>, StudyError> {
     let request = Request {
         options,
@@ -220,7 +226,12 @@ pub(crate) fn exports(
     };
     let mut exports = BTreeMap::new();
     for tool in &question.tools {
-        let record = match tool.export(&request) {
+        // The stop of a joint is a moment that simulators have.
+        let export = match is_moment && options.stop.is_none() {
+            true => Err(ExportError::Moment { tool: *tool }),
+            false => tool.export(&request),
+        };
+        let record = match export {
             Ok(export) => ExportRecord::from_export(&export),
             Err(error) if question.tools.len() == 1 => return Err(StudyError::Export(Box::new(error))),
             Err(error) => ExportRecord::from_error(*tool, &error),
@@ -263,18 +274,21 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
     let body_alone = question.options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));
+    let is_moment = question.options.stop == Some(StopMotion::Turn);
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: Vec::new(),
         effective_mass: mass,
+        unit: mass_unit(is_moment),
+        is_moment,
         named_contact: None,
         stop: None,
         damper: damper(question, mass)?,
         drift: None,
         over_stroke: None,
         body_alone,
-        exports: exports(question, mass, question.options)?,
+        exports: exports(question, mass, question.options, is_moment)?,
         diagnostics: law_mismatch_diagnostic(question).into_iter().collect(),
     })
 }

@@ -92,7 +92,8 @@ pub struct ExportedImpact {
     pub error_bound: Option<f64>,
 }
 
-/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s.
+/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s. A contact in the form `JOINT:lower` or
+/// `JOINT:upper` is the stop of the joint, as in [`export_stop`].
 ///
 /// # Errors
 /// [`ImpactExportError`]: an invalid question, a contact without a finite mass, a condition or a mechanism without a form in MJCF.
@@ -102,6 +103,9 @@ pub fn export_impact(
     damping: &DampingQuestion,
     file: &ImpactFileOptions<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
+    if let Some((stop, conditions)) = JointStop::of_question(question, &model.mechanism) {
+        return export_stop(model, &stop, conditions, damping, file);
+    }
     export(model, question, damping, None, file)
 }
 

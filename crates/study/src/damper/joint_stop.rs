@@ -4,11 +4,11 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
-use crate::question::spelled_contact::{StopRecord, stop_motion};
+use crate::question::spelled_contact::{StopRecord, misspelled_end, stop_motion};
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Frame};
-use percuss_mechanism::{Joint, JointId, near_names};
+use percuss_mechanism::{Joint, JointId, Mechanism};
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -41,14 +41,8 @@ impl FromStr for JointStop {
             Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
             _ => (text, None),
         };
-        // The colon of a misspelled end is followed by a short word; names of joints may contain colons.
-        if let Some((joint, word)) = text.rsplit_once(':').filter(|_| end.is_none())
-            && !near_names(word, ["lower", "upper"]).is_empty()
-        {
-            let near = near_names(word, ["lower", "upper"]).concat();
-            return Err(format!(
-                "\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper"
-            ));
+        if let Some(error) = misspelled_end(text).filter(|_| end.is_none()) {
+            return Err(error);
         }
         match joint {
             "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
@@ -58,6 +52,16 @@ impl FromStr for JointStop {
 }
 
 impl JointStop {
+    /// Stop that the text of `at` describes, with the question without it; `None` for another contact.
+    pub(crate) fn of_question(
+        question: &MassQuestion,
+        mechanism: &Mechanism,
+    ) -> Option<(Self, MassQuestion)> {
+        question.stop_of_joint(mechanism)?;
+        let stop = question.at.as_ref()?.parse().ok()?;
+        Some((stop, MassQuestion { at: None, ..question.clone() }))
+    }
+
     /// Motion of the joint into the stop.
     ///
     /// # Errors
@@ -95,14 +99,15 @@ impl JointStop {
         let (id, joint, motion) = self.find(model)?;
         let contact = Contact::joint_stop(mechanism, id, self.end != Some(StopEnd::Lower));
         let contact = contact.ok_or_else(|| self.no_stop(joint))?;
-        let (normal, _) = Normal::of_direction(contact.normal, |id| mechanism.link(id).name().to_owned());
+        let (normal, normal_frame) =
+            Normal::of_direction(contact.normal, |id| mechanism.link(id).name().to_owned());
         let link = |id| mechanism.link(id).name().to_owned();
         let mut question = MassQuestion {
             link: link(joint.child()),
             point: contact.point.into(),
             normal,
             frame: Frame::Link,
-            normal_frame: Frame::Link,
+            normal_frame,
             against: Some(link(joint.parent())),
             against_mass: None,
             ..conditions

@@ -19,10 +19,9 @@ use crate::question::pose_file::{GivenPose, GivenPoseError};
 use crate::thresholds::{LEAST_OTHER_MASS, MOST_TURNS_SET};
 use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
-use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{
-    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
-    EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
+    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactError,
+    ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
 };
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism, UnknownName};
 use std::borrow::Cow;
@@ -109,6 +108,7 @@ impl<'a> PreparedQuestion<'a> {
         };
         let normal = match &question.normal {
             Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.normal_frame),
+            Normal::About(axis) => Direction::About(Vector3::from(*axis), question.normal_frame),
             Normal::Toward(name, point) => {
                 Direction::Toward(find(Field::AlongLine, name)?, Vector3::from(*point))
             }
@@ -121,6 +121,12 @@ impl<'a> PreparedQuestion<'a> {
         };
         if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
             return Err(StudyError::input(Field::AgainstMass, Fault::OtherMass { mass }));
+        }
+        if let Some(mass) = question.against_mass.filter(|_| normal.is_moment()) {
+            return Err(StudyError::input(Field::AgainstMass, ContactError::MassOfMoment { mass }));
+        }
+        if question.estimate.is_some() {
+            question.refuse_moment("classical estimate")?;
         }
         let compile = |skipped| compile(mechanism, question, skipped);
         let system = compile(None)?;
@@ -251,18 +257,6 @@ impl<'a> PreparedQuestion<'a> {
         })
     }
 
-    /// Note about the units of the stop of a hinge; `None` for other contacts.
-    fn joint_stop_finding(&self) -> Option<Finding> {
-        let mechanism = self.system.mechanism();
-        let (joint, motion) = self.question.stop_of_joint(mechanism)?;
-        let message = format!(
-            "the contact is the stop of joint \"{}\", which turns: masses are inertias in kg·m², speeds rad/s, impulses N·m·s, forces N·m",
-            mechanism.joint(joint).name()
-        );
-        (motion == StopMotion::Turn)
-            .then(|| Finding::new(FindingKind::JointStop, FindingSubject::Joint(joint), message))
-    }
-
     /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
         let pose = self.question.pose.iter().filter_map(GivenPose::file);
@@ -285,11 +279,6 @@ impl<'a> PreparedQuestion<'a> {
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));
         findings.extend(self.many_turns());
-        if let Some(finding) = self.joint_stop_finding() {
-            // Percuss itself places the contact point of a stop, 1 m from the axis; its distance says nothing about the input.
-            findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
-            findings.push(finding);
-        }
         for held in &self.held_contacts {
             findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
         }

@@ -76,6 +76,7 @@ pub fn map_point(
         return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
     }
     let question = question.resolve_contact(&model.mechanism)?.into_owned();
+    question.refuse_moment("map of directions")?;
     let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question };
     let prepared = PreparedQuestion::new(model, &question)?;
     let pose = prepared.pose()?;

@@ -94,15 +94,28 @@ pub fn check_units(
     speed: Option<Quantity>,
     turns: bool,
 ) -> Result<(), StudyError> {
-    let exponent = question.exponent;
-    if stiffness.dimension.is_some() && exponent != 1.0 {
-        return Err(StudyError::input(Field::Stiffness, Fault::UnitOfLinearSpring { exponent }));
+    check_dimensions(
+        question.exponent,
+        (Field::Stiffness, stiffness.dimension),
+        (Field::Speed, speed.and_then(|speed| speed.dimension)),
+        turns,
+    )
+}
+
+/// As [`check_units`], for the fields and the dimensions of the stiffness and the speed as given; `None` for plain numbers.
+pub(crate) fn check_dimensions(
+    exponent: f64,
+    stiffness: (Field, Option<Dimension>),
+    speed: (Field, Option<Dimension>),
+    turns: bool,
+) -> Result<(), StudyError> {
+    if stiffness.1.is_some() && exponent != 1.0 {
+        return Err(StudyError::input(stiffness.0, Fault::UnitOfLinearSpring { exponent }));
     }
     let of_stiffness = if turns { Dimension::RotationalStiffness } else { Dimension::Stiffness };
     let of_speed = if turns { Dimension::AngularSpeed } else { Dimension::Speed };
-    let given = [(Field::Stiffness, Some(stiffness), of_stiffness), (Field::Speed, speed, of_speed)];
-    for (field, given, expected) in given {
-        if given.and_then(|given| given.dimension).is_some_and(|dimension| dimension != expected) {
+    for ((field, given), expected) in [(stiffness, of_stiffness), (speed, of_speed)] {
+        if given.is_some_and(|dimension| dimension != expected) {
             let expected = expected.si_unit();
             return Err(StudyError::input(field, Fault::UnitOfMotion { turns, expected }));
         }

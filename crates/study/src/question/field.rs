@@ -27,6 +27,8 @@ pub enum Field {
     Normal,
     /// Line that defines the normal.
     AlongLine,
+    /// Axis of a moment.
+    AboutAxis,
     /// Frame of point and normal.
     Frame,
     /// Other link.
@@ -87,6 +89,8 @@ pub enum Field {
     Restitution,
     /// Closing speed of an impact.
     ClosingSpeed,
+    /// Stiffness of the contact of an impact.
+    ImpactStiffness,
     /// Coefficient of friction of an impact.
     Friction,
     /// Law of restitution of an impact with friction.
@@ -130,6 +134,7 @@ impl Field {
             Field::Point => ("--point", "contact.point"),
             Field::Normal => ("--normal", "contact.normal"),
             Field::AlongLine => ("--along-line", "contact.along_line"),
+            Field::AboutAxis => ("--about-axis", "contact.about_axis"),
             Field::Frame => ("--frame", "contact.frame"),
             Field::Against => ("--against", "contact.against"),
             Field::AgainstMass => ("--against-mass", "contact.against_mass"),
@@ -160,6 +165,7 @@ impl Field {
             Field::Directions => ("--directions", "map.directions"),
             Field::Restitution => ("--restitution", "impact.restitution"),
             Field::ClosingSpeed => ("--speed", "impact.speed"),
+            Field::ImpactStiffness => ("--stiffness", "impact.stiffness"),
             Field::Friction => ("--friction", "impact.friction"),
             Field::RestitutionLaw => ("--restitution-law", "impact.restitution_law"),
             Field::Also => ("--also", "impact.also"),
@@ -209,17 +215,17 @@ impl Field {
     /// Part of the question at fault for a contact error.
     pub(crate) fn from_contact_error(error: &ContactError) -> Self {
         match error {
-            ContactError::NotFinite { part, .. } => match part {
+            ContactError::NotFinite { part, .. } | ContactError::NoDirection { part, .. } => match part {
                 ContactPart::Point => Field::Point,
                 ContactPart::Normal => Field::Normal,
+                ContactPart::Axis => Field::AboutAxis,
                 ContactPart::Line => Field::AlongLine,
             },
-            ContactError::NoNormal { .. } => Field::Normal,
             ContactError::NoLine { .. }
             | ContactError::LineShort { .. }
             | ContactError::LineTurned { .. } => Field::AlongLine,
             ContactError::Itself { .. } => Field::Against,
-            ContactError::OtherMass { .. } => Field::AgainstMass,
+            ContactError::OtherMass { .. } | ContactError::MassOfMoment { .. } => Field::AgainstMass,
             // Other errors concern handles of other mechanisms; a question by names has none.
             _ => Field::Link,
         }

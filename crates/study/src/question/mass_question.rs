@@ -16,11 +16,13 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::str::FromStr;
 
-/// Direction of the contact normal.
+/// Direction of the contact normal, or axis of a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Normal {
     /// Vector in the normal's frame.
     Along([f64; 3]),
+    /// Axis of a moment in the normal's frame; the contact point has no effect.
+    About([f64; 3]),
     /// Direction from the contact point towards a point (m) of a link, in the frame of that link. The line may
     /// turn by at most 5° from the line as drawn.
     Toward(String, [f64; 3]),
@@ -31,10 +33,11 @@ pub enum Normal {
 }
 
 impl Normal {
-    /// Normal with names in place of links, and the frame of a normal that is a vector.
+    /// Normal with names in place of links, and the frame of a normal or an axis that is a vector.
     pub fn of_direction(direction: Direction, name: impl Fn(LinkId) -> String) -> (Self, Frame) {
         match direction {
             Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
+            Direction::About(axis, frame) => (Normal::About(axis.into()), frame),
             Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
             Direction::TurningToward(link, point) => {
                 (Normal::TurningToward(name(link), point.into()), Frame::Link)
@@ -294,11 +297,11 @@ pub struct MassQuestion {
     pub link: String,
     /// The contact point, m, in `frame`.
     pub point: [f64; 3],
-    /// Contact normal, out of the contact link.
+    /// Contact normal, out of the contact link; or the axis of a moment.
     pub normal: Normal,
     /// Frame of `point`.
     pub frame: Frame,
-    /// Frame of a normal given as a vector.
+    /// Frame of a normal or an axis given as a vector.
     pub normal_frame: Frame,
     /// Other link; `None` for the ground.
     pub against: Option<String>,

@@ -7,7 +7,7 @@ use crate::question::mass_question::{Hold, MassQuestion, Normal};
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Frame};
-use percuss_mechanism::{Joint, JointId, JointKind, Mechanism};
+use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, near_names};
 use serde::Serialize;
 
 /// Stop of a joint, in reports.
@@ -27,6 +27,18 @@ pub(crate) fn stop_motion(joint: &Joint) -> Option<StopMotion> {
         JointKind::Prismatic => Some(StopMotion::Slide),
         JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => None,
     }
+}
+
+/// Error of a text `JOINT:END` with a misspelled end; `None` for other texts. The colon of a misspelled end is followed by a short word;
+/// names of joints may contain colons.
+pub(crate) fn misspelled_end(text: &str) -> Option<String> {
+    let (joint, word) = text.rsplit_once(':')?;
+    let near = near_names(word, ["lower", "upper"]).concat();
+    (!near.is_empty()).then(|| {
+        format!(
+            "\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper"
+        )
+    })
 }
 
 /// Contact given as one text: in `at`, or as a further contact of an impact.
@@ -73,9 +85,14 @@ impl std::str::FromStr for FurtherContact {
         if let Some((joint, end @ ("lower" | "upper"))) = text.rsplit_once(':') {
             return Ok(Self::JointStop { joint: joint.to_owned(), is_upper: end == "upper" });
         }
+        if let Some(error) = misspelled_end(text) {
+            return Err(error);
+        }
         let read = |text: &str| {
             let hold: Result<Hold, String> = text.parse();
-            hold.map_err(|error| format!("the name of a contact is expected, or: {error}"))
+            hold.map_err(|error| {
+                format!("the name of a contact is expected, the stop JOINT:lower or JOINT:upper, or: {error}")
+            })
         };
         if let Some((first, second)) = text.split_once('=') {
             let (first, second) = (read(first)?, read(second)?);
@@ -118,6 +135,24 @@ impl MassQuestion {
         };
         let id = mechanism.find_joint(&joint).ok()?;
         Some((id, stop_motion(mechanism.joint(id))?))
+    }
+
+    /// True if the contact is a moment about an axis, or the stop of a joint that turns: m̄ in kg·m², speeds in rad/s.
+    pub fn is_moment(&self, mechanism: &Mechanism) -> bool {
+        let is_stop = || self.stop_of_joint(mechanism).is_some_and(|(_, motion)| motion == StopMotion::Turn);
+        matches!(self.normal, Normal::About(_)) || is_stop()
+    }
+
+    /// Refuses a result about the contact point if the resolved contact is a moment.
+    pub(crate) fn refuse_moment(&self, result: &'static str) -> Result<(), StudyError> {
+        if !matches!(self.normal, Normal::About(_)) {
+            return Ok(());
+        }
+        let (field, contact) = match &self.at {
+            Some(_) => (Field::At, "the stop of a joint"),
+            None => (Field::AboutAxis, "a moment about an axis"),
+        };
+        Err(StudyError::input(field, Fault::NoContactPoint { contact, result }))
     }
 
     /// Question with the link, point, normal and other side of `contact`. The joint of a stop is set to its limit, unless the question

@@ -4,7 +4,7 @@ use crate::damper::damping::DampingReport;
 use crate::evaluation::estimate::EstimateRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
-use crate::evaluation::status::Status;
+use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Input;
 use crate::model::loading::SheetPoint;
 use crate::model::record::DiagnosticRecord;
@@ -49,12 +49,14 @@ pub struct ContactRecord {
     pub against: Option<String>,
     /// Contact point, world frame, m.
     pub point_world: [f64; 3],
-    /// Unit normal out of the contact link, world axes.
+    /// Unit normal out of the contact link, world axes; the unit axis of a moment.
     pub normal_world: [f64; 3],
-    /// Contact point, link's frame, m.
+    /// Contact point, link's frame, m; the origin of the link for a moment, which has no point.
     pub point_link: [f64; 3],
-    /// Unit normal out of the contact link, link's axes.
+    /// Unit normal out of the contact link, link's axes; the unit axis of a moment.
     pub normal_link: [f64; 3],
+    /// True for a moment about an axis: masses in kg·m², speeds in rad/s, impulses in N·m·s, forces in N·m.
+    pub is_moment: bool,
 }
 
 /// Conditions of a result, sufficient to repeat the question.
@@ -148,8 +150,10 @@ pub struct MassReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// m̄, kg; null unless finite.
+    /// m̄ in `unit`; null unless finite.
     pub effective_mass: Option<f64>,
+    /// Unit of all effective masses: `kg`; `kg·m²` for a moment about an axis, and for the stop of a joint that turns.
+    pub unit: &'static str,
     /// Kind of result.
     pub status: Status,
     /// True if the pose is singular: A has a lower rank than at a generic pose.
@@ -263,6 +267,7 @@ impl MassReport {
             percuss: env!("CARGO_PKG_VERSION"),
             inputs: prepared.inputs(),
             effective_mass,
+            unit: mass_unit(response.contact.is_moment),
             status,
             singular_pose: response.singular_pose,
             degrees_of_freedom: response.degrees_of_freedom,
@@ -296,6 +301,7 @@ impl MassReport {
                 normal_world: response.contact.normal_world.into(),
                 point_link: response.contact.point_link.into(),
                 normal_link: response.contact.normal_link.into(),
+                is_moment: response.contact.is_moment,
             },
             named_contact: None,
             joint_stop: prepared

@@ -26,7 +26,7 @@ pub struct MotionRatioRecord {
     pub point: [f64; 3],
     /// Direction of the speed, a unit vector in world axes.
     pub direction: [f64; 3],
-    /// Closing speed of the contact per speed of the point along the direction; negative if the contact closes while the point
+    /// Closing speed of the contact per speed of the point along the direction (rad/m for a moment); negative if the contact closes while the point
     /// moves against the direction. Null if the point does not move.
     pub contact_per_wheel: Option<f64>,
     /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
@@ -112,8 +112,11 @@ fn ratio(
         let velocity = pose.point_velocity_against(&own, *link, point_link, *against)?;
         along(pose, velocity, normal_world)
     });
-    let one_travel =
-        own_ratio.is_some_and(|own| (speed_of_point * own - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
+    let one_travel = match response.contact.is_moment {
+        // The velocity of a contact point says nothing about a moment.
+        true => pose.degrees_of_freedom() == 1,
+        false => own_ratio.is_some_and(|own| (speed_of_point * own - 1.0).abs() <= INVERSE_RATIO_TOLERANCE),
+    };
     Some(MotionRatioRecord {
         link: pose.mechanism().link(link).name().to_owned(),
         point: point.into(),

@@ -183,6 +183,7 @@ pub fn safe_speed(
         return Err(StudyError::NoRegion);
     }
     let question = &*question.resolve_contact(&model.mechanism)?;
+    question.refuse_moment("safe speed")?;
     if question.against.is_some() || question.against_mass.is_some() {
         return Err(StudyError::PersonIsOtherSide);
     }
@@ -282,6 +283,7 @@ pub fn safe_speed_directions(
     worst: bool,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
     let question = &*question.resolve_contact(&model.mechanism)?;
+    question.refuse_moment("safe speed")?;
     let mut all = directions.to_vec();
     if worst {
         all.push(worst_direction(model, question)?);

@@ -502,8 +502,10 @@ impl StudyReader<'_> {
         let question = text.question().map_err(|refusal| self.invalid_key_error(refusal))?;
         let Some(question) = question else { return Ok(None) };
         let stop = text.limit.clone();
-        let motion = stop.as_ref().map(|stop| stop.motion(model)).transpose();
-        let turns = motion.map_err(|error| self.study_error(&error))? == Some(StopMotion::Turn);
+        let turns = match &stop {
+            Some(stop) => stop.motion(model).map_err(|error| self.study_error(&error))? == StopMotion::Turn,
+            None => conditions.is_moment(&model.mechanism),
+        };
         text.check_units(&question, turns).map_err(|error| self.study_error(&error))?;
         Ok(Some(StudyDamping {
             question,

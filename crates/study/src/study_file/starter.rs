@@ -49,7 +49,9 @@ pub fn starting_contact(model: &Model) -> Result<(ContactTable, BaseName), Study
     let (question, _) = contact(model, base)?;
     let normal = match question.normal {
         Normal::Along(normal) => Some(Vector(normal)),
-        Normal::Toward(..) | Normal::TurningToward(..) | Normal::TurningAwayFrom(..) => None,
+        Normal::About(..) | Normal::Toward(..) | Normal::TurningToward(..) | Normal::TurningAwayFrom(..) => {
+            None
+        }
     };
     let is_named = question.at.is_some();
     let table = ContactTable {

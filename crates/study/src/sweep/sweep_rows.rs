@@ -7,6 +7,7 @@ use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
+use crate::evaluation::status::mass_unit;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::PoseLayout;
@@ -154,6 +155,7 @@ impl<'a> Sweep<'a> {
             continuation: continuation(&prepared, &rows),
             seed,
             link: prepared.question.link.clone(),
+            unit: mass_unit(contact.normal.is_moment()),
             contact: prepared.question.at.clone(),
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),

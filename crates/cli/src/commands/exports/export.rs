@@ -52,7 +52,10 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     let model = args.model.load_for_conversion()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     refuse_warnings(&model, args.model.reading.strict)?;
-    let turns = args.limit.as_ref().map(|stop| stop.motion(&model)).transpose()? == Some(StopMotion::Turn);
+    let turns = match &args.limit {
+        Some(stop) => stop.motion(&model)? == StopMotion::Turn,
+        None => contact.is_moment(&model.mechanism),
+    };
     args.damping.check_units(&damping, turns)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);

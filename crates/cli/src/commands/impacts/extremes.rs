@@ -6,6 +6,7 @@ use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, short_number, triple};
+use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
     ExtremeRecord, ExtremesQuestion, ExtremesReport, KeptRecord, MassQuestion, Model, RowSource, Status,
@@ -79,7 +80,8 @@ pub fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
             facts.push(("  gap", format!("{} m, the stop is {state} here", short_number(gap))));
         }
         if let Some(normal) = &record.normal_world {
-            facts.push(("  normal", format!("{} (world, up to its sign)", triple(normal))));
+            let direction = if report.is_moment { "  axis" } else { "  normal" };
+            facts.push((direction, format!("{} (world, up to its sign)", triple(normal))));
         }
         let starts = if report.path.is_some() { "local searches" } else { "starts" };
         let kept = record
@@ -137,7 +139,10 @@ fn kept_text(kept: &KeptRecord) -> String {
 fn value(report: &ExtremesReport, record: &ExtremeRecord) -> String {
     let what = match (report.quantity, &report.joint) {
         ("held_inertia", Some(joint)) => format!(" at {joint}, the other drivers at rest"),
-        ("bearing_impulse", Some(joint)) => format!(" (N·s in {joint} per m/s of a plastic impact)"),
+        ("bearing_impulse", Some(joint)) => {
+            let speed = ContactUnits::new(report.is_moment).speed;
+            format!(" (N·s in {joint} per {speed} of a plastic impact)")
+        }
         (_, Some(joint)) => format!(" at {joint}"),
         _ => String::new(),
     };

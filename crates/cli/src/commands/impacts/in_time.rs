@@ -3,6 +3,7 @@
 use crate::files::output::{record_input, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::text::{Table, number, short_number};
+use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, ReactionPlace};
 use std::fmt::Write;
@@ -34,24 +35,28 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         }
         change => format!("; the effective mass changes by {:+.2} % over it", 100.0 * change),
     });
+    let ContactUnits { force, small_length, .. } = ContactUnits::new(report.mass.contact.is_moment);
     let mut facts = vec![
         (
             "in time",
             format!(
-                "restitution {} reached, {} requested; the contact lasts {} ms, peak force {} N",
+                "restitution {} reached, {} requested; the contact lasts {} ms, peak force {} {force}",
                 short_number(found.restitution),
                 number(report.restitution),
                 short_number(1e3 * found.duration),
                 short_number(found.peak_force),
             ),
         ),
-        ("penetration", format!("{} mm at most{change}", short_number(1e3 * found.max_penetration))),
+        (
+            "penetration",
+            format!("{} {small_length} at most{change}", short_number(1e3 * found.max_penetration)),
+        ),
     ];
     if let Some(one) = &found.one_freedom {
         facts.push((
             "one freedom",
             format!(
-                "by the effective mass over the penetration alone: restitution {}, peak force {} N",
+                "by the effective mass over the penetration alone: restitution {}, peak force {} {force}",
                 short_number(one.restitution),
                 short_number(one.peak_force)
             ),
@@ -172,21 +177,26 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
     let deepest = (0..found.times.len())
         .max_by(|&a, &b| found.penetration[a].total_cmp(&found.penetration[b]))
         .map(|k| Mark { x: 1e3 * found.times[k], label: "deepest".into() });
+    let is_moment = report.mass.contact.is_moment;
+    let ContactUnits { mass: mass_unit, speed, force, length, small_length, .. } =
+        ContactUnits::new(is_moment);
     let law = report.contact_law.as_ref().map_or_else(String::new, |law| {
-        format!("{}, stiffness {} N/m, {} m/s", law.law, number(law.stiffness), number(report.closing_speed))
+        let (stiffness, closing) = (number(law.stiffness), number(report.closing_speed));
+        format!("{}, stiffness {stiffness} {force}/{length}, {closing} {speed}", law.law)
     });
     let figure = Figure {
         title: format!(
-            "Impact in time: restitution {}, peak force {} N",
+            "Impact in time: restitution {}, peak force {} {force}",
             short_number(found.restitution),
             short_number(found.peak_force)
         ),
         subtitle: law,
         x_label: "time (ms)".into(),
         panels: vec![
-            panel("force (N)", forces),
-            panel("penetration (mm)", vec![depth]),
-            panel("m̄ (kg)", vec![mass]),
+            // The force of a moment is in N·m, those of the bearings in N.
+            panel(if is_moment { "moment (N·m), forces (N)" } else { "force (N)" }, forces),
+            panel(&format!("penetration ({small_length})"), vec![depth]),
+            panel(&format!("m̄ ({mass_unit})"), vec![mass]),
         ],
         marks: deepest.into_iter().collect(),
         ..Figure::default()

@@ -2,11 +2,12 @@
 
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::impacts::{in_time, simultaneous};
-use crate::commands::mass::{facts as mass_facts, is_stop_of_hinge, mass_unit};
+use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
+use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
     FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionRecord, ReflectedRangeRecord,
@@ -77,7 +78,7 @@ fn text(report: &ImpactReport) -> String {
     for (name, value) in mass_facts(&report.mass) {
         out += &fact_line(name, &line(&value));
     }
-    if report.mass.joint_stop.is_none() {
+    if !report.mass_states.is_empty() {
         out += &format!("\n{}{}", mass_table(report), wrap_lines(mass_note(report)));
     }
     if let Some(table) = law_table(report) {
@@ -104,9 +105,9 @@ fn text(report: &ImpactReport) -> String {
 
 /// Impulse, energy, masses and additional results.
 pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
-    let is_stop = is_stop_of_hinge(&report.mass);
-    let [impulse, speed] = if is_stop { ["N·m·s", "rad/s"] } else { ["N·s", "m/s"] };
-    let mass_unit = mass_unit(&report.mass);
+    let is_moment = report.mass.contact.is_moment;
+    let ContactUnits { name: mass_name, mass: mass_unit, impulse, speed, force, length, .. } =
+        ContactUnits::new(is_moment);
     let mut facts = vec![
         ("impulse", format!("{} {impulse}", number(report.impulse))),
         ("energy loss", format!("{} J", number(report.energy_loss))),
@@ -127,14 +128,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     facts.extend(report.friction.iter().flat_map(|friction| friction_facts(friction, report)));
     let sliding =
         report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
-    if report.mass.joint_stop.is_some() {
-        // Sliding and sticking do not apply to the stop of a joint.
-        facts.push(("effective mass", sliding));
-    } else {
+    if let Some(sticking) = report.sticking_status {
         facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
         facts.push((
             "sticking mass",
-            match (report.sticking_status, report.sticking_mass) {
+            match (sticking, report.sticking_mass) {
                 (Status::Finite, Some(mass)) => {
                     format!("{} kg, if the point cannot slide sideways", number(mass))
                 }
@@ -142,6 +140,8 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 _ => "immovable: the point closes the gap only by sliding sideways".to_owned(),
             },
         ));
+    } else {
+        facts.push((mass_name, sliding));
     }
     if let Some(other) = report.other_body {
         let change = number(other.speed_change);
@@ -160,13 +160,9 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             format!("; normal force, as of {} kg without friction (same work of compression){direction}", number(mass))
         });
         let power = if law.exponent == 1.0 { String::new() } else { format!("^{}", number(law.exponent)) };
-        let stiffness = match is_stop {
-            true => format!("{} N·m/rad{power}", number(law.stiffness)),
-            false => format!("{} N/m{power}", number(law.stiffness)),
-        };
-        let force = if is_stop { "N·m" } else { "N" };
+        let stiffness = format!("{} {force}/{length}{power}", number(law.stiffness));
         facts.push((
-            "peak force",
+            if is_moment { "peak moment" } else { "peak force" },
             format!(
                 "{} {force} at the contact ({}, {stiffness}){change}{friction}",
                 number(law.peak_force),
@@ -186,7 +182,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     facts.extend(in_time::facts(report));
     if let Some(greatest) = &report.greatest_closing_speed {
         let gear = if greatest.limit == "gear" { "the gear of " } else { "" };
-        let by = format!("{} m/s, limited by {gear}{}", number(greatest.speed), greatest.joint);
+        let by = format!("{} {speed}, limited by {gear}{}", number(greatest.speed), greatest.joint);
         facts.push(("greatest speed", by));
     }
     for joint in &report.limits_without_effect {
@@ -404,9 +400,7 @@ pub fn reaction_table(report: &ImpactReport) -> Table<4> {
         let all = report.reactions.iter().flat_map(move |r| components(r).iter().flatten());
         all.fold(0.0, |most: f64, v| most.max(v.abs()))
     };
-    let force = largest(|r| &r.force).max(report.impulse);
-    // Moments are compared with the forces at the characteristic length.
-    let moment = largest(|r| &r.moment).max(force * report.mass.characteristic_length);
+    let (force, moment) = largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
     let shown = |components: &[Option<f64>; 3], size: f64| {
         components.iter().map(|v| component(*v, size)).collect::<Vec<_>>().join(", ")
     };
@@ -428,6 +422,15 @@ pub fn reaction_table(report: &ImpactReport) -> Table<4> {
         });
     }
     table
+}
+
+/// Sizes of the impulses (N·s) and their moments (N·m·s): the largest of the reactions and of the contact. Moments are compared with the
+/// impulses at the characteristic length.
+pub fn largest_impulses(report: &ImpactReport, force: f64, moment: f64) -> (f64, f64) {
+    let size = report.mass.characteristic_length;
+    let impulse = if report.mass.contact.is_moment { report.impulse / size } else { report.impulse };
+    let force = force.max(impulse);
+    (force, moment.max(force * size))
 }
 
 /// True if a place transmits nothing beyond rounding.

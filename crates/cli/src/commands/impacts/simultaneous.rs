@@ -2,6 +2,7 @@
 
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
+use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::wrap_lines;
 use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord, TouchingRecord};
 
@@ -28,10 +29,11 @@ pub fn text(report: &ImpactReport, several: &SimultaneousRecord) -> String {
 
 /// The contacts with their masses.
 pub fn contact_table(several: &SimultaneousRecord) -> Table<4> {
+    let has_moment = has_moment(several);
     let mut table = Table::new([
         "contact",
-        "closing m/s",
-        "effective mass kg",
+        if has_moment { "closing" } else { "closing m/s" },
+        if has_moment { "effective mass" } else { "effective mass kg" },
         "principal masses kg and directions (world)",
     ]);
     for (number_of, contact) in several.contacts.iter().enumerate() {
@@ -43,18 +45,29 @@ pub fn contact_table(several: &SimultaneousRecord) -> Table<4> {
                 Some(format!("{} along {}", short_number((*mass)?), short(direction)))
             })
             .collect();
+        // With a moment among the contacts, each value has its own unit.
+        let ContactUnits { mass, speed, .. } = ContactUnits::new(contact.is_moment);
+        let with = |unit: &str| if has_moment { format!(" {unit}") } else { String::new() };
         table.row([
             format!("{} {}", number_of + 1, contact.name),
             format!(
-                "{}{}",
+                "{}{}{}",
                 short_number(contact.closing_speed),
+                with(speed),
                 if opens(contact) { " (opens)" } else { "" }
             ),
-            contact.effective_mass.map_or_else(|| "immovable".to_owned(), number),
-            principal.join("; "),
+            contact
+                .effective_mass
+                .map_or_else(|| "immovable".to_owned(), |m| format!("{}{}", number(m), with(mass))),
+            if contact.is_moment { String::new() } else { principal.join("; ") },
         ]);
     }
     table
+}
+
+/// True if one of the contacts is a moment about an axis.
+fn has_moment(several: &SimultaneousRecord) -> bool {
+    several.contacts.iter().any(|contact| contact.is_moment)
 }
 
 /// True if a contact separates before the impact.
@@ -96,7 +109,11 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
 
 /// Table of the laws of simultaneous impacts: impulses, opening speeds and energy loss, or the reason for a missing result.
 pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
-    let mut table = Table::new(["law", "impulses N·s", "opening speeds m/s", "energy loss J"]);
+    let header = match has_moment(several) {
+        true => ["law", "impulses N·s or N·m·s", "opening speeds m/s or rad/s", "energy loss J"],
+        false => ["law", "impulses N·s", "opening speeds m/s", "energy loss J"],
+    };
+    let mut table = Table::new(header);
     let speed = several.contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.closing_speed.abs()));
     for law in &several.laws {
         let list = |values: Vec<String>| values.join(", ");

@@ -45,7 +45,7 @@ pub(super) fn add_result(
     let mut facts = uncertainty(report);
     if let (Some(expected), Some(mass)) = (requested.expect, report.effective_mass) {
         let off = 100.0 * (mass / expected - 1.0);
-        facts.push(("expected", format!("{} kg, difference {off:+.2e} %", number(expected))));
+        facts.push(("expected", format!("{} {}, difference {off:+.2e} %", number(expected), report.unit)));
     }
     match &report.named_contact {
         Some(contact) => facts.extend(named_contact(contact)),
@@ -65,8 +65,8 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     let Some(mass) = report.effective_mass else { return facts };
     if let Some(tolerance) = &report.tolerance {
-        facts.push(("nominal value", format!("{} kg", number(mass))));
-        let percent = |kg: f64| format!("{} kg ({:.2} %)", effect_text(kg), 100.0 * kg / mass);
+        facts.push(("nominal value", format!("{} {}", number(mass), report.unit)));
+        let percent = |m: f64| format!("{} {} ({:.2} %)", effect_text(m), report.unit, 100.0 * m / mass);
         let both = format!(
             "{} root sum square, {} with all at the limit",
             percent(tolerance.root_sum_square),
@@ -76,7 +76,10 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
         if let Some(samples) = &tolerance.samples {
             let rounded = |x: f64| within_uncertainty(x, samples.standard_deviation);
             let (low, high) = (rounded(samples.percentile_2_5), rounded(samples.percentile_97_5));
-            facts.push(("95 % of samples", format!("{low} to {high} kg ({} samples)", samples.count)));
+            facts.push((
+                "95 % of samples",
+                format!("{low} to {high} {} ({} samples)", report.unit, samples.count),
+            ));
         }
     }
     let error = match report.effective_mass_error {
@@ -90,7 +93,7 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
 /// Section with the contact and the conditions.
 pub(super) fn add_conditions(report: &MassReport, page: &mut Page) {
     page.section("Contact and conditions");
-    match &report.point_in_sheet {
+    match report.point_in_sheet.as_ref().filter(|_| !report.contact.is_moment) {
         Some(contact) => page.facts(super::conditions::facts(report, contact)),
         None => page.facts(conditions(report).into_iter().chain([method(report)])),
     }

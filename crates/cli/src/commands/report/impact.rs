@@ -8,7 +8,7 @@ use crate::terminal::text::short_number;
 use percuss_render::{Drawing, DrawnArrow, SkinMark};
 use percuss_study::{
     DrawnMechanism, ExtremesReport, ImpactReport, ReactionPlace, ReactionRecord, SimultaneousLawRecord,
-    SimultaneousRecord,
+    SimultaneousRecord, TouchingRecord,
 };
 
 /// Impulse in a bearing, relative to the largest, below which the picture has no arrow.
@@ -18,11 +18,18 @@ const DRAWN_IMPULSE: f64 = 1e-3;
 const LEGEND: &str = "Impulses of the impact. The red arrow p is the impulse on the contact link, the blue arrows are the impulses that \
     the bearings exert on the second of their links, as in the tables below. All arrows have the same scale.";
 
+/// Explanation of the picture for a moment about an axis.
+const LEGEND_OF_MOMENT: &str = "Impulses of the impact. The arrows are the impulses that the bearings exert on the second of their links, as in \
+    the tables below. The contact is a moment about an axis and has no arrow.";
+
 /// Section of an impact.
 pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mut Page) {
     page.section("Impact");
     page.facts(rigid_impact::results(report));
-    let mut caption = LEGEND.to_owned();
+    let mut caption = match report.mass.contact.is_moment {
+        true => LEGEND_OF_MOMENT.to_owned(),
+        false => LEGEND.to_owned(),
+    };
     if report.reactions.iter().any(|record| !record.open_by.is_empty()) {
         caption +=
             " Redundant constraints leave components open: of these bearings the determinate part is drawn.";
@@ -36,7 +43,7 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
         page.table(table.rows());
         page.paragraph("soft", &rigid_impact::law_note(report).replace('\n', " "));
     }
-    if report.mass.joint_stop.is_none() {
+    if !report.mass_states.is_empty() {
         page.heading("Masses");
         page.table(rigid_impact::mass_table(report).rows());
         let note = rigid_impact::mass_note(report);
@@ -104,6 +111,11 @@ fn add_simultaneous(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mu
     }
 }
 
+/// False for the stop of a joint and for a moment.
+fn has_point(contact: &TouchingRecord) -> bool {
+    !contact.is_joint_stop && !contact.is_moment
+}
+
 /// Drawing of the mechanism with the impulses of a law at all contacts, without stops of joints, which have no contact point.
 fn contacts_drawing(
     several: &SimultaneousRecord,
@@ -112,14 +124,12 @@ fn contacts_drawing(
 ) -> Drawing {
     let contacts = several.contacts.iter().zip(&law.impulses).enumerate();
     let arrows =
-        contacts.filter(|(_, (contact, _))| !contact.is_joint_stop).map(|(k, (contact, impulse))| {
-            DrawnArrow {
-                from: contact.point_world,
-                vector: contact.normal_world.map(|n| -impulse.unwrap_or(0.0) * n),
-                label: format!("p{}", k + 1),
-            }
+        contacts.filter(|(_, (contact, _))| has_point(contact)).map(|(k, (contact, impulse))| DrawnArrow {
+            from: contact.point_world,
+            vector: contact.normal_world.map(|n| -impulse.unwrap_or(0.0) * n),
+            label: format!("p{}", k + 1),
         });
-    let marks = several.contacts.iter().filter(|contact| !contact.is_joint_stop);
+    let marks = several.contacts.iter().filter(|contact| has_point(contact));
     loaded_drawing(
         mechanism,
         arrows.collect(),
@@ -148,7 +158,12 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
     if let Some(friction) = &report.friction {
         impulse.iter_mut().zip(friction.tangential_impulse_world).for_each(|(p, t)| *p += t);
     }
-    let of_contact = DrawnArrow { from: contact.point_world, vector: impulse, label: "p".into() };
+    // A moment has no point and no arrow.
+    let of_contact = (!contact.is_moment).then(|| DrawnArrow {
+        from: contact.point_world,
+        vector: impulse,
+        label: "p".into(),
+    });
     // The reaction of the ground repeats those of the joints of the root link. A fixed joint is no bearing.
     let bearings = report.reactions.iter().filter(|record| match record.place {
         ReactionPlace::Ground => false,
@@ -161,9 +176,10 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
             vector: world_vector(record, &record.force),
             label: String::new(),
         })
-        .chain([of_contact])
+        .chain(of_contact)
         .collect();
-    loaded_drawing(mechanism, arrows, vec![SkinMark { at: contact.point_world, label: String::new() }])
+    let mark = (!contact.is_moment).then(|| SkinMark { at: contact.point_world, label: String::new() });
+    loaded_drawing(mechanism, arrows, mark.into_iter().collect())
 }
 
 /// Vector with the determinate components of a reaction, world axes.
@@ -192,8 +208,8 @@ fn bearing_rows(report: &ImpactReport) -> Vec<Vec<String>> {
     let largest = |of: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
         report.reactions.iter().map(|record| magnitude(of(record))).fold(0.0, f64::max)
     };
-    let force = largest(|record| &record.force).max(report.impulse);
-    let moment = largest(|record| &record.moment).max(force * report.mass.characteristic_length);
+    let (force, moment) =
+        rigid_impact::largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
     let mut bearings: Vec<&ReactionRecord> = report
         .reactions
         .iter()

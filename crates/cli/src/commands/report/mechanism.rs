@@ -24,9 +24,14 @@ pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
     page.section("The mechanism at this pose");
     let report = results.mass.as_ref();
     let mut caption = LEGEND.to_owned();
-    if report.is_some() {
-        caption += " The red dot is the contact point, n its normal. Blue arrows are the velocities of the centres of \
-                    mass while the contact closes; the longest is drawn as long as n.";
+    if let Some(report) = report {
+        caption += match report.contact.is_moment {
+            true => {
+                " The contact is a moment about an axis: n is the axis, the red dot the origin of the contact link."
+            }
+            false => " The red dot is the contact point, n its normal.",
+        };
+        caption += " Blue arrows are the velocities of the centres of mass while the contact closes; the longest is drawn as long as n.";
     }
     let named = results.mechanism.points.len() + results.mechanism.elements.len();
     if named > limits::NAMED_POINTS {

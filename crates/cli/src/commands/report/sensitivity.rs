@@ -24,10 +24,10 @@ pub(super) fn add_sensitivities(report: &MassReport, page: &mut Page) {
     let Some(explained) = &report.explanation else { return };
     page.section("Sensitivities");
     page.paragraph("soft", "To first order: an opposite change has the opposite effect.");
-    add_most_effective(explained, page);
+    add_most_effective(explained, report.unit, page);
     let masses: Vec<TornadoBar> =
         explained.links.iter().map(|link| bar(link.link.clone(), link.per_kilogram)).collect();
-    add_tornado("Effect of 1 kg more or less of each link", "1 kg", masses, page);
+    add_tornado("Effect of 1 kg more or less of each link", ["1 kg", report.unit], masses, page);
     let points: Vec<TornadoBar> = explained
         .points
         .iter()
@@ -39,8 +39,8 @@ pub(super) fn add_sensitivities(report: &MassReport, page: &mut Page) {
                 .map(|(axis, rate)| bar(format!("{}, {axis}", point.point), 1e-3 * rate))
         })
         .collect();
-    add_tornado("Effect of 1 mm of each hardpoint", "1 mm", points, page);
-    add_rates(explained, report.point_in_sheet.is_some(), page);
+    add_tornado("Effect of 1 mm of each hardpoint", ["1 mm", report.unit], points, page);
+    add_rates(explained, report.unit, report.point_in_sheet.is_some(), page);
 }
 
 /// Bar of a tornado chart; `effect` is the change of m̄, kg.
@@ -48,8 +48,8 @@ fn bar(name: String, effect: f64) -> TornadoBar {
     TornadoBar { name, effect, value: effect_text(effect) }
 }
 
-/// Tornado chart of the largest effects, with the number of the others in the caption.
-fn add_tornado(title: &str, unit: &str, mut bars: Vec<TornadoBar>, page: &mut Page) {
+/// Tornado chart of the largest effects, with the number of the others in the caption. `change`, `unit`: change of a number, and unit of m̄.
+fn add_tornado(title: &str, [change, unit]: [&str; 2], mut bars: Vec<TornadoBar>, page: &mut Page) {
     bars.retain(|bar| bar.effect != 0.0);
     if bars.is_empty() {
         return;
@@ -58,15 +58,15 @@ fn add_tornado(title: &str, unit: &str, mut bars: Vec<TornadoBar>, page: &mut Pa
     let rest = bars.split_off(bars.len().min(limits::TORNADO_BARS));
     let caption = rest.first().map_or_else(String::new, |next| {
         format!(
-            "{} smaller effects are not shown; each is at most {} kg.",
+            "{} smaller effects are not shown; each is at most {} {unit}.",
             rest.len(),
             effect_text(next.effect)
         )
     });
     let chart = Tornado {
         title: title.to_owned(),
-        x_label: "change of m̄ (kg)".into(),
-        directions: [format!("{unit} more"), format!("{unit} less")],
+        x_label: format!("change of m̄ ({unit})"),
+        directions: [format!("{change} more"), format!("{change} less")],
         bars,
         ..Tornado::default()
     };
@@ -74,7 +74,7 @@ fn add_tornado(title: &str, unit: &str, mut bars: Vec<TornadoBar>, page: &mut Pa
 }
 
 /// Table of the changes that lower m̄ most.
-fn add_most_effective(explained: &Explanation, page: &mut Page) {
+fn add_most_effective(explained: &Explanation, unit: &str, page: &mut Page) {
     let masses = explained
         .most_per_kilogram
         .iter()
@@ -83,17 +83,18 @@ fn add_most_effective(explained: &Explanation, page: &mut Page) {
         let direction = change.direction.map(|x| (x * 1e4).round() / 1e4);
         [format!("{} 1 mm along {}", change.point, triple(&direction)), short_number(change.lowers_by)]
     });
-    let mut rows = vec![["most effective change".to_owned(), "lowers m̄ by (kg)".to_owned()]];
+    let mut rows = vec![["most effective change".to_owned(), format!("lowers m̄ by ({unit})")]];
     rows.extend(masses.chain(moves));
     if rows.len() > 1 {
         page.table(&rows);
     }
 }
 
-/// Tables of all rates. The joints of a suspension (`has_sheet`) have no rotors.
-fn add_rates(explained: &Explanation, has_sheet: bool, page: &mut Page) {
+/// Tables of all rates; `unit`: unit of m̄. The joints of a suspension (`has_sheet`) have no rotors.
+fn add_rates(explained: &Explanation, unit: &str, has_sheet: bool, page: &mut Page) {
     page.heading("Rates of each link");
-    let header = ["link", "mass (kg)", "share (%)", "kg per kg", "kg per mm: x", "y", "z"];
+    let (per_kg, per_mm) = (format!("{unit} per kg"), format!("{unit} per mm: x"));
+    let header = ["link", "mass (kg)", "share (%)", &per_kg, &per_mm, "y", "z"];
     let mut rows = vec![header.map(str::to_owned)];
     rows.extend(explained.links.iter().map(|link| {
         let [x, y, z] = link
@@ -109,7 +110,8 @@ fn add_rates(explained: &Explanation, has_sheet: bool, page: &mut Page) {
     );
     if !explained.rotors.is_empty() && !has_sheet {
         page.heading("Rates of the armatures");
-        let mut rows = vec![["joint", "kg per kg·m² (or kg) of armature"].map(str::to_owned)];
+        let per_armature = format!("{unit} per kg·m² (or kg) of armature");
+        let mut rows = vec![["joint", &per_armature].map(str::to_owned)];
         rows.extend(explained.rotors.iter().map(|rotor| {
             let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short_number(*rate)).collect();
             [rotor.joint.clone(), rates.join(", ")]
@@ -118,7 +120,7 @@ fn add_rates(explained: &Explanation, has_sheet: bool, page: &mut Page) {
     }
     if !explained.points.is_empty() {
         page.heading("Rates of the hardpoints");
-        let mut rows = vec![["hardpoint", "kg per mm: x", "y", "z"].map(str::to_owned)];
+        let mut rows = vec![["hardpoint", &per_mm, "y", "z"].map(str::to_owned)];
         rows.extend(explained.points.iter().map(|point| {
             let none = || [(); 3].map(|()| "–".to_owned());
             let [x, y, z] = point.per_metre.map_or_else(none, |rates| rates.map(per_millimetre));
@@ -135,16 +137,17 @@ fn add_rates(explained: &Explanation, has_sheet: bool, page: &mut Page) {
 pub(super) fn add_tolerances(report: &MassReport, page: &mut Page) {
     let Some(tolerances) = &report.tolerance else { return };
     page.section("Tolerances");
-    page.table(&part_rows(tolerances));
+    page.table(&part_rows(tolerances, report.unit));
     let bars = tolerances.effects.iter().map(|effect| bar(effect.number.clone(), effect.change)).collect();
-    add_tornado("Effect of each number at the limit of its tolerance", "one tolerance", bars, page);
+    let title = "Effect of each number at the limit of its tolerance";
+    add_tornado(title, ["one tolerance", report.unit], bars, page);
     if let Some(samples) = &tolerances.samples {
-        add_samples(samples, tolerances, page);
+        add_samples(samples, tolerances, report.unit, page);
     }
 }
 
 /// Rows of the kinds of numbers with their tolerance and effect, then of the sums.
-fn part_rows(report: &ToleranceReport) -> Vec<[String; 4]> {
+fn part_rows(report: &ToleranceReport, unit: &str) -> Vec<[String; 4]> {
     let given = &report.tolerance;
     let percent = |x: f64| format!("{} %", short_number(100.0 * x));
     let millimetres = |x: f64| format!("{} mm", short_number(1e3 * x));
@@ -152,7 +155,8 @@ fn part_rows(report: &ToleranceReport) -> Vec<[String; 4]> {
         let relative = short_number(100.0 * kg / report.effective_mass);
         [name.to_owned(), tolerance, short_number(kg), relative]
     };
-    let mut rows = vec![["numbers", "tolerance", "± kg", "± % of m̄"].map(str::to_owned)];
+    let effect = format!("± {unit}");
+    let mut rows = vec![["numbers", "tolerance", &effect, "± % of m̄"].map(str::to_owned)];
     for (name, part, kg) in
         [("masses", given.mass, report.parts.mass), ("armatures", given.armature, report.parts.armature)]
     {
@@ -173,23 +177,23 @@ fn part_rows(report: &ToleranceReport) -> Vec<[String; 4]> {
 }
 
 /// Histogram and statistics of the random samples.
-fn add_samples(samples: &SampleRecord, tolerances: &ToleranceReport, page: &mut Page) {
+fn add_samples(samples: &SampleRecord, tolerances: &ToleranceReport, unit: &str, page: &mut Page) {
     page.heading("Random samples");
     page.picture(
-        &histogram(samples, tolerances.effective_mass).to_svg(),
+        &histogram(samples, tolerances.effective_mass, unit).to_svg(),
         "Histogram of the effective mass of random designs within the tolerances",
         "Every number is uniform between its limits. Dotted: the nominal m̄, and the limits of 95 % of the samples.",
     );
     let rounded = |x: f64| within_uncertainty(x, samples.standard_deviation);
     let mut facts = vec![
         ("samples", format!("{}, seed {}", samples.count, samples.seed)),
-        ("mean", format!("{} kg", rounded(samples.mean))),
-        ("standard deviation", format!("{} kg", rounded(samples.standard_deviation))),
+        ("mean", format!("{} {unit}", rounded(samples.mean))),
+        ("standard deviation", format!("{} {unit}", rounded(samples.standard_deviation))),
         (
             "95 % within",
-            format!("{} to {} kg", rounded(samples.percentile_2_5), rounded(samples.percentile_97_5)),
+            format!("{} to {} {unit}", rounded(samples.percentile_2_5), rounded(samples.percentile_97_5)),
         ),
-        ("all within", format!("{} to {} kg", rounded(samples.least), rounded(samples.greatest))),
+        ("all within", format!("{} to {} {unit}", rounded(samples.least), rounded(samples.greatest))),
     ];
     if samples.unanswered > 0 {
         facts.push(("without a result", samples.unanswered.to_string()));
@@ -198,7 +202,7 @@ fn add_samples(samples: &SampleRecord, tolerances: &ToleranceReport, page: &mut 
 }
 
 /// Histogram of the samples. The number of bins is about the square root of the number of samples.
-fn histogram(samples: &SampleRecord, nominal: f64) -> Figure {
+fn histogram(samples: &SampleRecord, nominal: f64, unit: &str) -> Figure {
     let span = samples.greatest - samples.least;
     let bins = ((samples.count as f64).sqrt().ceil() as usize).clamp(1, limits::HISTOGRAM_BINS);
     let width = span / bins as f64;
@@ -215,7 +219,7 @@ fn histogram(samples: &SampleRecord, nominal: f64) -> Figure {
     let mark = |x: f64, label: &str| Mark { x, label: label.into() };
     Figure {
         title: "Effective mass within the tolerances".into(),
-        x_label: "m̄ (kg)".into(),
+        x_label: format!("m̄ ({unit})"),
         panels: vec![Panel {
             y_label: "samples".into(),
             series: vec![Series { name: "samples".into(), style: Style::Bars, points }],

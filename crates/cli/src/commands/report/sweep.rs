@@ -24,6 +24,8 @@ pub(super) struct SweepSection {
     picture: Result<(String, String), String>,
     least: Option<f64>,
     greatest: Option<f64>,
+    /// Unit of m̄.
+    unit: &'static str,
     /// Name of the motion ratio.
     ratio: String,
     /// Name of the varied number with its unit, and rows of the table on the page; empty for several varied numbers.
@@ -39,7 +41,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
     let table =
         SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));
     let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));
-    let inputs = sweep.heading().inputs.clone();
+    let (inputs, unit) = (sweep.heading().inputs.clone(), sweep.heading().unit);
     let varied = match &sweep.heading().varied[..] {
         [varied] => Some((varied.name.clone(), axis_unit(varied, sweep.heading().length_unit))),
         _ => None,
@@ -96,7 +98,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
         "" => name,
         unit => format!("{name} ({unit})"),
     });
-    Ok(SweepSection { csv, end, inputs, picture, least, greatest, ratio, column, rows })
+    Ok(SweepSection { csv, end, inputs, picture, least, greatest, unit, ratio, column, rows })
 }
 
 impl SweepSection {
@@ -123,7 +125,7 @@ impl SweepSection {
                 self.end.rows_without_result
             ));
         }
-        let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} kg", number(m)));
+        let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} {}", number(m), self.unit));
         page.facts([
             ("rows", format!("{}, {} without a result", self.end.rows, self.end.rows_without_result)),
             ("smallest", mass(self.least)),
@@ -140,14 +142,15 @@ impl SweepSection {
         }
         let last = self.rows.len() - 1;
         let steps = last.clamp(1, limits::SWEEP_ROWS_SHOWN - 1);
+        let mass = format!("m̄ ({})", self.unit);
         let has_ratio = self.rows.iter().any(|row| row[2] != "–");
         let chosen = (0..=steps.min(last)).map(|i| &self.rows[(i * last + steps / 2) / steps]);
         if has_ratio {
-            let mut rows = vec![[self.column.as_str(), "m̄ (kg)", self.ratio.as_str()].map(str::to_owned)];
+            let mut rows = vec![[self.column.as_str(), &mass, self.ratio.as_str()].map(str::to_owned)];
             rows.extend(chosen.cloned());
             page.table(&rows);
         } else {
-            let mut rows = vec![[self.column.as_str(), "m̄ (kg)"].map(str::to_owned)];
+            let mut rows = vec![[self.column.as_str(), &mass].map(str::to_owned)];
             rows.extend(chosen.map(|[at, mass, _]| [at.clone(), mass.clone()]));
             page.table(&rows);
         }

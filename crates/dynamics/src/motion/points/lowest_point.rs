@@ -56,7 +56,7 @@ impl LowestPoint {
     /// ```
     ///
     /// with the velocity s of the lowest point relative to its link, the unit normal n and the angular velocity ω* of the link,
-    /// relative to the other side, in the response v*. Zero unless m̄ is finite and ω* is determined.
+    /// relative to the other side, in the response v*. Zero unless m̄ is finite and ω* is determined, and for a moment.
     ///
     /// # Errors
     /// [`ResponseError`], as [`Pose::respond`].
@@ -67,6 +67,9 @@ impl LowestPoint {
         let contact = self.contact_at(pose, contact);
         let response = pose.respond(&contact)?;
         let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(0.0) };
+        if contact.normal.is_moment() {
+            return Ok(0.0);
+        }
         let Some(slip) = self.slip(pose, &contact.point, u) else { return Ok(0.0) };
         let ahead = contact.point + pose.link(self.patch).inverse_vector(&slip);
         let velocity = |point| match pose.point_velocity(&response, contact.link, point) {

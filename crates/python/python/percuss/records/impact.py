@@ -73,7 +73,9 @@ class TouchingRecord(Record):
     name: str
     """Name of the contact, or its link and number."""
     is_joint_stop: bool
-    """True for the stop of a joint: kg·m², rad/s and N·m·s if the joint turns."""
+    """True for the stop of a joint."""
+    is_moment: bool
+    """True for a moment about an axis, and for the stop of a joint that turns: kg·m², rad/s and N·m·s."""
     link: str
     """Contact link."""
     point_world: list[float]
@@ -83,11 +85,12 @@ class TouchingRecord(Record):
     gap: float | None
     """Gap of a named contact at the pose, m: it is taken as closed; None for others."""
     closing_speed: float
-    """Closing speed before the impact, m/s; negative if the gap opens."""
+    """Closing speed before the impact, m/s (rad/s for a moment, as below kg·m²); negative if the gap opens."""
     effective_mass: float | None
     """Effective mass of the contact alone, kg; None if immovable."""
     principal_masses: list[float | None]
-    """Principal masses of the point, kg, ascending; None for a direction in which it cannot move."""
+    """Principal masses of the point, kg, ascending; None for a direction in which it cannot move. Principal inertias for a
+    moment."""
     principal_directions_world: list[list[float]]
     """Directions of the principal masses, world axes."""
 
@@ -156,7 +159,8 @@ class SimultaneousRecord(Record):
     contacts: list[TouchingRecord]
     """The contacts; the first is that of all other results."""
     delassus: list[list[float]]
-    """Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents."""
+    """Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: the angular
+    velocity about these axes, so that its block is in 1/(kg·m²)."""
     delassus_axes_world: list[list[list[float]]]
     """Axes of the rows: for each contact the opening direction and the two tangents, world axes."""
     stiffness_ratios: list[float]
@@ -437,9 +441,9 @@ class ImpactReport(Record):
     restitution: float
     """Coefficient of restitution e; with friction the energetic one."""
     closing_speed: float
-    """Closing speed before the impact, m/s."""
+    """Closing speed before the impact, m/s; rad/s for a moment ("mass.contact.is_moment")."""
     impulse: float
-    """Normal impulse between the two sides, N·s; −impulse · normal acts on the contact link."""
+    """Normal impulse between the two sides, N·s (N·m·s for a moment); −impulse · normal acts on the contact link."""
     energy_loss: float
     """Lost kinetic energy, J."""
     friction: FrictionRecord | None
@@ -449,11 +453,12 @@ class ImpactReport(Record):
     contact alone."""
     sticking_mass: float | None
     """Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; None if not finite. The effective mass is
-    that of a sliding contact, 1/(nᵀΛ⁻¹n)."""
-    sticking_status: Literal["finite", "immovable", "massless"]
-    """Kind of the sticking mass."""
+    that of a sliding contact, 1/(nᵀΛ⁻¹n). None for a moment and for the stop of a joint, which have no contact point."""
+    sticking_status: Literal["finite", "immovable", "massless"] | None
+    """Kind of the sticking mass; None for a moment and for the stop of a joint."""
     mass_states: list[MassStateRecord]
-    """Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints."""
+    """Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for a moment and
+    for the stop of a joint."""
     motion_before: str
     """Motion before the impact: "given", or "least-energy", the motion v* times the closing speed."""
     rates: list[JointRateRecord]
@@ -520,10 +525,10 @@ class ExtremePosition(Record):
 class ExtremeRecord(Record):
     """Extreme of the searched quantity."""
 
-    _answer = {"effective_mass": "kg", "status": ""}
+    _answer = {"effective_mass": "", "status": ""}
 
     effective_mass: float | None
-    """Effective mass, kg; None if it is not finite or if another quantity is searched."""
+    """Effective mass in the unit of the report; None if it is not finite or if another quantity is searched."""
     value: float | None
     """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
@@ -539,7 +544,7 @@ class ExtremeRecord(Record):
     kept_error: float | None
     """Largest error of a coordinate of a kept point, m; None without kept points."""
     normal_world: list[float] | None
-    """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
+    """Normal (axis of a moment) at the extreme, world axes, up to its sign; None for the normal of the contact."""
     residual: float
     """Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of the
     impulse): zero at an exact optimum."""
@@ -561,10 +566,12 @@ class ExtremesReport(Record):
     quantity: str
     """Quantity: "effective_mass", "reflected_inertia", "held_inertia" or "bearing_impulse" (impulse in the bearing per closing
     speed, of a plastic impact)."""
+    is_moment: bool
+    """True for a contact that is a moment about an axis, or the stop of a joint that turns: closing speeds in rad/s."""
     joint: str | None
     """Joint of the quantity; None for the effective mass."""
     unit: str
-    """Unit of the values: "kg" or "kg·m²"."""
+    """Unit of the values: "kg" or "kg·m²"; "kg·m" for the impulse in a bearing per closing speed of a moment."""
     ranges: list[list[float | str]]
     """Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path."""
     kept: list[KeptRecord]

@@ -47,11 +47,13 @@ class ContactRecord(Record):
     point_world: list[float]
     """Contact point, world frame, m."""
     normal_world: list[float]
-    """Unit normal out of the contact link, world axes."""
+    """Unit normal out of the contact link, world axes; the unit axis of a moment."""
     point_link: list[float]
-    """Contact point, link's frame, m."""
+    """Contact point, link's frame, m; the origin of the link for a moment, which has no point."""
     normal_link: list[float]
-    """Unit normal out of the contact link, link's axes."""
+    """Unit normal out of the contact link, link's axes; the unit axis of a moment."""
+    is_moment: bool
+    """True for a moment about an axis: masses in kg·m², speeds in rad/s, impulses in N·m·s, forces in N·m."""
 
 
 class HoldRecord(Record):
@@ -134,8 +136,8 @@ class MotionRatioRecord(Record):
     direction: list[float]
     """Direction of the speed, a unit vector in world axes."""
     contact_per_wheel: float | None
-    """Closing speed of the contact per speed of the point along the direction; negative if the contact closes while the point
-    moves against the direction. None if the point does not move."""
+    """Closing speed of the contact per speed of the point along the direction (rad/m for a moment); negative if the contact
+    closes while the point moves against the direction. None if the point does not move."""
     one_travel: bool
     """True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only."""
     held: str | None
@@ -200,7 +202,7 @@ class PointChange(Record):
 class Explanation(Record):
     """Sensitivities of an effective mass."""
 
-    _answer = {"effective_mass": "kg", "links": ""}
+    _answer = {"effective_mass": "", "links": ""}
 
     effective_mass: float
     """m̄, kg."""
@@ -268,7 +270,7 @@ class SampleRecord(Record):
 class ToleranceReport(Record):
     """Variation of m̄ within tolerances."""
 
-    _answer = {"effective_mass": "kg", "root_sum_square": "kg", "worst_case": "kg"}
+    _answer = {"effective_mass": "", "root_sum_square": "", "worst_case": ""}
 
     effective_mass: float
     """m̄, kg."""
@@ -296,7 +298,9 @@ class MassReport(Record):
     inputs: list[Input]
     """Input files."""
     effective_mass: float | None
-    """m̄, kg; None unless finite."""
+    """m̄ in "unit"; None unless finite."""
+    unit: str
+    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that turns."""
     status: Literal["finite", "immovable", "massless"]
     """Kind of result."""
     singular_pose: bool

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, 
 
 _R = TypeVar("_R", bound="Record")
 _Convert = Callable[[Any], Any]
+#: Units for a contact that is a moment about an axis, in place of those of a contact point.
+_UNITS_OF_MOMENT = {"kg": "kg m²", "N s": "N m s", "m/s": "rad/s", "N": "N m"}
 #: Keys that describe the report, not the result.
 _HEADING = ("schema", "percuss", "inputs")
 
@@ -60,7 +62,10 @@ class Record(dict[str, Any]):
         return facts
 
     def __repr__(self) -> str:
-        answer = [f"{key}: {_shown(self, key)}{unit and ' ' + unit}" for key, unit in self._answer.items()]
+        units = _UNITS_OF_MOMENT if _is_moment(self) else {}
+        answer = [
+            f"{key}: {_shown(self, key)}{unit and ' ' + units.get(unit, unit)}" for key, unit in self._answer.items()
+        ]
         if not answer:
             answer = [f"{key}: {value}" for key, value in self._facts() if key not in _HEADING]
         return f"<{type(self).__name__} {', '.join(answer)}>"
@@ -81,11 +86,23 @@ class AnyRecord(Record):
         def __getattr__(self, key: str) -> Any: ...
 
 
-def _shown(record: Record, path: str) -> str:
-    """Text of the value at a path of keys: a number, the length of a list, or text."""
+def _at(record: Record, path: str) -> Any:
+    """Value at a path of keys; None if it does not exist."""
     value: Any = record
     for key in path.split("."):
         value = value.get(key) if isinstance(value, dict) else None
+    return value
+
+
+def _is_moment(record: Record) -> bool:
+    """True if the report is about a moment about an axis."""
+    keys = ("is_moment", "contact.is_moment", "mass.contact.is_moment")
+    return any(_at(record, key) is True for key in keys) or _at(record, "mass_unit") == "kg·m²"
+
+
+def _shown(record: Record, path: str) -> str:
+    """Text of the value at a path of keys: a number, the length of a list, or text."""
+    value = _at(record, path)
     if isinstance(value, float):
         return f"{value:.7g}"
     return str(len(value)) if isinstance(value, list) else str(value)

@@ -20,7 +20,7 @@ class VariedColumn(Record):
 class SweepRow(Record):
     """A row of a sweep."""
 
-    _answer = {"row": "", "effective_mass": "kg", "status": ""}
+    _answer = {"row": "", "effective_mass": "", "status": ""}
 
     row: int
     """Number of the row, from 0."""
@@ -74,6 +74,8 @@ class SweepReport(Record):
     """Seed of the random positions; None without random positions."""
     link: str
     """Contact link."""
+    unit: str
+    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that turns."""
     motion_ratio_of: str | None
     """Travel of the motion ratio: the name of the varied travel, or "estimate" for the point of the estimate. The ratio of one
     point holds for the motion of the impact (with a sliding rack held, and without spin of a wheel with the contact on it).
@@ -116,9 +118,12 @@ class DesignRecord(Record):
     status: Literal["finite", "immovable", "massless"] | None
     """Kind of result; None without a result."""
     effective_mass: float | None
-    """m̄, kg; None unless finite."""
+    """m̄ in "mass_unit"; None unless finite."""
+    mass_unit: str
+    """Unit of the effective masses of the design: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that
+    turns."""
     effective_mass_error: float | None
-    """Error bound of m̄, kg."""
+    """Error bound of m̄, in "mass_unit"."""
     motion_ratio: float | None
     """Motion ratio: closing of the contact per upward travel of the wheel; None if it differs between motions of the mechanism."""
     travel_at_touch: float | None
@@ -143,7 +148,7 @@ class ComparisonRow(Record):
     varied: list[float]
     """The varied numbers, rad or m."""
     effective_mass: list[float | None]
-    """m̄ of each design, kg; None without a finite result."""
+    """m̄ of each design, in its unit; None without a finite result."""
     difference_percent: list[float | None]
     """Difference of each design from its reference, per cent."""
     motion_ratio: list[float | None]

@@ -111,18 +111,10 @@ pub enum Fault {
         message: String,
     },
     /// Requested result that is not defined for the stop of a joint.
-    #[error(
-        "the stop of a joint has no {result}: it has no contact point; give a contact by link, point and normal"
-    )]
-    OfJointStop {
-        /// The result.
-        result: &'static str,
-    },
-    /// Result about the contact point for a contact along a line between two points.
-    #[error(
-        "a cable, a spring or a rod has no {result}: its force acts along the line between its ends; give a contact by link, point and normal"
-    )]
-    OfLine {
+    #[error("{contact} has no {result}: it has no contact point; give a contact by link, point and normal")]
+    NoContactPoint {
+        /// Kind of the contact.
+        contact: &'static str,
         /// The result.
         result: &'static str,
     },

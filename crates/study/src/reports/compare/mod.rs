@@ -5,7 +5,7 @@ pub(crate) mod design_changes;
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::evaluation::status::Status;
+use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
@@ -65,9 +65,11 @@ pub struct DesignRecord {
     pub inputs: Vec<Input>,
     /// Kind of result; null without a result.
     pub status: Option<Status>,
-    /// m̄, kg; null unless finite.
+    /// m̄ in `mass_unit`; null unless finite.
     pub effective_mass: Option<f64>,
-    /// Error bound of m̄, kg.
+    /// Unit of the effective masses of the design: `kg`; `kg·m²` for a moment about an axis, and for the stop of a joint that turns.
+    pub mass_unit: &'static str,
+    /// Error bound of m̄, in `mass_unit`.
     pub effective_mass_error: Option<f64>,
     /// Motion ratio: closing of the contact per upward travel of the wheel; null if it differs between motions of the mechanism.
     pub motion_ratio: Option<f64>,
@@ -95,7 +97,7 @@ pub struct ComparisonRow {
     pub row: usize,
     /// The varied numbers, rad or m.
     pub varied: Vec<f64>,
-    /// m̄ of each design, kg; null without a finite result.
+    /// m̄ of each design, in its unit; null without a finite result.
     pub effective_mass: Vec<Option<f64>>,
     /// Difference of each design from its reference, per cent.
     pub difference_percent: Vec<Option<f64>>,
@@ -213,6 +215,7 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         inputs: design.model.inputs.clone(),
         status: None,
         effective_mass: None,
+        mass_unit: mass_unit(design.question.is_moment(&design.model.mechanism)),
         effective_mass_error: None,
         motion_ratio: None,
         travel_at_touch: None,

@@ -43,7 +43,7 @@ pub struct ExtremePosition {
 /// Extreme of the searched quantity.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExtremeRecord {
-    /// Effective mass, kg; null if it is not finite or if another quantity is searched.
+    /// Effective mass in the unit of the report; null if it is not finite or if another quantity is searched.
     pub effective_mass: Option<f64>,
     /// Value of the quantity in the unit of the report; null if not finite.
     pub value: Option<f64>,
@@ -58,7 +58,7 @@ pub struct ExtremeRecord {
     pub row: Option<f64>,
     /// Largest error of a coordinate of a kept point, m; null without kept points.
     pub kept_error: Option<f64>,
-    /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
+    /// Normal (axis of a moment) at the extreme, world axes, up to its sign; null for the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
     /// the impulse): zero at an exact optimum.
@@ -101,9 +101,11 @@ pub struct ExtremesReport {
     /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse` (impulse in the bearing per closing speed, of
     /// a plastic impact).
     pub quantity: &'static str,
+    /// True for a contact that is a moment about an axis, or the stop of a joint that turns: closing speeds in rad/s.
+    pub is_moment: bool,
     /// Joint of the quantity; null for the effective mass.
     pub joint: Option<String>,
-    /// Unit of the values: `kg` or `kg·m²`.
+    /// Unit of the values: `kg` or `kg·m²`; `kg·m` for the impulse in a bearing per closing speed of a moment.
     pub unit: &'static str,
     /// Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path.
     pub ranges: Vec<(String, f64, f64)>,
@@ -163,7 +165,7 @@ pub fn extremes(
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
-    let (quantity, unit) = extremes.quantity.searched(&model.mechanism)?;
+    let (quantity, unit) = extremes.quantity.searched(&model.mechanism, contact.normal.is_moment())?;
     let search = ExtremesSearch {
         prepared: &prepared,
         pose: &pose,
@@ -216,6 +218,7 @@ pub fn extremes(
         schema: "percuss.extremes/1",
         percuss: env!("CARGO_PKG_VERSION"),
         quantity: extremes.quantity.name(),
+        is_moment: contact.normal.is_moment(),
         joint: extremes.quantity.joint().map(str::to_owned),
         unit,
         ranges: found.ranges.iter().map(|range| (name(range.joint), range.lower, range.upper)).collect(),

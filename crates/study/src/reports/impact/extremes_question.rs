@@ -1,5 +1,6 @@
 //! Question about extremes over positions.
 
+use crate::evaluation::status::mass_unit;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::triples;
@@ -97,16 +98,21 @@ impl GivenQuantity {
         }
     }
 
-    /// Quantity of the search, and its unit.
+    /// Quantity of the search, and its unit. `is_moment`: the contact is a moment about an axis.
     pub(crate) fn searched(
         &self,
         mechanism: &Mechanism,
+        is_moment: bool,
     ) -> Result<(SearchedQuantity, &'static str), StudyError> {
-        let Some(name) = self.joint() else { return Ok((SearchedQuantity::EffectiveMass, "kg")) };
+        let Some(name) = self.joint() else {
+            return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
+        };
         let joint = find_joint(mechanism, Field::Quantity, name)?;
         let held = matches!(self, Self::Held(_));
         Ok(match (self, mechanism.joint(joint).kind()) {
-            (Self::Bearing(_), _) => (SearchedQuantity::BearingImpulse { joint }, "kg"),
+            (Self::Bearing(_), _) => {
+                (SearchedQuantity::BearingImpulse { joint }, if is_moment { "kg·m" } else { "kg" })
+            }
             (_, JointKind::Prismatic) => (SearchedQuantity::ReflectedInertia { joint, held }, "kg"),
             _ => (SearchedQuantity::ReflectedInertia { joint, held }, "kg·m²"),
         })

@@ -4,14 +4,18 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::spelled_contact::FurtherContact;
 use crate::values::rates::GivenRates;
 use percuss_impact::RestitutionLaw;
+use percuss_units::Dimension;
 
 /// Restitution, motion before the impact, and additional requests.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImpactQuestion {
     /// Coefficient of restitution e, from 0 to 1.
     pub restitution: f64,
-    /// Closing speed, m/s; `None` if the rates give it.
+    /// Closing speed, m/s (rad/s for a moment); `None` if the rates give it.
     pub speed: Option<f64>,
+    /// Dimensions in which the closing speed and the stiffness of `law` were given; `None` for plain numbers in SI units. They must be those
+    /// of a rotation for a moment, and those of a translation otherwise.
+    pub dimensions: [Option<Dimension>; 2],
     /// Coefficient of friction; `None` without friction.
     pub friction: Option<f64>,
     /// Meaning of the coefficient of restitution with friction.

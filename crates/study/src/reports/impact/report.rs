@@ -8,7 +8,7 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::DampingQuestion;
+use crate::question::damping_question::{DampingQuestion, check_dimensions};
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
@@ -120,9 +120,9 @@ pub struct ImpactReport {
     pub mass: MassReport,
     /// Coefficient of restitution e; with friction the energetic one.
     pub restitution: f64,
-    /// Closing speed before the impact, m/s.
+    /// Closing speed before the impact, m/s; rad/s for a moment (`mass.contact.is_moment`).
     pub closing_speed: f64,
-    /// Normal impulse between the two sides, N·s; −impulse · normal acts on the contact link.
+    /// Normal impulse between the two sides, N·s (N·m·s for a moment); −impulse · normal acts on the contact link.
     pub impulse: f64,
     /// Lost kinetic energy, J.
     pub energy_loss: f64,
@@ -132,11 +132,12 @@ pub struct ImpactReport {
     /// contact alone.
     pub simultaneous: Option<SimultaneousRecord>,
     /// Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; null if not finite. The effective
-    /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n).
+    /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n). Null for a moment and for the stop of a joint, which have no contact point.
     pub sticking_mass: Option<f64>,
-    /// Kind of the sticking mass.
-    pub sticking_status: Status,
-    /// Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints.
+    /// Kind of the sticking mass; null for a moment and for the stop of a joint.
+    pub sticking_status: Option<Status>,
+    /// Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for a moment and for the stop of
+    /// a joint.
     pub mass_states: Vec<MassStateRecord>,
     /// Motion before the impact: `given`, or `least-energy`, the motion v* times the closing speed.
     pub motion_before: &'static str,
@@ -181,7 +182,17 @@ pub fn impact(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
     let response = &result.response;
-    refuse_without_surface(&evaluated, impact)?;
+    let [speed, stiffness] = impact.dimensions;
+    check_dimensions(
+        impact.law.as_ref().map_or(1.0, |law| law.exponent),
+        (Field::ImpactStiffness, stiffness),
+        (Field::ClosingSpeed, speed),
+        response.contact.is_moment,
+    )?;
+    let has_point = has_contact_point(&evaluated);
+    if !has_point {
+        refuse_results_at_point(&evaluated, impact)?;
+    }
     if response.singular_pose {
         return Err(StudyError::SingularImpact);
     }
@@ -219,13 +230,14 @@ pub fn impact(
     if let Some(law) = &mut contact_law {
         law.motion_force = motion_force(&evaluated, &rigid, &held, &reactions);
     }
-    let sticking =
-        held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
-    let sticking = match prepared.other_mass() {
-        None => sticking,
-        Some(other) => sticking.against_mass(Some(other)),
+    let sticking = match has_point {
+        true => {
+            let alone = held_point_mass(pose, &response.contact);
+            let alone = alone.map_err(|error| StudyError::input(Field::Link, error))?;
+            Some(Status::classify(alone.against_mass(prepared.other_mass())))
+        }
+        false => None,
     };
-    let (sticking_status, sticking_mass) = Status::classify(sticking);
     Ok(ImpactReport {
         schema: "percuss.impact/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -235,9 +247,9 @@ pub fn impact(
         energy_loss: rigid.energy_loss,
         friction: friction_record(&evaluated, &rigid),
         simultaneous: simultaneous(&evaluated, impact, &rigid)?,
-        sticking_mass,
-        sticking_status,
-        mass_states: mass_states(&evaluated)?,
+        sticking_mass: sticking.and_then(|(_, mass)| mass),
+        sticking_status: sticking.map(|(status, _)| status),
+        mass_states: if has_point { mass_states(&evaluated)? } else { Vec::new() },
         motion_before: if is_given { "given" } else { "least-energy" },
         rates: joint_rates(pose, &rigid),
         base: base_rates(&evaluated, &rigid),
@@ -258,23 +270,33 @@ pub fn impact(
     })
 }
 
-/// Refuses results about the contact point for the stop of a joint, and for a cable, a spring or a rod.
-fn refuse_without_surface(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
+/// False for a moment about an axis, for the stop of a joint, and for a cable, a spring or a rod.
+fn has_contact_point(evaluated: &EvaluatedQuestion) -> bool {
     let prepared = &evaluated.prepared;
-    let is_stop = prepared.question.stop_of_joint(&prepared.model.mechanism).is_some();
-    let is_line =
-        matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..));
-    if !is_stop && !is_line {
-        return Ok(());
-    }
+    let is_moment = evaluated.result.response.contact.is_moment;
+    !is_moment && !is_line(evaluated) && prepared.question.stop_of_joint(&prepared.model.mechanism).is_none()
+}
+
+/// True for a force along the line between two points: of a cable, a spring or a rod.
+fn is_line(evaluated: &EvaluatedQuestion) -> bool {
+    matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..))
+}
+
+/// Refuses results about the contact point for a contact without one.
+fn refuse_results_at_point(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
+    let prepared = &evaluated.prepared;
+    let contact = match prepared.question.stop_of_joint(&prepared.model.mechanism) {
+        Some(_) => "the stop of a joint",
+        None if is_line(evaluated) => "a cable, a spring or a rod",
+        None => "a moment about an axis",
+    };
     let results = [
         (impact.friction.is_some(), Field::Friction, "friction"),
         (!impact.percussion.is_empty(), Field::Percussion, "centre of percussion"),
         (impact.sticking, Field::Also, "sticking contact point"),
     ];
     match results.into_iter().find(|(is_requested, ..)| *is_requested) {
-        Some((_, field, result)) if is_stop => Err(StudyError::input(field, Fault::OfJointStop { result })),
-        Some((_, field, result)) => Err(StudyError::input(field, Fault::OfLine { result })),
+        Some((_, field, result)) => Err(StudyError::input(field, Fault::NoContactPoint { contact, result })),
         None => Ok(()),
     }
 }

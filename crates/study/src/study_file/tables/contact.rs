@@ -82,7 +82,7 @@ pub struct ContactTable {
         arg(
             long,
             value_name = "NAME",
-            conflicts_with_all = ["link", "point", "along_line", "frame", "against"],
+            conflicts_with_all = ["link", "point", "along_line", "about_axis", "frame", "against"],
             help_heading = CONTACT
         )
     )]
@@ -114,6 +114,22 @@ pub struct ContactTable {
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Vector>,
+    /// Instead of a point and a normal: a moment about an axis. The result is an inertia, kg·m².
+    ///
+    /// The two sides act on each other by a moment about this axis (a couple), as at a rotational stop or in a clutch. The result is the
+    /// effective inertia: kg·m² in place of kg, rad/s in place of m/s, N·m·s in place of N·s. The length of the axis has no effect.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "X,Y,Z",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"],
+            help_heading = CONTACT
+        )
+    )]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub about_axis: Option<Vector>,
     /// Instead of a normal: towards a point of a link.
     ///
     /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
@@ -137,7 +153,7 @@ pub struct ContactTable {
         arg(long, requires = "along_line", conflicts_with = "turning_normal", help_heading = CONTACT)
     )]
     pub cable: bool,
-    /// Frame of the point and the normal; default: link.
+    /// Frame of the point and the normal or the axis; default: link.
     ///
     /// Applies to both. A point given in another frame is converted to the link frame once, at the set pose with
     /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
@@ -274,11 +290,12 @@ impl ContactTable {
         if self.at.is_some() {
             return None;
         }
+        let is_moment = self.about_axis.is_some();
         let normal = self.normal.is_some() || self.along_line.is_some();
         let parts = [
             ("link", self.link.is_some()),
-            ("point", self.point.is_some()),
-            ("normal or along_line", normal),
+            ("point", self.point.is_some() || is_moment),
+            ("normal or along_line", normal || is_moment),
         ];
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
@@ -288,7 +305,9 @@ impl ContactTable {
     /// # Errors
     /// [`InvalidKey`]: keys that exclude each other.
     pub(crate) fn apply_to(&self, question: &mut MassQuestion) -> Result<(), InvalidKey> {
+        self.check_axis()?;
         let normal = match (&self.along_line, self.normal) {
+            (None, None) if self.about_axis.is_some() => Normal::About(self.about_axis.unwrap_or_default().0),
             (None, _) if self.turning_normal => {
                 return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
             }
@@ -310,7 +329,7 @@ impl ContactTable {
         };
         let with_normal = Self { normal: None, normal_frame: None, ..self.clone() };
         if self.at.is_some() && (!with_normal.has_no_geometry() || self.against.is_some()) {
-            let why = "it names a contact of the model: remove `link`, `point`, `along_line`, `frame` and `against`";
+            let why = "it names a contact of the model: remove `link`, `point`, `along_line`, `about_axis`, `frame` and `against`";
             return Err(InvalidKey::new("contact.at", why));
         }
         if self.against.is_some() && self.against_mass.is_some() {
@@ -320,11 +339,13 @@ impl ContactTable {
             return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
         }
         let frame = self.frame.unwrap_or_default();
+        // The frame of a moment is that of its axis; it has no point.
+        let point_frame = if self.about_axis.is_some() { FrameName::Link } else { frame };
         question.at.clone_from(&self.at);
         question.link = self.link.clone().unwrap_or_default();
         question.point = self.point.unwrap_or_default().0;
         question.normal = normal;
-        question.frame = frame.into();
+        question.frame = point_frame.into();
         question.normal_frame = self.normal_frame.unwrap_or(frame).into();
         let far_end = self.along_line.iter().filter(|_| self.cable && self.against_mass.is_none());
         let far_end = far_end.map(|line| line.link.clone()).next();
@@ -335,6 +356,28 @@ impl ContactTable {
         Ok(())
     }
 
+    /// Refuses keys that exclude a moment about an axis.
+    fn check_axis(&self) -> Result<(), InvalidKey> {
+        let others = [
+            ("point", self.point.is_some()),
+            ("normal", self.normal.is_some()),
+            ("along_line", self.along_line.is_some()),
+            ("turning_normal", self.turning_normal),
+            ("cable", self.cable),
+            ("against_mass", self.against_mass.is_some()),
+            ("estimate", self.estimate.is_some()),
+        ];
+        match others.into_iter().find(|(_, is_given)| *is_given && self.about_axis.is_some()) {
+            Some((key, _)) => {
+                let why = format!(
+                    "the contact is a moment about an axis: remove `{key}`, or give a point and a normal"
+                );
+                Err(InvalidKey::new("contact.about_axis", why))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// True if the contact has no own data: no name, link, point, normal or frame.
     pub fn is_empty(&self) -> bool {
         self.at.is_none() && self.has_no_geometry()
@@ -342,11 +385,23 @@ impl ContactTable {
 
     /// True without link, point, normal and frame.
     fn has_no_geometry(&self) -> bool {
-        let Self { link, point, normal, along_line, turning_normal, cable, frame, normal_frame, .. } = self;
+        let Self {
+            link,
+            point,
+            normal,
+            along_line,
+            about_axis,
+            turning_normal,
+            cable,
+            frame,
+            normal_frame,
+            ..
+        } = self;
         link.is_none()
             && point.is_none()
             && normal.is_none()
             && along_line.is_none()
+            && about_axis.is_none()
             && !turning_normal
             && !cable
             && frame.is_none()

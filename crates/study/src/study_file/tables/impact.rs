@@ -3,7 +3,7 @@
 use super::damping::LawName;
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, IMPACT};
-use crate::question::damping_question::{DampingQuestion, check_units};
+use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::spelled_contact::FurtherContact;
 use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
@@ -14,7 +14,6 @@ use crate::values::rates::GivenRates;
 use crate::values::value::{self, PositionText, Words};
 use percuss_contact::Law;
 use percuss_impact::RestitutionLaw;
-use percuss_units::Dimension;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -249,15 +248,12 @@ impl ImpactTable {
     /// Converts the table to a question.
     ///
     /// # Errors
-    /// [`InvalidKey`]: a missing restitution, a speed in the unit of a rotation, a law that contradicts the exponent.
+    /// [`InvalidKey`]: a missing restitution, a law that contradicts the exponent.
     pub fn question(&self) -> Result<ImpactQuestion, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let Some(Ratio(restitution)) = self.restitution else {
             return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
         };
-        if self.speed.is_some_and(|speed| speed.0.dimension == Some(Dimension::AngularSpeed)) {
-            return refuse("impact.speed", "the unit of a rotation; expected m/s, mm/s or km/h");
-        }
         let base_twist = match <[f64; 6]>::try_from(self.base_twist.as_slice()) {
             Ok(twist) if twist.iter().all(|x| x.is_finite()) => Some(twist),
             _ if self.base_twist.is_empty() => None,
@@ -292,6 +288,10 @@ impl ImpactTable {
         Ok(ImpactQuestion {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
+            dimensions: [
+                self.speed.and_then(|speed| speed.0.dimension),
+                self.stiffness.and_then(|stiffness| stiffness.0.dimension),
+            ],
             friction: self.friction.map(|friction| friction.0),
             restitution_law: self.restitution_law.unwrap_or_default().law(),
             also: self.also.clone(),
@@ -320,8 +320,6 @@ impl ImpactTable {
         let name = self.law.as_ref().map_or(Law::KelvinVoigt.name(), |law| law.name());
         law.choose(name, self.exponent.map(|exponent| exponent.0), None)
             .map_err(|error| InvalidKey::new("impact.law", error.to_string()))?;
-        check_units(&law, stiffness.0, None, false)
-            .map_err(|error| InvalidKey::new("impact.stiffness", error.to_string()))?;
         Ok(Some(law))
     }
 }
