@@ -4,7 +4,8 @@ import { Ended, Engine } from '../engine/engine';
 import type {
   ContactTable, Curve, CurveRow, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
-import { Answers } from './answers';
+import { Answers, type PanelTables } from './answers';
+import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
 import { drivers, firstDriver, valueOf, vary, varyOutward, withValue, type Driver } from './drivers';
 import { endsOf, type End } from './ends';
 import { fromHash, toHash } from './link';
@@ -13,8 +14,8 @@ export type ViewName = '3d' | 'front' | 'side' | 'top';
 export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[]; kinematics?: KinematicsReport }
 interface Entry { study: Study; label: string }
 export interface Start {
-  model?: { name: string; text: string; shapes?: (string | null)[] };
-  study?: Partial<Study>;
+  model?: ModelFiles;
+  study?: Partial<Study> & { panels?: PanelTables };
   driver?: string;
   view?: ViewName;
   /** Variants of a study, shown as frozen ones. */
@@ -49,6 +50,10 @@ export class Store {
   busy = false;
   fileName = '';
   text = '';
+  /** Further files of the model, base64 by path. */
+  files: Record<string, string> | undefined;
+  /** Folder with several models, one of which is to be chosen. */
+  folder: { models: FoundModel[]; files: NamedFile[] } | undefined;
   shapes: (string | null)[] | undefined;
   opened: Opened | undefined;
   refusal: Refusal | undefined;
@@ -127,11 +132,14 @@ export class Store {
     const text = linked?.text ?? (linked?.study.model.path === start.model?.name ? start.model?.text : undefined);
     if (linked && text === undefined) this.notice = `The link belongs to a page with ${linked.study.model.path}.`;
     if (linked && text !== undefined) {
-      const isSame = text === start.model?.text;
-      await this.open(linked.study.model.path, text, isSame ? start.model?.shapes : undefined, linked.study, linked.driver);
+      const own = text === start.model?.text ? start.model : undefined;
+      const { files = own?.files, driver, study } = linked;
+      await this.open({ name: study.model.path, text, files, shapes: own?.shapes }, study, driver);
+      if (own) this.answers.begin(start.study?.panels);
       if (linked.view) this.view = linked.view as ViewName;
     } else if (start.model) {
-      await this.open(start.model.name, start.model.text, start.model.shapes, start.study, start.driver);
+      await this.open(start.model, start.study, start.driver);
+      this.answers.begin(start.study?.panels);
       if (start.view) this.view = start.view;
       await this.freezeAll(start.variants ?? []);
     }
@@ -151,12 +159,32 @@ export class Store {
     await this.update();
   }
 
-  async open(name: string, text: string, shapes?: (string | null)[], given?: Partial<Study>, driver?: string) {
+  /** Opens a model of a folder, or shows the list of its models. */
+  async openFolder(files: NamedFile[]) {
+    this.set({ notice: undefined, folder: undefined });
+    const models = await modelsOf(files);
+    if (!models.length) {
+      this.set({ notice: `None of the ${files.length} files of the folder is a model: expected URDF, MJCF, SDFormat or a suspension sheet.` });
+    } else if (models.length === 1) {
+      await this.openFromFolder(models[0], files);
+    } else {
+      this.set({ folder: { models, files } });
+    }
+  }
+
+  async openFromFolder(chosen: FoundModel, files: NamedFile[]) {
+    this.set({ folder: undefined });
+    const { model, left } = await filesOfModel(chosen, files);
+    await this.open(model);
+    if (left.length) this.set({ notice: `${left.length} files are left out, because the page reads at most 64 MB: ${left.slice(0, 3).join(', ')}${left.length > 3 ? ' …' : ''}` });
+  }
+
+  async open({ name, text, files, shapes }: ModelFiles, given?: Partial<Study>, driver?: string) {
     const model = { ...given?.model, path: name };
-    const reply = await this.ask<Opened>({ do: 'open', model, text });
+    const reply = await this.ask<Opened>({ do: 'open', model, text, files, shapes: !shapes });
     if (!reply) return;
     if ('refused' in reply) {
-      this.set({ refusal: reply.refused, ...(this.opened ? {} : { fileName: name, text }) });
+      this.set({ refusal: reply.refused, ...(this.opened ? {} : { fileName: name, text, files }) });
       return;
     }
     const opened = reply.ok;
@@ -171,12 +199,16 @@ export class Store {
     const all = drivers(opened);
     const link = study.contact.link ?? opened.scene.links[opened.scene.contacts.find((c) => c.name === study.contact.at)?.link ?? -1]?.name;
     Object.assign(this, {
-      fileName: name, text, shapes, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
+      fileName: name, text, files, shapes: shapes ?? opened.shapes?.links, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
       frames: opened.scene.design, curve: undefined, explanation: undefined, drivers: all,
       driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
       variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
     });
     this.answers.clear();
+    const without = opened.shapes?.diagnostics.length;
+    if (without) {
+      this.notice = `${without} ${without === 1 ? 'link is' : 'links are'} drawn without ${without === 1 ? 'its shape' : 'their shapes'} (see Findings). Meshes are found in a folder with the model: choose it by Folder…, or drop it.`;
+    }
     await this.update();
   }
 
@@ -189,7 +221,7 @@ export class Store {
         // A trap leaves the module in an unknown state.
         this.notice = `The engine stopped: ${(error as Error).message}. The page goes on with a new one.`;
         await this.engine!.end();
-        await this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+        await this.reopen();
       }
       return undefined;
     } finally {
@@ -198,11 +230,16 @@ export class Store {
     }
   }
 
+  /** Gives the model to an engine without one. */
+  private reopen() {
+    return this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text, files: this.files });
+  }
+
   /** Ends the work at hand; the last result stays. */
   async end() {
     if (!this.busy || !this.engine || !this.study) return;
     await this.engine.end();
-    await this.engine.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+    await this.reopen();
     this.set({ busy: false, notice: 'The work was ended. The last result is shown.' });
   }
 
@@ -350,7 +387,7 @@ export class Store {
   }
 
   linked() {
-    return { study: this.study!, text: this.text, driver: this.driver?.name, view: this.view };
+    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view };
   }
 
   async explain() {
@@ -498,7 +535,8 @@ export class Store {
   }
 
   get findings(): Finding[] {
-    return this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? [];
+    const shapes = this.opened?.shapes?.diagnostics ?? [];
+    return [...(this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? []), ...shapes];
   }
 }
 

@@ -62,8 +62,8 @@ export function csvText(): string | undefined {
 
 /** The page with the present state, as a file. */
 function pageText(): string {
-  const { study, text, fileName, shapes, driver, view } = store;
-  const start = JSON.stringify({ model: { name: fileName, text, shapes }, study, driver: driver?.name, view }).replaceAll('<', '\\u003c');
+  const { study, text, files, fileName, shapes, driver, view } = store;
+  const start = JSON.stringify({ model: { name: fileName, text, files, shapes }, study, driver: driver?.name, view }).replaceAll('<', '\\u003c');
   const data = document.documentElement.cloneNode(true) as HTMLElement;
   data.querySelector('#start')!.textContent = start;
   data.querySelector('#app')!.innerHTML = '';
