@@ -92,6 +92,7 @@ export function App() {
 }
 
 async function openFile(file: File) {
+  store.set({ notice: undefined });
   await store.open({ name: file.name, text: await file.text() });
 }
 

@@ -1,7 +1,9 @@
 //! Shared helpers of the tests of this crate.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use percuss_formats::{Diagnostic, LoadError, LoadOptions, Loaded, MemoryFiles, Source, load, load_file};
+use percuss_formats::{
+    Diagnostic, LoadError, LoadOptions, Loaded, MemoryFiles, Source, load, load_file, write_urdf,
+};
 use percuss_mechanism::Severity;
 use std::path::PathBuf;
 
@@ -87,7 +89,8 @@ impl Folder {
         let summary = |loaded: &Result<Loaded, LoadError>| {
             let findings: Vec<_> =
                 told(loaded).iter().map(|d| (d.code, d.path.clone(), d.line, d.severity)).collect();
-            let parts = loaded.as_ref().ok().map(|loaded| (&loaded.mechanism, &loaded.files, &loaded.shapes));
+            let parts = loaded.as_ref().ok();
+            let parts = parts.map(|loaded| (write_urdf(&loaded.mechanism), &loaded.files, &loaded.shapes));
             format!("{findings:?} {parts:?}")
         };
         assert_eq!(summary(&in_memory), summary(&loaded), "{path}: in memory, and in the file system");

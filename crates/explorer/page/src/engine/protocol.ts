@@ -97,7 +97,7 @@ export interface GivenContact { status: string | null; effective_mass: number | 
 export interface DirectionMass { direction_world: Triple; status: string; effective_mass: number | null }
 export interface Directions { principal: DirectionMass[]; point_world: Triple }
 
-// Tables of a study file.
+// Tables of a study.
 export interface ModelTable {
   path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; link_inertia?: Record<string, Triple>; [key: string]: unknown;
 }

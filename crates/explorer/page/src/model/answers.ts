@@ -1,5 +1,5 @@
-// Further results at the pose shown: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. Each is asked for
-// only while it is shown, when the question rests.
+// Further results at the pose: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. A result is requested
+// only while it is displayed and no drag is in progress.
 
 import type { DampingReport, Directions, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
 
@@ -54,7 +54,7 @@ export class Answers {
   leftOut: { [K in Kind]?: string[] } = {};
   results: { [K in Kind]?: Outcome<Results[K]> } = {};
   private shown = new Set<Kind>();
-  /** Question of the results. */
+  /** Study of the results. */
   private study: Study | undefined;
   private run = 0;
   /** Surfaces of the links with shapes; given by the view. */
@@ -84,7 +84,7 @@ export class Answers {
     void this.refresh();
   }
 
-  /** True if the results belong to the question shown. */
+  /** True if the results belong to the displayed study. */
   isFresh(): boolean {
     return this.shown.size === 0 || this.study === this.present().study;
   }
@@ -96,7 +96,7 @@ export class Answers {
     this.study = undefined;
   }
 
-  /** Takes the values of a study. */
+  /** Sets the fields to the values of a study. */
   begin({ damping, impact, safe_speed }: PanelTables = {}) {
     const texts: Partial<Settings> = {};
     if (damping) {
@@ -123,7 +123,7 @@ export class Answers {
     this.set(texts);
   }
 
-  /** Asks for all results that are shown, unless they belong to this question already. A newer call ends an older one. */
+  /** Requests all displayed results, unless they belong to the current study. A later call cancels an earlier one. */
   async refresh() {
     const { study, state } = this.present();
     if (!study || this.study === study || this.shown.size === 0) return;

@@ -86,7 +86,7 @@ export async function modelsOf(files: NamedFile[]): Promise<FoundModel[]> {
   return found.sort((a, b) => rank(a) - rank(b) || a.path.localeCompare(b.path));
 }
 
-/** The files of a folder that a model names, also through its included files; `left`: those for which there is no room. */
+/** The files of a folder that a model names, also through its included files; `left`: the files beyond the limit of size. */
 export async function filesOfModel(model: FoundModel, files: NamedFile[]): Promise<{ model: ModelFiles; left: string[] }> {
   const wanted = new Map<string, File>();
   const texts = [model.text];
@@ -94,7 +94,7 @@ export async function filesOfModel(model: FoundModel, files: NamedFile[]): Promi
     const names = namesIn(text);
     for (const { path, file } of files) {
       if (path === model.path || wanted.has(path)) continue;
-      // A folder with a model of SDFormat is named without its files.
+      // An <include> of SDFormat names the folder of a model, not its file.
       const parts = path.split('/');
       const isOfFolder = /\.(sdf|config)$/i.test(path) && names.has(parts.at(-2) ?? '');
       if (!names.has(parts.at(-1)!) && !isOfFolder) continue;

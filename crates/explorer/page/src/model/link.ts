@@ -22,7 +22,7 @@ export async function toHash(state: LinkedState): Promise<string> {
   return `#${VERSION}:${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }
 
-/** State of an address; null without one. Throws a message if the address is of another version or damaged. */
+/** State of an address; null without one. Throws an error if the address is of another version or damaged. */
 export async function fromHash(hash: string): Promise<LinkedState | null> {
   if (hash.length < 2) return null;
   const [version, text] = [hash.slice(1, hash.indexOf(':')), hash.slice(hash.indexOf(':') + 1)];

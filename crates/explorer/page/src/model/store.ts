@@ -18,7 +18,7 @@ export interface Start {
   study?: Partial<Study> & { panels?: PanelTables };
   driver?: string;
   view?: ViewName;
-  /** Variants of a study, shown as frozen ones. */
+  /** Variants of a study, displayed as frozen variants. */
   variants?: (Partial<Study> & { name: string })[];
 }
 
@@ -30,9 +30,9 @@ const ROWS_OF_END = 21;
 const STEPS_OF_END = 2;
 /** Poses of the band of tolerances, each with all sensitivities. */
 const POSES_OF_BAND = 9;
-/** Time of rest before the work that a drag leaves out, ms. */
+/** Delay after the last change before the computations that a drag omits, ms. */
 const REST = 250;
-/** Work that takes longer is reported, ms. */
+/** Duration after which a computation is reported, ms. */
 const SLOW = 300;
 const MOST_VARIANTS = 8;
 const LONGEST_HISTORY = 200;
@@ -76,17 +76,17 @@ export class Store {
   showsMotion = false;
   showsDesign = false;
   selected: string | undefined;
-  /** Moves of the hardpoints when the model was opened: the scene of the opening has them. */
+  /** Moves of the hardpoints when the model was opened; the coordinates of the opened scene include them. */
   movedAtOpening: Record<string, Triple> = {};
   past: Entry[] = [];
   future: Entry[] = [];
-  /** Band of m̄ that a design shall have, kg. */
+  /** Target range of m̄, kg. */
   target: [number, number] | undefined;
   /** Tolerance of each coordinate of the hardpoints, m. */
   tolerance: number | undefined;
   /** Variation of m̄ within the tolerance along the curve, kg: root of the sum of squares, and sum. */
   variation: { at: number; mass: number; rss: number; worst: number }[] | undefined;
-  /** Ends of the branch shown, refined when the question rests. */
+  /** Ends of the displayed branch, refined after a drag. */
   ends: End[] = [];
   private resting: Promise<void> = Promise.resolve();
   readonly answers = new Answers(
@@ -230,12 +230,12 @@ export class Store {
     }
   }
 
-  /** Gives the model to an engine without one. */
+  /** Opens the model in a restarted engine. */
   private reopen() {
     return this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text, files: this.files });
   }
 
-  /** Ends the work at hand; the last result stays. */
+  /** Cancels the current computation; the last result remains. */
   async end() {
     if (!this.busy || !this.engine || !this.study) return;
     await this.engine.end();
@@ -245,7 +245,7 @@ export class Store {
 
   // ---- results -------------------------------------------------------------------------------------------------------
 
-  /** Asks for the newest study; older ones are dropped. */
+  /** Requests the result of the newest study; earlier studies without a result are skipped. */
   async update() {
     this.dirty = true;
     if (this.working) return;
@@ -299,7 +299,7 @@ export class Store {
     this.changed();
   }
 
-  /** Work that a drag leaves out. */
+  /** Computations that a drag omits. */
   private async atRest() {
     if (!this.study || this.gesture || this.working) return;
     await this.writeHash();
@@ -308,7 +308,7 @@ export class Store {
     await this.varyPoints();
   }
 
-  /** True if no work is left for the question shown. */
+  /** Resolves when all computations for the displayed study are finished. */
   async rested() {
     const isDone = () => this.isIdle && this.rest === undefined && (this.problem !== undefined || this.answers.isFresh());
     while (!isDone()) await new Promise((done) => setTimeout(done, 20));
@@ -326,7 +326,7 @@ export class Store {
       for (let step = 0; step < STEPS_OF_END; step++) {
         const low = Math.min(end.inside, end.outside);
         const high = Math.max(end.inside, end.outside);
-        // From the side that is reached.
+        // The rows begin at the reachable side.
         const downwards = end.side === 'lower';
         const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END, downwards) });
         if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply) || !reply.ok.curve || !('ok' in reply.ok.curve)) return;
@@ -362,7 +362,7 @@ export class Store {
     this.resting = this.resting.then(() => this.varyPoints());
   }
 
-  /** Value of a driver at the pose shown, SI. */
+  /** Value of a driver at the displayed pose, SI. */
   positionOf(driver: Driver): number {
     return this.study ? valueOf(driver, this.study, this.posed) : 0;
   }
@@ -411,7 +411,7 @@ export class Store {
     this.gesture ??= { study: this.study!, label };
   }
 
-  /** Ends a gesture; `keep` false takes its changes back. */
+  /** Ends a gesture; with `keep` false, its changes are reverted. */
   finish(keep = true, label?: string) {
     const gesture = this.gesture;
     this.gesture = undefined;
@@ -429,13 +429,13 @@ export class Store {
     return this.opened !== undefined && !this.working && !this.gesture;
   }
 
-  /** Ends a gesture when its last change is answered; a refused change is taken back. */
+  /** Ends a gesture after the result of its last change; a refused change is reverted. */
   async finishAnswered(keep: boolean, label: string | undefined) {
     while (this.working) await new Promise((done) => setTimeout(done, 4));
     this.finish(keep && !this.problem, label);
   }
 
-  /** Name of the change that an undo takes back. */
+  /** Name of the change that an undo reverts. */
   get lastLabel(): string | undefined {
     return this.gesture?.label ?? this.past.at(-1)?.label;
   }
@@ -449,7 +449,7 @@ export class Store {
     if (alone) this.begin(label);
     this.study = study;
     if (!alone) {
-      // The page follows with the reply, which is the next frame: it would be made twice for each move.
+      // The page is rendered with the reply in the next frame; rendering now would double the work for each move.
       void this.update();
       return;
     }
@@ -508,7 +508,7 @@ export class Store {
   movePoint(name: string, by: Triple, label: string) {
     const study = this.study!;
     const move = { ...study.model.move };
-    // A tenth of a micrometre: no digits of rounding in the command.
+    // Rounded to 0.1 µm, so that the command contains no digits of rounding.
     const rounded = by.map((x) => Math.round(x * 1e7) / 1e7 + 0) as Triple;
     if (rounded.every((x) => x === 0)) delete move[name];
     else move[name] = rounded;

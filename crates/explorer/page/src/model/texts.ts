@@ -9,7 +9,7 @@ const triple = (values: readonly number[]) => values.map(plain).join(',');
 
 type Flag = [string, string?];
 
-/** List of flags, and a function that adds one with a value that is given. */
+/** List of flags, and a function that adds a flag if its value is given. */
 function list() {
   const out: Flag[] = [];
   const one = (flag: string, value: string | number | undefined) => {

@@ -1,4 +1,4 @@
-// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. Each panel asks only while it is open.
+// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. A panel requests its result only while it is open.
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
@@ -168,7 +168,7 @@ export function DamperPanel() {
   );
 }
 
-/** Impulses below this part of that of the contact are rounding. */
+/** Ratio to the impulse of the contact below which an impulse is rounding. */
 const SMALL_IMPULSE = 1e-9;
 
 export function ImpactPanel() {
@@ -229,7 +229,7 @@ export function SafeSpeedPanel() {
   );
 }
 
-/** Quantities that come first, the others follow on request. */
+/** Quantities at the top of the table. */
 const FIRST = ['camber', 'toe', 'caster', 'kingpin_inclination', 'scrub_radius', 'half_track_change', 'roll_centre_height', 'camber_gradient', 'toe_gradient'];
 const UNITS: Record<string, [string, number, number]> = {
   rad: ['°', 180 / Math.PI, 3], m: ['mm', 1000, 2], 'rad/m': ['°/m', 180 / Math.PI, 2], 'N/m': ['N/mm', 1e-3, 2], N: ['N', 1, 1], kg: ['kg', 1, 3], Hz: ['Hz', 1, 3],

@@ -1,4 +1,4 @@
-// Contributions, hardpoints, masses, motion ratios and findings as tables: the text twins of the picture.
+// Contributions, hardpoints, masses, motion ratios and findings as tables: the text alternative to the picture.
 
 import { useState } from 'preact/hooks';
 import type { Triple } from '../engine/protocol';
