@@ -357,7 +357,7 @@ fn a_folder_has_the_included_files_and_the_meshes() {
 fn a_sheet_has_its_table() {
     let text = std::fs::read_to_string(double_wishbone()).unwrap();
     let (head, points, rest) = {
-        let from = text.find("[points]").unwrap();
+        let from = text.find("\n[points]").unwrap() + 1;
         let to = from + text[from + 1..].find("\n[").unwrap() + 2;
         (&text[..from], &text[from..to], &text[to..])
     };

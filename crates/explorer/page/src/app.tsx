@@ -28,7 +28,9 @@ export function App() {
     const key = (event: KeyboardEvent) => {
       const target = event.target as HTMLElement;
       const typing = target.matches('input, select, textarea');
-      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !(typing && (target as HTMLInputElement).type === 'text')) {
+      // The browser would undo the text of another field, without its focus.
+      const ownUndo = typing && (target as HTMLInputElement).type === 'text' && (store.inGesture || !target.matches('.number'));
+      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !ownUndo) {
         event.preventDefault();
         if (event.shiftKey) store.redo();
         else store.undo();

@@ -28,32 +28,64 @@ export function filesOfInput(list: FileList): NamedFile[] {
   return all.filter(({ path }) => !path.split('/').some((part) => SKIPPED.test(part)));
 }
 
-/** Files that are dropped, with those in dropped folders. The entries end with the event, so that they are taken before the first wait. */
+/** File or folder that is dropped. */
+interface Node { name: string; file?(): Promise<File>; children?(): Promise<Node[]> }
+
+/** Interface of the File System API, which Chromium has. */
+interface Handle { kind: 'file' | 'directory'; name: string; getFile(): Promise<File>; values(): AsyncIterable<Handle> }
+type Item = DataTransferItem & { getAsFileSystemHandle?(): Promise<Handle | null> };
+
+/** Dropped files, with those in dropped folders. The items expire with the event, so that they are read before the first wait. */
 export async function filesOfDrop(data: DataTransfer): Promise<NamedFile[]> {
-  const items = [...data.items].filter((item) => item.kind === 'file');
   const plain = [...data.files].map((file) => ({ path: file.name, file }));
+  const items = [...data.items].filter((item) => item.kind === 'file') as Item[];
   const entries = items.map((item) => item.webkitGetAsEntry?.() ?? null);
   if (!entries.some((entry) => entry?.isDirectory)) return plain;
+  // Chromium reads no entries in a page from a file, only handles.
+  const handles = items.map((item) => item.getAsFileSystemHandle?.());
   const found: NamedFile[] = [];
-  for (const entry of entries) if (entry) await walk(entry, '', found);
+  for (const [i, entry] of entries.entries()) {
+    const handle = await handles[i];
+    const node = handle ? ofHandle(handle) : entry && ofEntry(entry);
+    if (node) await walk(node, '', found);
+  }
   return found;
 }
 
-async function walk(entry: FileSystemEntry, folder: string, found: NamedFile[]): Promise<void> {
-  if (SKIPPED.test(entry.name)) return;
-  if (found.length >= MOST_FILES) throw new Error(`the folder has more than ${MOST_FILES} files; choose a folder below it`);
-  const path = folder ? `${folder}/${entry.name}` : entry.name;
-  if (entry.isFile) {
-    found.push({ path, file: await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed)) });
-    return;
-  }
-  const reader = (entry as FileSystemDirectoryEntry).createReader();
-  for (;;) {
-    // A reader returns at most a hundred entries at once.
-    const some = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed));
-    if (!some.length) return;
-    for (const one of some) await walk(one, path, found);
-  }
+function ofHandle(handle: Handle): Node {
+  const { name } = handle;
+  if (handle.kind === 'file') return { name, file: () => handle.getFile() };
+  const children = async () => {
+    const all: Node[] = [];
+    for await (const child of handle.values()) all.push(ofHandle(child));
+    return all;
+  };
+  return { name, children };
+}
+
+function ofEntry(entry: FileSystemEntry): Node {
+  const { name } = entry;
+  if (entry.isFile) return { name, file: () => new Promise((done, failed) => (entry as FileSystemFileEntry).file(done, failed)) };
+  const children = async () => {
+    const reader = (entry as FileSystemDirectoryEntry).createReader();
+    const all: Node[] = [];
+    for (;;) {
+      // A reader returns at most a hundred entries at once.
+      const some = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed));
+      if (!some.length) return all;
+      all.push(...some.map(ofEntry));
+    }
+  };
+  return { name, children };
+}
+
+/** Appends the file, or all files of the folder. */
+async function walk(node: Node, folder: string, found: NamedFile[]): Promise<void> {
+  if (SKIPPED.test(node.name)) return;
+  if (found.length >= MOST_FILES) throw new Error(`it has more than ${MOST_FILES} files; choose a folder below it`);
+  const path = folder ? `${folder}/${node.name}` : node.name;
+  if (node.file) found.push({ path, file: await node.file() });
+  for (const child of (await node.children?.()) ?? []) await walk(child, path, found);
 }
 
 /** Name of the format of a model; undefined for other files. */
