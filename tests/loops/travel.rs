@@ -297,7 +297,7 @@ fn with_mimic(base: Base) -> System {
          <joint name=\"q\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/><origin xyz=\"2 0 0\"/>\
          <axis xyz=\"0 0 1\"/><mimic joint=\"p\" multiplier=\"-2\" offset=\"0.3\"/></joint></robot>"
     );
-    let source = Source { name: "r.urdf".into(), bytes: text.into_bytes() };
+    let source = Source::new("r.urdf", text.into_bytes());
     let loaded = load(&source, &LoadOptions::default()).expect("a model");
     System::new(loaded.mechanism, &Conditions::new().base(base)).expect("a system")
 }

@@ -1,6 +1,6 @@
 //! Readers of files, called with bytes, for the fuzzer and for the tests of its corpus.
 
-use percuss_formats::{LoadOptions, Source, load, read_mesh};
+use percuss_formats::{FileSystem, LoadOptions, Source, load, read_mesh};
 use percuss_study::{GivenPose, MassQuestion, Model, Normal, PositionFile, RowSource, StudyFile, Sweep};
 use percuss_suspension::{ImportOptions, import};
 use std::ops::ControlFlow;
@@ -43,7 +43,7 @@ static MODEL: LazyLock<Model> = LazyLock::new(|| {
 /// # Panics
 /// Defects of the reader; an unknown kind; a folder for temporary files that cannot be written.
 pub fn read(reader: &str, bytes: &[u8]) -> bool {
-    let named = || Source { name: format!("fuzzed.{reader}"), bytes: bytes.to_vec() };
+    let named = || Source::new(format!("fuzzed.{reader}"), bytes.to_vec());
     match reader {
         "urdf" | "mjcf" | "sdf" => load(&named(), &LoadOptions::default()).is_ok(),
         "sheet.toml" | "sheet.csv" | "sheet.xlsx" | "sheet.json" => {
@@ -55,7 +55,7 @@ pub fn read(reader: &str, bytes: &[u8]) -> bool {
         }
         "pose.json" => GivenPose::read(&Temporary::new(reader, bytes).path(), LARGEST).is_ok(),
         "rows.csv" | "rows.parquet" => rows(&Temporary::new(reader, bytes).path()),
-        "obj" | "stl" | "dae" => read_mesh(&Temporary::new(reader, bytes).file, LARGEST).is_ok(),
+        "obj" | "stl" | "dae" => read_mesh(&FileSystem, &Temporary::new(reader, bytes).file, LARGEST).is_ok(),
         _ => panic!("no reader {reader:?}; expected one of {READERS:?}"),
     }
 }

@@ -44,6 +44,7 @@ pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact};
 pub use reading::diagnostic::{Diagnostic, LoadError};
+pub use reading::files::{FileKind, FileStore, FileSystem, MemoryFiles, OpenFile, SharedFiles};
 pub use reading::report::NOT_READ;
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;

@@ -60,7 +60,7 @@ fn every_malformed_file_is_refused_with_the_expected_words() {
 /// Checks a defect of a file that is too large for the repository.
 fn refused(what: &str, text: impl Into<Vec<u8>>, code: &str) {
     let start = Instant::now();
-    let source = Source { name: what.to_owned(), bytes: text.into() };
+    let source = Source::new(what, text.into());
     let result = load(&source, &LoadOptions::default());
     assert!(result.is_err(), "{what} loads");
     assert!(codes(&result).contains(&(Severity::Error, code)), "{what}: {:?}", support::told(&result));
@@ -204,7 +204,7 @@ fn what_is_no_text_is_refused() {
     refused("UTF-16 without a mark", wide.clone(), "utf-16");
     refused("UTF-16 with a mark", [vec![0xFE, 0xFF], wide].concat(), "utf-16");
     let marked = [b"\xEF\xBB\xBF".to_vec(), PENDULUM.as_bytes().to_vec()].concat();
-    assert!(load(&Source { name: "marked".into(), bytes: marked }, &LoadOptions::default()).is_ok());
+    assert!(load(&Source::new("marked", marked), &LoadOptions::default()).is_ok());
 }
 
 #[test]

@@ -175,7 +175,7 @@ fn no_mutation_makes_loading_panic_or_hang() {
             }
             let shown = String::from_utf8_lossy(&bytes).into_owned();
             let start = Instant::now();
-            match load(&Source { name: "mutant".to_owned(), bytes }, &LoadOptions::default()) {
+            match load(&Source::new("mutant", bytes), &LoadOptions::default()) {
                 Ok(loaded) => {
                     good += 1;
                     assert!(

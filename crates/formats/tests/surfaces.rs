@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use percuss_formats::{
-    Facet, LoadOptions, MeshError, MeshFolders, Purpose, Shape, Solid, Source, Surface, load, read_mesh,
+    Facet, FileSystem, LoadOptions, MeshError, MeshFolders, Purpose, Shape, Solid, Source, Surface, load,
+    read_mesh,
 };
 use percuss_spatial::{Transform, rotation_from_rpy};
 use std::f64::consts::PI;
@@ -167,7 +168,7 @@ fn every_format_gives_the_same_box() {
         let done = surface.orientation();
         assert_eq!((done.pieces, done.turned, done.open), (1, 12, 0), "{name}");
     }
-    let moved = read_mesh(&folder.join("box.dae"), 1 << 20).expect("good");
+    let moved = read_mesh(&FileSystem, &folder.join("box.dae"), 1 << 20).expect("good");
     let low = moved.iter().flatten().map(|p| p[0]).fold(f64::INFINITY, f64::min);
     assert!((low - (0.01 - 0.1)).abs() < 1e-12, "the node's transform and the unit: {low}");
     fs::remove_dir_all(folder).expect("removed");
@@ -219,12 +220,12 @@ fn bad_meshes_are_refused_with_what_is_wrong() {
     for (name, bytes, what) in cases {
         let path = folder.join(name);
         fs::write(&path, bytes).expect("written");
-        let error = read_mesh(&path, 1 << 22).expect_err(name).to_string();
+        let error = read_mesh(&FileSystem, &path, 1 << 22).expect_err(name).to_string();
         assert!(error.contains(what) && error.contains(name), "{name}: {error}");
     }
     fs::write(folder.join("big.stl"), vec![b' '; 5000]).expect("written");
-    assert!(matches!(read_mesh(&folder.join("big.stl"), 4999), Err(MeshError::TooLarge { .. })));
-    assert!(matches!(read_mesh(&folder.join("none"), 10), Err(MeshError::Unreadable { .. })));
+    assert!(matches!(read_mesh(&FileSystem, &folder.join("big.stl"), 4999), Err(MeshError::TooLarge { .. })));
+    assert!(matches!(read_mesh(&FileSystem, &folder.join("none"), 10), Err(MeshError::Unreadable { .. })));
     fs::remove_dir_all(folder).expect("removed");
 }
 
@@ -250,7 +251,7 @@ fn damaged_meshes_are_read_or_refused() {
                 damaged[at] ^= 0x15
             }
             fs::write(folder.join(name), damaged).expect("written");
-            refused += usize::from(read_mesh(&folder.join(name), 1 << 20).is_err());
+            refused += usize::from(read_mesh(&FileSystem, &folder.join(name), 1 << 20).is_err());
         }
     }
     assert!(refused > 50, "{refused} refused");

@@ -79,8 +79,8 @@ pub use reports::drawing::drawn_mechanism::{
     DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, draw_mechanism,
 };
 pub use reports::drawing::scene::{
-    Frames, PosedMass, Scene, SceneClosure, SceneContact, SceneHardpoint, SceneJoint, SceneLink, SceneSheet,
-    SceneWheel, link_frames, mass_with_frames, scene, scene_shapes,
+    Frames, PosedMass, Scene, SceneClosure, SceneContact, SceneHardpoint, SceneJoint, SceneLink, SceneShapes,
+    SceneSheet, SceneWheel, link_frames, mass_with_frames, scene, scene_shapes,
 };
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
@@ -150,7 +150,7 @@ pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
 pub use study_file::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,
 };
-pub use study_file::tables_of_page::{StudyTables, VariantTables};
+pub use study_file::tables_of_page::{PanelTables, StudyTables, VariantTables};
 pub use study_file::variant::Variant;
 pub use sweep::row_gradient::{GradientLayout, RowGradient};
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
@@ -159,7 +159,7 @@ pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
 pub use values::named::point_shift;
 pub use values::position::GivenPosition;
 pub use values::quantities::{
-    Area, Energy, Force, Length, LinkPoint, Mass, Momentum, Plain, Point, PositiveMass, Pressure, Ratio,
-    Speed, Stiffness, Time, Vector,
+    Area, Energy, Force, Length, LinkPoint, Mass, Moments, Momentum, Plain, Point, PositiveMass, Pressure,
+    Ratio, Speed, Stiffness, Time, Vector,
 };
 pub use values::rates::GivenRates;

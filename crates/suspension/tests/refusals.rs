@@ -128,7 +128,7 @@ fn text_that_is_no_json_is_refused_with_its_place() {
     assert!(
         import_text(&deep, &on(Side::Left)).unwrap_err().diagnostics.iter().any(|d| d.code == "too-complex")
     );
-    let latin = Source { name: "x".into(), bytes: b"{\"Name\": \"\xe9\"}".to_vec() };
+    let latin = Source::new("x", b"{\"Name\": \"\xe9\"}".to_vec());
     let error = import(&latin, &on(Side::Left)).unwrap_err();
     assert!(error.diagnostics.iter().any(|d| d.code == "not-utf-8"));
 }
@@ -263,14 +263,12 @@ fn no_mutilated_file_makes_it_panic() {
     for (template, keys) in all() {
         let bytes = file(template, &keys).into_bytes();
         for at in (0..bytes.len()).step_by(5) {
-            let cut = Source { name: "cut".into(), bytes: bytes[..at].to_vec() };
+            let cut = Source::new("cut", bytes[..at].to_vec());
             refused += usize::from(import(&cut, &on(Side::Both)).is_err());
             for byte in [b'0', b'-', b'"', b'{', b']', b'/', b'*', b'\\', b'e', 0xC3] {
                 let mut changed = bytes.clone();
                 changed[at] = byte;
-                refused += usize::from(
-                    import(&Source { name: "x".into(), bytes: changed }, &on(Side::Both)).is_err(),
-                );
+                refused += usize::from(import(&Source::new("x", changed), &on(Side::Both)).is_err());
             }
         }
     }

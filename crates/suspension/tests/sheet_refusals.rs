@@ -175,7 +175,7 @@ fn tables_with_two_decimal_marks_or_other_defects_are_refused() {
 #[cfg(not(feature = "xlsx"))]
 #[test]
 fn a_workbook_is_refused_without_its_reader() {
-    let source = Source { name: "my.xlsx".into(), bytes: b"PK\x03\x04".to_vec() };
+    let source = Source::new("my.xlsx", b"PK\x03\x04".to_vec());
     let error = import(&source, &ImportOptions::default()).unwrap_err();
     assert!(
         error.diagnostics.iter().any(|d| d.code == "not-built-in" && d.message.contains("feature")),
@@ -201,7 +201,7 @@ fn a_workbook_is_read_and_a_broken_one_refused() {
         axes: Some(VehicleAxes::Iso),
         ..ImportOptions::default()
     };
-    let read = |bytes: Vec<u8>| import(&Source { name: "my.xlsx".into(), bytes }, &options);
+    let read = |bytes: Vec<u8>| import(&Source::new("my.xlsx", bytes), &options);
     let error = read(bytes.clone()).unwrap_err();
     assert!(error.diagnostics.iter().any(|d| d.code == "missing-key"), "points without bodies: {error}");
     let mut refused = 0;
@@ -290,7 +290,7 @@ fn windows_text_is_read_with_a_note() {
     has(&at_the_stop(with_table("points.csv", &table, "")), "windows-1252", &["line 1", "0xe4", "Save"]);
     let text = sheet("double-wishbone").replace("# yours", "# von J\u{f6}rg");
     let bytes: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect();
-    let found = import(&Source { name: "my.toml".into(), bytes }, &ImportOptions::default());
+    let found = import(&Source::new("my.toml", bytes), &ImportOptions::default());
     has(&at_the_stop(found), "windows-1252", &["0xf6"]);
 }
 
@@ -495,7 +495,7 @@ fn a_worksheet_is_chosen_by_name() {
     has(&error.diagnostics, "conflict", &["no workbook"]);
     // The option for a workbook without a sheet.
     let options = ImportOptions { worksheet: Some("Rear".into()), ..ImportOptions::default() };
-    let error = import(&Source { name: "car.xlsm".into(), bytes }, &options).unwrap_err();
+    let error = import(&Source::new("car.xlsm", bytes), &options).unwrap_err();
     has(&error.diagnostics, "missing-key", &["no masses", "car.xlsm"]);
 }
 

@@ -19,6 +19,12 @@ pub enum Request {
         model: ModelTable,
         /// Text of the file.
         text: String,
+        /// Further files that the model may name, in base64, by their paths relative to the same folder as that of the model.
+        #[serde(default)]
+        files: BTreeMap<String, String>,
+        /// True for a reply with the shapes of the links.
+        #[serde(default)]
+        shapes: bool,
     },
     /// Result at a pose with the frames of the links; a curve if `vary` is given.
     Show {

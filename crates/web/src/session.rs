@@ -1,15 +1,17 @@
 //! Session of a page: a model with its changes, and replies to requests.
 
 use crate::request::{QuestionRequest, Request};
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, MemoryFiles, Source};
 use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DampingReport, DesignError,
     DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicVariable,
     KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
-    RowSource, SafeSpeedReport, Scene, StudyError, Vary, WheelMotion, changed_sheet, contact_list,
-    damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames, map_point,
-    mass_with_frames, scene, starting_contact, sweep_report,
+    RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
+    contact_list, damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames,
+    map_point, mass_with_frames, scene, scene_shapes, starting_contact, sweep_report,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -118,6 +120,8 @@ enum Reply {
 #[derive(Debug, Serialize)]
 struct Opened {
     scene: Scene,
+    /// Shapes of the links, if the request asks for them.
+    shapes: Option<SceneShapes>,
     contact: ContactTable,
     conditions: ConditionsTable,
     /// Results at all named contacts; `None` without named contacts.
@@ -168,7 +172,12 @@ struct CurveRow {
 impl Session {
     /// Session without a model.
     pub const fn new() -> Self {
-        let shown = Changes { link_mass: Vec::new(), link_com: Vec::new(), moves: Vec::new() };
+        let shown = Changes {
+            link_mass: Vec::new(),
+            link_com: Vec::new(),
+            link_inertia: Vec::new(),
+            moves: Vec::new(),
+        };
         Self { opened: None, changed: None, shown }
     }
 
@@ -185,7 +194,10 @@ impl Session {
     /// Replies to a parsed request.
     fn reply(&mut self, request: Request) -> Result<Reply, Refusal> {
         match request {
-            Request::Open { model, text } => Ok(Reply::Opened(Box::new(self.open(&model, text)?))),
+            Request::Open { model, text, files, shapes } => {
+                let source = source(&model.path, text, files)?;
+                Ok(Reply::Opened(Box::new(self.open(&model, &source, shapes)?)))
+            }
             Request::Show { question, vary } => {
                 Ok(Reply::Shown(Box::new(self.show(&question, vary.as_deref())?)))
             }
@@ -243,9 +255,9 @@ impl Session {
     }
 
     /// Opens a model with the changes of its table, and proposes a contact.
-    fn open(&mut self, table: &ModelTable, text: String) -> Result<Opened, Refusal> {
+    fn open(&mut self, table: &ModelTable, source: &Source, with_shapes: bool) -> Result<Opened, Refusal> {
         let options = LoadOptions { accept: table.accepted(), ..LoadOptions::default() };
-        let opened = Model::from_source(&Source::from_text(&table.path, text), &options)?;
+        let opened = Model::from_source(source, &options)?;
         let changes = table.changes();
         let model = if changes.is_empty() { opened.clone() } else { opened.with_changes(&changes)? };
         let scene = scene(&model)?;
@@ -257,12 +269,13 @@ impl Session {
         let contacts = (!model.mechanism.contacts().is_empty())
             .then(|| contact_list(&model, &MassQuestion::without_contact(), None))
             .transpose()?;
+        let shapes = with_shapes.then(|| scene_shapes(&model));
         let diagnostics = model.diagnostics.clone();
         let poses = model.poses.iter().map(|pose| pose.name.clone()).collect();
         self.opened = Some(opened);
         self.changed = (!changes.is_empty()).then(|| (changes.clone(), model));
         self.shown = changes;
-        Ok(Opened { scene, contact, conditions, contacts, poses, diagnostics })
+        Ok(Opened { scene, shapes, contact, conditions, contacts, poses, diagnostics })
     }
 
     /// Model with changes; the model of the last changes is kept.
@@ -304,6 +317,20 @@ impl Session {
         let (model, question) = self.model_and_question(request)?;
         Ok(explain(model, &question)?)
     }
+}
+
+/// Source of a model with the files that it may name, in base64.
+fn source(path: &str, text: String, files: BTreeMap<String, String>) -> Result<Source, Refusal> {
+    let mut store = Vec::with_capacity(files.len() + 1);
+    for (name, packed) in files {
+        let bytes = STANDARD.decode(packed);
+        let bytes = bytes.map_err(|error| Refusal::of_message(format!("{name}: invalid base64: {error}")))?;
+        store.push((name, bytes));
+    }
+    // The name of a model of an SDF file is FILE#MODEL.
+    let file = path.rsplit_once('#').map_or(path, |(file, _)| file);
+    store.push((file.to_owned(), text.clone().into_bytes()));
+    Ok(Source { files: MemoryFiles::new(store).into(), ..Source::from_text(path, text) })
 }
 
 /// Question about kinematics with variables by name.

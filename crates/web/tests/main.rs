@@ -1,5 +1,6 @@
 //! Tests of the engine of the explorer, natively: the module has the same functions.
 
+use base64::Engine;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_study::{
     Changes, DampingQuestion, KinematicVariable, KinematicsQuestion, MassQuestion, Model, WheelMotion,
@@ -298,6 +299,115 @@ fn sdformat_is_read() {
                            "contact": { "link": "boom", "point": [3, 0, 0], "normal": [0, 0, 1] } });
     let reply = ask(&mut session, &json!({ "do": "show", "question": question }));
     assert_same(&reply["ok"]["result"]["ok"]["report"]["effective_mass"], 4.0, "at the tip");
+}
+
+/// Base64 of texts by their names.
+fn packed(files: &[(&str, &str)]) -> Value {
+    let encode = |text: &str| base64::engine::general_purpose::STANDARD.encode(text);
+    files
+        .iter()
+        .map(|(name, text)| ((*name).to_owned(), json!(encode(text))))
+        .collect::<serde_json::Map<_, _>>()
+        .into()
+}
+
+/// Tetrahedron with three edges of 1 m along the axes.
+const TETRAHEDRON: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+#[test]
+fn a_folder_has_the_included_files_and_the_meshes() {
+    let mut session = Session::new();
+    let mut open = |path: &str, text: &str, files: Value| {
+        let request =
+            json!({ "do": "open", "model": { "path": path }, "text": text, "files": files, "shapes": true });
+        ask(&mut session, &request)
+    };
+    // The inertia of the body follows from the mesh: a density of 6000 kg/m³ and a volume of 1/6 m³ give 1000 kg.
+    let scene = "<mujoco><include file=\"arm.xml\"/></mujoco>";
+    let arm = "<mujocoinclude><asset><mesh name=\"t\" file=\"meshes/t.obj\"/></asset><worldbody><body name=\"arm\"><joint/>
+        <geom type=\"mesh\" mesh=\"t\" density=\"6000\"/></body></worldbody></mujocoinclude>";
+    let files = packed(&[("robot/arm.xml", arm), ("robot/meshes/t.obj", TETRAHEDRON)]);
+    let opened = open("robot/scene.xml", scene, files.clone());
+    let link = opened["ok"]["scene"]["links"].as_array().unwrap().iter().find(|link| link["name"] == "arm");
+    let arm_link = link.unwrap_or_else(|| panic!("{opened}")).clone();
+    assert_same(&arm_link["mass"], 1000.0, "mass of the tetrahedron");
+    // About the centre of mass (1/4, 1/4, 1/4): m (1/10 + 1/10) − m (1/16 + 1/16) = 3/40 m, for edges of 1 m.
+    for k in 0..3 {
+        assert_same(&arm_link["moments"][k], 75.0, "moment of the tetrahedron");
+    }
+    let missing = open("robot/scene.xml", scene, json!({}));
+    assert!(missing["refused"]["message"].as_str().unwrap().contains("arm.xml"), "{missing}");
+    // A mesh of a package is found in a folder with the name of the package, also if it is not above the model.
+    let urdf = r#"<robot name="r"><link name="a"><visual><geometry><mesh filename="package://parts/t.obj"/></geometry></visual>
+        <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"#;
+    let opened = open("ws/robot/r.urdf", urdf, packed(&[("ws/meshes/parts/t.obj", TETRAHEDRON)]));
+    let shape = opened["ok"]["shapes"]["links"][0].as_str().unwrap_or_else(|| panic!("{opened}")).to_owned();
+    let triangles = base64::engine::general_purpose::STANDARD.decode(shape).unwrap();
+    assert_eq!(triangles.len(), 4 * 9 * 4, "four triangles of nine numbers");
+    let without = open("ws/robot/r.urdf", urdf, json!({}));
+    assert!(without["ok"]["shapes"]["links"][0].is_null());
+    let finding = without["ok"]["shapes"]["diagnostics"][0]["message"].as_str().unwrap();
+    assert!(finding.contains("t.obj"), "{finding}");
+    let damaged = open("r.urdf", urdf, json!({ "a": "***" }));
+    assert!(damaged["refused"]["message"].as_str().unwrap().contains("base64"), "{damaged}");
+}
+
+/// A sheet with its points in a table is the sheet with the points, and its points can be moved.
+#[test]
+fn a_sheet_has_its_table() {
+    let text = std::fs::read_to_string(double_wishbone()).unwrap();
+    let (head, points, rest) = {
+        let from = text.find("\n[points]").unwrap() + 1;
+        let to = from + text[from + 1..].find("\n[").unwrap() + 2;
+        (&text[..from], &text[from..to], &text[to..])
+    };
+    let csv: String = points
+        .lines()
+        .filter_map(|line| {
+            let (name, list) = line.split('#').next().unwrap().split_once('=')?;
+            Some(format!("{},{}\n", name.trim(), list.trim().trim_matches(['[', ']'])))
+        })
+        .collect();
+    let sheet = format!("points = \"points.csv\"\n{head}{rest}");
+    let mass = |name: &str, text: &str, files: Value, moves: Value| {
+        let mut session = Session::new();
+        let request = json!({ "do": "open", "model": { "path": name }, "text": text, "files": files });
+        let opened = ask(&mut session, &request);
+        assert!(opened["ok"].is_object(), "{opened}");
+        let question = json!({ "model": { "path": name, "move": moves }, "contact": { "at": "spring" } });
+        let reply = ask(&mut session, &json!({ "do": "show", "question": question }));
+        reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64().expect("a finite mass")
+    };
+    let files = packed(&[("car/points.csv", &format!("name,x,y,z\n{csv}"))]);
+    for moves in [json!({}), json!({ "lower_ball": [0.0, 0.0, 0.005] })] {
+        let expected = mass("car/whole.toml", &text, json!({}), moves.clone());
+        assert_eq!(mass("car/sheet.toml", &sheet, files.clone(), moves), expected);
+    }
+}
+
+#[test]
+fn moments_of_inertia_are_changed() {
+    let mut session = Session::new();
+    ask(&mut session, &json!({ "do": "open", "model": { "path": "boom.sdf" }, "text": BOOM }));
+    let mass = |session: &mut Session, changes: Value| {
+        let mut model = json!({ "path": "boom.sdf" });
+        model.as_object_mut().unwrap().extend(changes.as_object().unwrap().clone());
+        let question =
+            json!({ "model": model, "contact": { "link": "boom", "point": [3, 0, 0], "normal": [0, 0, 1] } });
+        ask(session, &json!({ "do": "show", "question": question }))["ok"].clone()
+    };
+    let of = |shown: &Value| shown["result"]["ok"]["report"]["effective_mass"].clone();
+    let first = mass(&mut session, json!({}));
+    // m̄ = J/r²: nine more kg·m² about the hinge, 3 m from the contact, add 1 kg.
+    let boom = |shown: &Value| {
+        let links = shown["scene"]["links"].as_array().unwrap().clone();
+        links.iter().find(|link| link["name"] == "boom").unwrap()["moments"].clone()
+    };
+    let large = mass(&mut session, json!({ "link_inertia": { "boom": [9, 18, 9] } }));
+    assert_eq!(boom(&large), json!([9.0, 18.0, 9.0]));
+    let larger = mass(&mut session, json!({ "link_inertia": { "boom": [9, 9, 9] } }));
+    assert_same(&of(&larger), of(&large).as_f64().unwrap() - 1.0, "9 kg·m² less");
+    assert_eq!(of(&mass(&mut session, json!({}))), of(&first));
 }
 
 #[test]

@@ -6,6 +6,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { agrees, center, close, drag, explore, fileText, folder, join, launch, open, root, settle, shown } from './harness.mjs';
 import { contactTests } from './contacts.mjs';
+import { folderTests } from './folders.mjs';
 import { furtherTests } from './further.mjs';
 import { longTests } from './long.mjs';
 
@@ -246,7 +247,7 @@ const wanted = process.argv.slice(3);
 const browser = await launch();
 let failed = 0;
 const begun = Date.now();
-for (const [name, test] of Object.entries({ ...tests, ...contactTests, ...furtherTests, ...longTests(RANDOM_DRAGS) })) {
+for (const [name, test] of Object.entries({ ...tests, ...contactTests, ...folderTests, ...furtherTests, ...longTests(RANDOM_DRAGS) })) {
   if (wanted.length && !wanted.some((word) => name.includes(word))) continue;
   const start = Date.now();
   try {

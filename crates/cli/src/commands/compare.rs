@@ -61,7 +61,7 @@ fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     let changes = args.reading.changes();
     if !changes.is_empty() {
         return Err(Failure::bad_input(
-            "--link-mass, --link-com and --move would change every design in the same way; use [[variant]] in a \
+            "--link-mass, --link-com, --link-inertia and --move would change every design in the same way; use [[variant]] in a \
              study",
         ));
     }

@@ -18,7 +18,8 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
     }
     if !args.model.reading.changes().is_empty() {
         return Err(Failure::bad_input(
-            "--link-mass, --link-com and --move: write them into the study, as model.link_mass, model.link_com and model.move",
+            "--link-mass, --link-com, --link-inertia and --move: write them into the study, as model.link_mass, model.link_com, \
+             model.link_inertia and model.move",
         ));
     }
     let model = args.model.load()?;

@@ -191,6 +191,11 @@ fn masses_and_their_centres_are_changed() {
     assert_same(mass(&format!("mass {PENDULUM} --link-com bob=0,0,-100mm")), expected(2.0, 0.6), "com");
     let both = "--link-mass bob=5 --link-com bob=0,0,0.1";
     assert_same(mass(&format!("mass {PENDULUM} {both}")), expected(5.0, 0.4), "both");
+    // J/r² of the moment about the hinge, also after a change of the mass.
+    let turned = "--link-inertia bob=0.1,0.64,0.6";
+    assert_same(mass(&format!("mass {PENDULUM} {turned}")), expected(2.0, 0.5) + 1.0, "inertia");
+    let both = format!("--link-mass bob=5 {turned}");
+    assert_same(mass(&format!("mass {PENDULUM} {both}")), expected(5.0, 0.5) + 1.0, "mass and inertia");
     // A massless link gets a point mass at its origin; the same in every command that loads a model.
     let more = "--link-mass rod=3 --link-com rod=0,0,-0.8";
     let heavier = expected(2.0, 0.5) + 3.0;
@@ -225,6 +230,11 @@ fn masses_and_their_centres_are_changed() {
         ("--link-com rod=0,0,0", ["--link-com", "no mass"]),
         ("--link-com bob=0,0", ["--link-com", "3"]),
         ("--link-com bab=0,0,0", ["--link-com", "\"bab\""]),
+        ("--link-inertia bob=1,1,2.1", ["--link-inertia", "sum of the other two"]),
+        ("--link-inertia bob=1,1,nan", ["--link-inertia", "nan"]),
+        ("--link-inertia bob=1,1", ["--link-inertia", "2 moments of inertia; expected 3"]),
+        ("--link-inertia bob=1kg,1,1", ["--link-inertia", "kg m2"]),
+        ("--link-inertia rod=1,1,1", ["--link-inertia", "no mass"]),
         ("--move lower_ball=0,0,5mm", ["--move", "is a URDF without hardpoints"]),
     ] {
         refused(&format!("mass {PENDULUM} {flag}"), &words);

@@ -88,13 +88,14 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
         &text(
             "link_mass = { bob = 4 }",
             "[[variant]]\nname = \"further\"\nlink_com = { bob = [0, 0, \"-100 mm\"] }\n\
+             [[variant]]\nname = \"turned\"\nlink_inertia = { bob = [0.1, \"6400 kg cm2\", 0.6] }\n\
              [[variant]]\nname = \"light\"\nlink_mass = { bob = \"500 g\" }\narmature = { hinge = 0.64 }\nset = { hinge = 1 }\n",
         ),
     );
     let report = json(&format!("compare {study} --format json"));
     // m (r_A/r_B)²; a rotor of 0.64 kg·m² at 0.8 m counts as 1 kg.
-    let expected =
-        [4.0 * (0.5f64 / 0.8).powi(2), 4.0 * (0.6f64 / 0.8).powi(2), 0.5 * (0.5f64 / 0.8).powi(2) + 1.0];
+    let own = 4.0 * (0.5f64 / 0.8).powi(2);
+    let expected = [own, 4.0 * (0.6f64 / 0.8).powi(2), own + 1.0, 0.5 * (0.5f64 / 0.8).powi(2) + 1.0];
     for (design, expected) in report["designs"].as_array().expect("designs").iter().zip(expected) {
         assert!((number(&design["effective_mass"]) / expected - 1.0).abs() < 1e-12, "{design}");
     }

@@ -6,7 +6,9 @@ import type { ViewName } from './model/store';
 import { store } from './model/store';
 import { digits, fixed } from './model/numbers';
 import { toHash } from './model/link';
+import { filesOfDrop, filesOfInput } from './model/files';
 import { Away, copy } from './panels/away';
+import { Chooser } from './panels/chooser';
 import { CurvePanel } from './panels/curve';
 import { DamperPanel, ImpactPanel, KinematicsPanel, SafeSpeedPanel } from './panels/further';
 import { useStore } from './panels/hooks';
@@ -26,7 +28,9 @@ export function App() {
     const key = (event: KeyboardEvent) => {
       const target = event.target as HTMLElement;
       const typing = target.matches('input, select, textarea');
-      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !(typing && (target as HTMLInputElement).type === 'text')) {
+      // The browser would undo the text of another field, without its focus.
+      const ownUndo = typing && (target as HTMLInputElement).type === 'text' && (store.inGesture || !target.matches('.number'));
+      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !ownUndo) {
         event.preventDefault();
         if (event.shiftKey) store.redo();
         else store.undo();
@@ -43,8 +47,7 @@ export function App() {
     };
     const drop = (event: DragEvent) => {
       event.preventDefault();
-      const file = event.dataTransfer?.files[0];
-      if (file) void openFile(file);
+      if (event.dataTransfer) void openDropped(event.dataTransfer);
     };
     const over = (event: DragEvent) => event.preventDefault();
     addEventListener('keydown', key);
@@ -60,6 +63,7 @@ export function App() {
     <div class="page">
       <Bar />
       <Notice />
+      <Chooser />
       {failure ? <main class="message"><div class="box bad"><p><b>No engine.</b> {failure}</p></div></main> : null}
       {refusal ? <Refused /> : null}
       {opened ? (
@@ -90,13 +94,26 @@ export function App() {
 }
 
 async function openFile(file: File) {
-  const text = await file.text();
-  await store.open(file.name, text);
+  store.set({ notice: undefined });
+  await store.open({ name: file.name, text: await file.text() });
+}
+
+/** Opens a dropped file, or the model of dropped folders or files. */
+async function openDropped(data: DataTransfer) {
+  try {
+    const files = await filesOfDrop(data);
+    if (files.length === 1 && !files[0].path.includes('/')) await openFile(files[0].file);
+    else if (files.length) await store.openFolder(files);
+  } catch (error) {
+    store.set({ notice: `The dropped folder cannot be read: ${(error as Error).message}. Choose it by Folder….` });
+  }
 }
 
 function Bar() {
   const { fileName, past, future, posed, problem, busy, scene } = useStore();
   const input = useRef<HTMLInputElement>(null);
+  const folder = useRef<HTMLInputElement>(null);
+  useEffect(() => folder.current!.setAttribute('webkitdirectory', ''), []);
   const [copied, setCopied] = useState(false);
   const short = fileName.replace(/.*[\\/]/, '');
   return (
@@ -107,6 +124,13 @@ function Bar() {
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           if (file) void openFile(file);
+          event.currentTarget.value = '';
+        }} />
+      <button onClick={() => folder.current!.click()} title="Opens a folder that has the model with its included files and meshes">Folder…</button>
+      <input ref={folder} type="file" hidden aria-label="Folder with a model"
+        onChange={(event) => {
+          const { files } = event.currentTarget;
+          if (files?.length) void store.openFolder(filesOfInput(files));
           event.currentTarget.value = '';
         }} />
       <span class="file" title={scene?.name}>{short}</span>

@@ -22,7 +22,7 @@ use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
-use crate::{LoadError, NamedPose};
+use crate::{LoadError, NamedPose, SharedFiles, Source};
 use percuss_mechanism::{
     Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
     MechanismBuilder, Problem, RelationDescription, Subject,
@@ -31,14 +31,14 @@ use percuss_spatial::Vector3;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-/// Reads the text of a model named `name`; `report` contains findings about its bytes.
+/// Reads the text of a model; `report` contains findings about its bytes.
 pub(crate) fn load_text(
-    name: &str,
+    source: &Source,
     text: &str,
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let mut files = read_files(name, text, report);
+    let mut files = read_files(source, text, report);
     // After an error of a file the tree may be empty.
     if !files.reports.iter().any(Report::has_errors) {
         let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
@@ -53,7 +53,7 @@ pub(crate) fn load_text(
     let Files { tree, reports, models } = files;
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
-    let model = if failed { None } else { read_model(&tree, &models, options, &mut findings) };
+    let model = if failed { None } else { read_model(&tree, &models, &source.files, options, &mut findings) };
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
@@ -81,6 +81,7 @@ struct Parts {
 fn read_model(
     tree: &ElementTree,
     models: &[AttachedModel],
+    files: &SharedFiles,
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Parts> {
@@ -102,7 +103,7 @@ fn read_model(
     for ((body, position), armature) in added.joints {
         bodies.bodies[body].joints[position].armature += armature;
     }
-    let mut meshes = Meshes::read(tree, &tree.files[0].name, &models, findings);
+    let mut meshes = Meshes::read(tree, files, &models, findings);
     let inertias = body_inertias(&bodies.bodies, &mut meshes, &models, findings);
     if findings.has_errors() {
         return None;

@@ -1,9 +1,10 @@
 //! Input of a model's bytes, and check for text.
 
 use crate::LoadError;
+use crate::reading::files::{FileKind, FileStore, SharedFiles};
 use crate::reading::report::{Place, Report};
-use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 
 /// Default size limit of a model file: 32 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 32 << 20;
@@ -15,27 +16,42 @@ pub struct Source {
     pub name: String,
     /// Contents.
     pub bytes: Vec<u8>,
+    /// Store of the further files that the model names.
+    pub files: SharedFiles,
 }
 
 impl Source {
+    /// Source of bytes in memory. Further files are those of the file system.
+    pub fn new(name: impl Into<String>, bytes: Vec<u8>) -> Source {
+        Source { name: name.into(), bytes, files: SharedFiles::default() }
+    }
+
     /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes. `FILE#MODEL` reads the file; the name keeps the
     /// model.
     ///
     /// # Errors
     /// [`LoadError`] if the file does not exist, cannot be read, is a directory, or is too large.
     pub fn read(path: &str, max_size: u64) -> Result<Source, LoadError> {
+        Self::read_from(&SharedFiles::default(), path, max_size)
+    }
+
+    /// Reads a file of a store as [`read`](Self::read).
+    ///
+    /// # Errors
+    /// As for [`read`](Self::read).
+    pub fn read_from(files: &SharedFiles, path: &str, max_size: u64) -> Result<Source, LoadError> {
         let name = if path == "-" { "<stdin>" } else { path };
         let bytes = if path == "-" {
             read_bounded(io::stdin().lock(), max_size)
         } else {
-            open_file(without_model(path)).and_then(|file| read_bounded(file, max_size))
+            read_file(&**files, Path::new(without_model(&**files, path)), max_size)
         };
         let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
         match bytes {
             Ok(bytes) if bytes.len() as u64 > max_size => {
                 refuse("too-large-file", format!("larger than the limit of {max_size} bytes"))
             }
-            Ok(bytes) => Ok(Source { name: name.to_owned(), bytes }),
+            Ok(bytes) => Ok(Source { name: name.to_owned(), bytes, files: files.clone() }),
             Err(error) => match error.kind() {
                 io::ErrorKind::NotFound => refuse("no-such-file", "no such file".to_owned()),
                 io::ErrorKind::IsADirectory => {
@@ -52,12 +68,12 @@ impl Source {
 
     /// File of the name: without the model of `FILE#MODEL`.
     pub fn file(&self) -> &str {
-        without_model(&self.name)
+        without_model(&*self.files, &self.name)
     }
 
     /// Creates a source from text.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Source {
-        Source { name: name.into(), bytes: text.into().into_bytes() }
+        Source::new(name, text.into().into_bytes())
     }
 
     /// Returns the bytes as text, without a byte order mark; `None`, with an error in the report, if they are not UTF-8 text.
@@ -104,23 +120,20 @@ impl Source {
 }
 
 /// File of `FILE#MODEL`. A file whose own name has a `#` is taken as it is.
-fn without_model(path: &str) -> &str {
+fn without_model<'a>(files: &dyn FileStore, path: &'a str) -> &'a str {
     match path.rsplit_once('#') {
-        Some((file, _)) if !std::path::Path::new(path).is_file() && std::path::Path::new(file).is_file() => {
-            file
-        }
+        Some((file, _)) if !files.is_file(Path::new(path)) && files.is_file(Path::new(file)) => file,
         _ => path,
     }
 }
 
-/// Opens a file; a directory is an error on every operating system.
-fn open_file(path: &str) -> io::Result<File> {
-    let file = File::open(path);
+/// Reads at most `max_size` + 1 bytes of a file; a directory is an error on every operating system.
+fn read_file(files: &dyn FileStore, path: &Path, max_size: u64) -> io::Result<Vec<u8>> {
     // Opening a directory fails on Windows; on other systems only reading fails.
-    if std::fs::metadata(path).is_ok_and(|found| found.is_dir()) {
-        return Err(io::ErrorKind::IsADirectory.into());
+    match files.kind(path) {
+        Ok(FileKind::Folder) => Err(io::ErrorKind::IsADirectory.into()),
+        _ => files.read(path, max_size),
     }
-    file
 }
 
 /// Reads at most `max_size` + 1 bytes: the last byte shows that the limit is exceeded.

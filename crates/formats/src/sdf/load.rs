@@ -1,6 +1,5 @@
 //! Construction of a mechanism from a model in SDFormat.
 
-use crate::LoadError;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
@@ -13,18 +12,19 @@ use crate::sdf::tree::assembly::assemble;
 use crate::sdf::tree::parts::Parts;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
+use crate::{FileStore, LoadError, Source};
 use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
 use std::path::{Path, PathBuf};
 
-/// Reads the text of a model named `name`; `report` contains findings about its bytes. `FILE#MODEL` chooses a model of the file.
+/// Reads the text of a model; `report` contains findings about its bytes. `FILE#MODEL` chooses a model of the file.
 pub(crate) fn load_text(
-    name: &str,
+    source: &Source,
     text: &str,
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let (file, wanted) = split_name(name);
-    let Files { tree, reports } = read_files(file, text, report);
+    let (file, wanted) = split_name(&*source.files, &source.name);
+    let Files { tree, reports } = read_files(&source.files, file, text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
     findings.lists_unread = options.list_unread;
@@ -42,9 +42,9 @@ pub(crate) fn load_text(
 }
 
 /// File and model of `FILE#MODEL`. A file whose own name has a `#` keeps it.
-fn split_name(name: &str) -> (&str, Option<&str>) {
+fn split_name<'a>(files: &dyn FileStore, name: &'a str) -> (&'a str, Option<&'a str>) {
     match name.rsplit_once('#') {
-        Some((file, model)) if !model.is_empty() && !Path::new(name).is_file() => (file, Some(model)),
+        Some((file, model)) if !model.is_empty() && !files.is_file(Path::new(name)) => (file, Some(model)),
         _ => (name, None),
     }
 }

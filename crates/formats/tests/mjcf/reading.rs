@@ -1,7 +1,7 @@
 //! Values of MuJoCo 4.0.0 and closed forms.
 
 use super::{load_mjcf, model};
-use crate::support::codes;
+use crate::support::{Folder, codes};
 use approx::assert_relative_eq;
 use percuss_formats::{Loaded, Solid};
 use percuss_mechanism::{ClosureKind, Inertial, JointKind, Mechanism, Severity};
@@ -258,35 +258,26 @@ fn meshes_in_the_model() {
 
 #[test]
 fn included_files_and_mesh_files() {
-    let folder = std::env::temp_dir().join(format!("percuss-mjcf-{}", std::process::id()));
-    std::fs::create_dir_all(folder.join("parts")).unwrap();
-    let file = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
-    file(
-        "parts/arm.xml",
-        "<mujocoinclude><body name=\"arm\"><joint/><geom type=\"mesh\" mesh=\"cube\"/></body></mujocoinclude>",
-    );
+    let arm = "<mujocoinclude><body name=\"arm\"><joint/><geom type=\"mesh\" mesh=\"cube\"/></body></mujocoinclude>";
     let faces = "f 1 2 4\nf 1 4 3\nf 5 7 8\nf 5 8 6\nf 1 5 6\nf 1 6 2\nf 3 4 8\nf 3 8 7\nf 1 3 7\nf 1 7 5\nf 2 6 8\nf 2 8 4\n";
     let corners: String = (0..8).map(|i| format!("v {} {} {}\n", i & 1, i >> 1 & 1, i >> 2 & 1)).collect();
-    file("parts/cube.obj", &(corners + faces));
-    file(
-        "main.xml",
-        "<mujoco><compiler meshdir=\"parts\"/><asset><mesh file=\"cube.obj\"/></asset>
-         <worldbody><include file=\"parts/arm.xml\"/></worldbody></mujoco>",
-    );
-    let main = folder.join("main.xml").to_string_lossy().into_owned();
-    let loaded = percuss_formats::load_file(&main).unwrap_or_else(|error| panic!("{error}"));
+    let main = "<mujoco><compiler meshdir=\"parts\"/><asset><mesh file=\"cube.obj\"/></asset>
+         <worldbody><include file=\"parts/arm.xml\"/></worldbody></mujoco>";
+    let mut files = vec![
+        ("parts/arm.xml", arm.to_owned()),
+        ("parts/cube.obj", corners + faces),
+        ("main.xml", main.to_owned()),
+    ];
+    let loaded = Folder::new("mjcf-files", &files).load("main.xml").unwrap_or_else(|error| panic!("{error}"));
     let arm = inertial(&loaded.mechanism, "arm");
     assert_relative_eq!(arm.mass, 1000.0, epsilon = 1e-9);
     assert_relative_eq!(arm.about_com[(0, 0)], 1000.0 / 6.0, epsilon = 1e-9);
     assert_eq!(loaded.files.len(), 2, "{:?}", loaded.files);
     // A circle of files is refused, with the position in the included file.
-    file(
-        "parts/arm.xml",
-        "<mujocoinclude>\n<body name=\"arm\"/>\n<include file=\"main.xml\"/></mujocoinclude>",
-    );
-    let error = percuss_formats::load_file(&main).expect_err("a circle");
+    files[0].1 =
+        "<mujocoinclude>\n<body name=\"arm\"/>\n<include file=\"main.xml\"/></mujocoinclude>".to_owned();
+    let error = Folder::new("mjcf-circle", &files).load("main.xml").expect_err("a circle");
     let diagnostic = &error.diagnostics[0];
     assert_eq!((diagnostic.code, diagnostic.line), ("included-twice", Some(3)));
     assert!(diagnostic.path.ends_with("arm.xml"), "{}", diagnostic.path);
-    std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -1,7 +1,9 @@
 //! Shared helpers of the tests of this crate.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use percuss_formats::{Diagnostic, LoadError, LoadOptions, Loaded, Source, load, load_file};
+use percuss_formats::{
+    Diagnostic, LoadError, LoadOptions, Loaded, MemoryFiles, Source, load, load_file, write_urdf,
+};
 use percuss_mechanism::Severity;
 use std::path::PathBuf;
 
@@ -58,8 +60,8 @@ pub fn codes(loaded: &Result<Loaded, LoadError>) -> Vec<(Severity, &'static str)
     told(loaded).iter().map(|d| (d.severity, d.code)).collect()
 }
 
-/// Temporary folder with files; removed at the end.
-pub struct Folder(PathBuf);
+/// Temporary folder with files, on the disk and in memory; removed at the end.
+pub struct Folder(PathBuf, MemoryFiles);
 
 impl Folder {
     /// Folder with these files. `name`: unique among the tests.
@@ -70,12 +72,29 @@ impl Folder {
             std::fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
             std::fs::write(file, text).expect("a file");
         }
-        Self(path)
+        let in_memory = files.iter().map(|(file, text)| {
+            let name = path.join(file).to_string_lossy().into_owned();
+            (name, text.clone().into_bytes())
+        });
+        let in_memory = MemoryFiles::new(in_memory);
+        Self(path, in_memory)
     }
 
-    /// Loads a file of the folder.
+    /// Loads a file of the folder. The files in memory must give the same mechanism and findings.
     pub fn load(&self, file: &str) -> Result<Loaded, LoadError> {
-        load_file(&self.0.join(file).to_string_lossy())
+        let path = self.0.join(file).to_string_lossy().into_owned();
+        let loaded = load_file(&path);
+        let source = Source::read_from(&self.1.clone().into(), &path, 1 << 20);
+        let in_memory = source.and_then(|source| load(&source, &LoadOptions::default()));
+        let summary = |loaded: &Result<Loaded, LoadError>| {
+            let findings: Vec<_> =
+                told(loaded).iter().map(|d| (d.code, d.path.clone(), d.line, d.severity)).collect();
+            let parts = loaded.as_ref().ok();
+            let parts = parts.map(|loaded| (write_urdf(&loaded.mechanism), &loaded.files, &loaded.shapes));
+            format!("{findings:?} {parts:?}")
+        };
+        assert_eq!(summary(&in_memory), summary(&loaded), "{path}: in memory, and in the file system");
+        loaded
     }
 }
 

@@ -276,11 +276,13 @@ class Model:
         *,
         link_mass: Mapping[str, float] = ...,
         link_com: Mapping[str, Sequence[float]] = ...,
+        link_inertia: Mapping[str, Sequence[float]] = ...,
         move: Mapping[str, Sequence[float]] = ...,
     ) -> Model:
         """Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
         centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
-        about the centre of mass stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes."""
+        about the centre of mass stay as they are. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²
+        along the axes of the link's frame; the products of inertia stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes."""
     def to_urdf(self) -> str:
         """The mechanism as URDF."""
     def to_mjcf(self) -> str:

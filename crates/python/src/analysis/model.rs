@@ -149,5 +149,5 @@ pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyR
 /// Rebuilds a pickled model in another process.
 #[pyfunction]
 pub fn model_of_bytes(py: Python<'_>, bytes: Vec<u8>, name: String, accept: Vec<String>) -> PyResult<Model> {
-    Model::of(py, Source { name, bytes }, accept)
+    Model::of(py, Source::new(name, bytes), accept)
 }

@@ -129,18 +129,21 @@ impl Model {
 
     /// Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
     /// centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
-    /// about the centre of mass stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes.
-    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), r#move=BTreeMap::new()))]
+    /// about the centre of mass stay as they are. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²
+    /// along the axes of the link's frame; the products of inertia stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes.
+    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), link_inertia=BTreeMap::new(), r#move=BTreeMap::new()))]
     fn changed(
         &self,
         py: Python<'_>,
         link_mass: BTreeMap<String, f64>,
         link_com: BTreeMap<String, [f64; 3]>,
+        link_inertia: BTreeMap<String, [f64; 3]>,
         r#move: BTreeMap<String, [f64; 3]>,
     ) -> PyResult<Self> {
         let changes = Changes {
             link_mass: link_mass.into_iter().collect(),
             link_com: link_com.into_iter().collect(),
+            link_inertia: link_inertia.into_iter().collect(),
             moves: r#move.into_iter().collect(),
         };
         let (read, is_large) = (Arc::clone(&self.read), self.read.mechanism.links().len() >= LARGE_MODEL);

@@ -11,6 +11,9 @@ use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+/// Relative rounding of moments of inertia in files: six digits are usual.
+const MOMENT_ROUNDING: f64 = 1e-5;
+
 /// Error of a design variant.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -43,7 +46,7 @@ impl Model {
                 return Err(StudyError::input(Field::Move, Fault::NoSheet { path }).into());
             }
         };
-        if !(to_do.link_mass.is_empty() && to_do.link_com.is_empty()) {
+        if to_do.changes_inertia() {
             let changed = with_changed_inertia(&model.mechanism, to_do)?;
             model.diagnostics.extend(implausible_masses(&model.mechanism, &changed));
             model.mechanism = Arc::new(changed);
@@ -111,7 +114,7 @@ fn implausible_masses(before: &Mechanism, after: &Mechanism) -> Vec<DiagnosticRe
     grown.collect()
 }
 
-/// Mechanism with changed masses and centres of mass.
+/// Mechanism with changed masses, centres of mass and moments of inertia.
 fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
     let mut inertials = BTreeMap::new();
     for (name, mass) in &changes.link_mass {
@@ -138,6 +141,19 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
         }
         inertials.insert(name.clone(), Inertial { com: (*com).into(), ..inertial });
     }
+    for (name, moments) in &changes.link_inertia {
+        let link = find(mechanism, Field::LinkInertia, name)?;
+        let inertial = inertials.get(name).copied().or(link);
+        let Some(mut inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
+            return Err(StudyError::input(Field::LinkInertia, Fault::NoMassToTurn { link: name.clone() }));
+        };
+        if !are_moments_of_a_body(moments) {
+            let fault = Fault::LinkInertia { link: name.clone(), moments: *moments };
+            return Err(StudyError::input(Field::LinkInertia, fault));
+        }
+        inertial.about_com.set_diagonal(&(*moments).into());
+        inertials.insert(name.clone(), inertial);
+    }
     let mut builder = mechanism.to_builder();
     builder = builder.map_links(|mut link: LinkDescription| {
         if let Some(inertial) = inertials.get(&link.name) {
@@ -147,6 +163,14 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
     });
     let built = builder.build().map_err(build_error_as_fault(Field::LinkMass))?;
     Ok(built.mechanism)
+}
+
+/// True for moments about three perpendicular axes that a body can have: each is at most the sum of the other two. A thin plate reaches
+/// the limit, so that rounding of the sum is permitted.
+fn are_moments_of_a_body(moments: &[f64; 3]) -> bool {
+    let sum: f64 = moments.iter().sum();
+    moments.iter().all(|moment| *moment >= 0.0 && 2.0 * moment <= sum * (1.0 + MOMENT_ROUNDING))
+        && sum.is_finite()
 }
 
 /// Inertia of a link by name; `None` for a massless link.

@@ -58,7 +58,8 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     let path = model.inputs.first().map_or("", |input| &input.path);
-    let folders = MeshFolders::of_model(Path::new(path), question.packages.clone());
+    let files = model.origin.files.clone();
+    let folders = MeshFolders { files, ..MeshFolders::of_model(Path::new(path), question.packages.clone()) };
     let meshes = RefCell::new(Vec::new());
     let context = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
@@ -156,7 +157,7 @@ impl MapContext<'_> {
         })?;
         for file in surface.files() {
             let mut meshes = self.meshes.borrow_mut();
-            let input = Input::from_file(file).filter(|input| !meshes.contains(input));
+            let input = Input::from_file(&*self.folders.files, file).filter(|input| !meshes.contains(input));
             meshes.extend(input);
         }
         let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;

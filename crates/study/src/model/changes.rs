@@ -7,6 +7,9 @@ pub struct Changes {
     pub link_mass: Vec<(String, f64)>,
     /// Centres of mass of links, m, in the link's frame; moments about the centre of mass stay the same.
     pub link_com: Vec<(String, [f64; 3])>,
+    /// Moments of inertia of links about the centre of mass along the axes of the link frame, kg·m²; products of inertia stay the
+    /// same. Applied after the masses.
+    pub link_inertia: Vec<(String, [f64; 3])>,
     /// Displacements of hardpoints of a suspension's sheet, m, in the sheet's axes.
     pub moves: Vec<(String, [f64; 3])>,
 }
@@ -17,12 +20,18 @@ impl Changes {
         *self == Self::default()
     }
 
+    /// True if masses, centres of mass or moments of inertia change.
+    pub fn changes_inertia(&self) -> bool {
+        !(self.link_mass.is_empty() && self.link_com.is_empty() && self.link_inertia.is_empty())
+    }
+
     /// These changes followed by `more`.
     #[must_use]
     pub fn and(&self, more: &Self) -> Self {
         let mut all = self.clone();
         all.link_mass.extend(more.link_mass.iter().cloned());
         all.link_com.extend(more.link_com.iter().cloned());
+        all.link_inertia.extend(more.link_inertia.iter().cloned());
         all.moves.extend(more.moves.iter().cloned());
         all
     }

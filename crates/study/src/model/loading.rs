@@ -4,7 +4,10 @@ use crate::model::changes::Changes;
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, NamedPose, Shape, Source, load};
+use percuss_formats::{
+    DEFAULT_MAX_SIZE, FileStore, LoadError, LoadOptions, NamedPose, OpenFile, Shape, SharedFiles, Source,
+    load,
+};
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
@@ -27,10 +30,11 @@ impl Input {
         Self { path: source.file().to_owned(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
-    /// Input of a file; `None` if the file is unreadable.
-    pub(crate) fn from_file(path: &Path) -> Option<Self> {
+    /// Input of a file of a store; `None` if the file is unreadable.
+    pub(crate) fn from_file(files: &dyn FileStore, path: &Path) -> Option<Self> {
         let mut digest = Sha256::new();
-        std::io::copy(&mut std::fs::File::open(path).ok()?, &mut digest).ok()?;
+        let OpenFile { mut reader, .. } = files.open(path).ok()?;
+        std::io::copy(&mut reader, &mut digest).ok()?;
         Some(Self { path: path.to_string_lossy().into_owned(), sha256: hexadecimal(&digest.finalize()) })
     }
 }
@@ -70,6 +74,8 @@ pub struct Origin {
     pub(crate) changes: Changes,
     /// Loops added by a study.
     pub(crate) closures: Vec<ClosureDescription>,
+    /// Store of the model file and of the files that it names.
+    pub(crate) files: SharedFiles,
 }
 
 /// Sheet of a model, with facts from its import.
@@ -185,7 +191,11 @@ impl Model {
             let (mut model, tables) = Self::import_sheet(&sheet, &[], vec![input])?;
             for table in tables.iter().filter(|table| **table != source.name) {
                 // The importer has read the same file before.
-                model.inputs.push(Input::from_source(&Source::read(table, DEFAULT_MAX_SIZE)?));
+                model.inputs.push(Input::from_source(&Source::read_from(
+                    &source.files,
+                    table,
+                    DEFAULT_MAX_SIZE,
+                )?));
             }
             return Ok(model);
         }
@@ -195,14 +205,14 @@ impl Model {
         }
         let loaded = load(source, options)?;
         let mut inputs = vec![input];
-        inputs.extend(loaded.files.iter().filter_map(|file| Input::from_file(file)));
+        inputs.extend(loaded.files.iter().filter_map(|file| Input::from_file(&*source.files, file)));
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
             inputs,
             shapes: Arc::new(loaded.shapes),
             poses: Arc::new(loaded.poses),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
-            origin: Origin::default(),
+            origin: Origin { files: source.files.clone(), ..Origin::default() },
         })
     }
 
@@ -229,7 +239,7 @@ impl Model {
         moves: &[(String, [f64; 3])],
         inputs: Vec<Input>,
     ) -> Result<(Self, Vec<String>), LoadError> {
-        let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
+        let Imported { mechanism, understood, diagnostics, inputs: names, .. } = sheet.import(moves)?;
         let (sheet, points) = (sheet.clone(), understood.points);
         let kinematics = SheetKinematics {
             coordinates: understood.coordinates,
@@ -238,6 +248,7 @@ impl Model {
             forces: understood.forces,
         };
         let (unit, axes, lines) = (understood.unit, understood.axes, understood.lines);
+        let files = sheet.files().clone();
         let sheet = OriginSheet { sheet, points, unit, axes, lines, kinematics };
         let sheet = Some(Arc::new(sheet));
         let model = Self {
@@ -246,8 +257,8 @@ impl Model {
             mechanism: Arc::new(mechanism),
             inputs,
             diagnostics: diagnostics.into_iter().map(Into::into).collect(),
-            origin: Origin { sheet, ..Origin::default() },
+            origin: Origin { sheet, files, ..Origin::default() },
         };
-        Ok((model, files))
+        Ok((model, names))
     }
 }

@@ -1,7 +1,7 @@
 //! Suspension file in memory, for repeated imports with moved points.
 
 use crate::thresholds::LARGEST_STUDY;
-use percuss_formats::{LoadError, Source};
+use percuss_formats::{LoadError, SharedFiles, Source};
 use percuss_mechanism::Accept;
 use percuss_suspension::{ImportOptions, Imported, Rack, import};
 use std::path::Path;
@@ -36,6 +36,11 @@ impl Sheet {
     /// Suspension file with import options.
     pub(crate) fn with_options(source: &Source, options: &ImportOptions) -> Self {
         Self { source: source.clone(), options: options.clone() }
+    }
+
+    /// Store of the file and of the table that it names.
+    pub(crate) fn files(&self) -> &SharedFiles {
+        &self.source.files
     }
 
     /// True if the file is a study instead: TOML with a table `model`.

@@ -49,6 +49,8 @@ pub enum Field {
     LinkMass,
     /// Centre of mass of a link.
     LinkCom,
+    /// Moments of inertia of a link.
+    LinkInertia,
     /// Moved hardpoint.
     Move,
     /// Point of a motion ratio.
@@ -145,6 +147,7 @@ impl Field {
             Field::Model => ("MODEL", "model.path"),
             Field::LinkMass => ("--link-mass", "model.link_mass"),
             Field::LinkCom => ("--link-com", "model.link_com"),
+            Field::LinkInertia => ("--link-inertia", "model.link_inertia"),
             Field::Move => ("--move", "model.move"),
             Field::RatioAt => ("--ratio-at", "contact.ratio_at"),
             Field::Tolerance => ("--tolerance", "mass.tolerance"),

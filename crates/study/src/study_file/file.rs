@@ -310,6 +310,8 @@ impl StudyReader<'_> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
         let refused = |refusal| self.invalid_key_error(refusal);
+        // The text was parsed before, with all its tables.
+        let panels = toml::from_slice(&source.bytes).unwrap_or_default();
         if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
@@ -398,7 +400,7 @@ impl StudyReader<'_> {
             map,
             safe_speed,
             report: study.report.clone(),
-            tables: StudyTables::from_text(study, contact, folder),
+            tables: StudyTables { panels, ..StudyTables::from_text(study, contact, folder) },
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })

@@ -377,7 +377,8 @@ impl StarterWriter<'_> {
         };
         writeln!(
             out,
-            "\n# The same with something changed, side by side: link_mass, link_com, armature, set, move, model, contact."
+            "\n# The same with something changed, side by side: link_mass, link_com, link_inertia, armature, set, move, \
+             model, contact."
         )?;
         let lighter = (0.9 * mass * 1e6).round() / 1e6;
         let name = toml_string(&format!("{link} 10 % lighter"));

@@ -5,7 +5,7 @@ use super::tables::model::ModelTable;
 use super::text::StudyText;
 use super::variant::{VariantText, replace_by_name};
 use crate::question::mass_question::Hold;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// Tables of a study as its file has them. The path of the model starts at the current folder.
@@ -21,6 +21,8 @@ pub struct StudyTables {
     pub conditions: ConditionsTable,
     /// Held points.
     pub hold: Vec<Hold>,
+    /// Tables `damping`, `impact` and `safe_speed` as the file has them; null if absent.
+    pub panels: PanelTables,
     /// Quantity that the first range of the sweep varies.
     pub varied: Option<String>,
     /// Variants of the same model file.
@@ -29,6 +31,17 @@ pub struct StudyTables {
     pub other_models: Vec<String>,
     /// Number of additional loops, which no table above contains.
     pub closures: usize,
+}
+
+/// Tables of a study for the further results of a page.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+pub struct PanelTables {
+    /// Damper.
+    pub damping: Option<toml::Table>,
+    /// Impact.
+    pub impact: Option<toml::Table>,
+    /// Safe speed.
+    pub safe_speed: Option<toml::Table>,
 }
 
 /// Tables of a variant.
@@ -77,6 +90,7 @@ impl StudyTables {
             (self.model.clone(), self.pose.clone(), self.conditions.clone());
         replace_by_name(&mut model.link_mass, &variant.link_mass);
         replace_by_name(&mut model.link_com, &variant.link_com);
+        replace_by_name(&mut model.link_inertia, &variant.link_inertia);
         replace_by_name(&mut model.moves, &variant.moves);
         replace_by_name(&mut pose.set, &variant.set);
         replace_by_name(&mut conditions.armature, &variant.armature);

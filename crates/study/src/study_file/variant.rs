@@ -5,9 +5,9 @@ use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
 use crate::study_file::tables::contact::ContactTable;
-use crate::study_file::tables::model::{masses, points};
+use crate::study_file::tables::model::{masses, moments, points};
 use crate::values::position::GivenPosition;
-use crate::values::quantities::{Mass, Point};
+use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::value::{self, OneOrMany, PositionText};
 use percuss_formats::{LoadError, LoadOptions};
 use schemars::JsonSchema;
@@ -33,6 +33,10 @@ pub(crate) struct VariantText {
     #[serde(default, deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
+    /// Moments of inertia by link about its centre of mass, kg·m².
+    #[serde(default, deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Moments>")]
+    pub link_inertia: Vec<(String, Moments)>,
     /// Displacements of hardpoints of a sheet, m.
     #[serde(default, rename = "move", deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Point>")]
@@ -112,6 +116,7 @@ impl VariantText {
         let model = other.with_changes(&Changes {
             link_mass: masses(&self.link_mass),
             link_com: points(&self.link_com),
+            link_inertia: moments(&self.link_inertia),
             moves: points(&self.moves),
         })?;
         let mut question = question.clone();

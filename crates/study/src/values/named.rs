@@ -1,7 +1,7 @@
 //! Values of flags with a name: `NAME=VALUE`.
 
 use crate::values::position::GivenPosition;
-use crate::values::quantities::{Mass, Point};
+use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::rates::GivenRates;
 use percuss_units::Dimension;
 use std::fmt::Display;
@@ -42,6 +42,11 @@ pub fn link_mass(text: &str) -> Result<(String, Mass), String> {
 /// `LINK=X,Y,Z` of a flag.
 pub fn link_com(text: &str) -> Result<(String, Point), String> {
     named(text, "LINK=X,Y,Z, such as upright=0,20mm,0")
+}
+
+/// `LINK=IXX,IYY,IZZ` of a flag.
+pub fn link_inertia(text: &str) -> Result<(String, Moments), String> {
+    named(text, "LINK=IXX,IYY,IZZ, such as upright=0.04,0.03,0.02")
 }
 
 /// `POINT=X,Y,Z` of a flag: hardpoint and displacement.

@@ -177,6 +177,36 @@ triples! {
     Angles Angle
 }
 
+/// Three moments of inertia, kg·m².
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(try_from = "Vec<NumberOrText>")]
+pub struct Moments(pub [f64; 3]);
+
+impl Moments {
+    fn from_texts(texts: impl Iterator<Item = impl AsRef<str>>) -> Result<Self, String> {
+        let moments = texts.map(|text| in_dimension(Dimension::Inertia, text.as_ref()));
+        let moments: Vec<f64> = moments.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+        let three = <[f64; 3]>::try_from(moments);
+        three.map(Self).map_err(|given| format!("{} moments of inertia; expected 3", given.len()))
+    }
+}
+
+impl FromStr for Moments {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::from_texts(text.split(','))
+    }
+}
+
+impl TryFrom<Vec<NumberOrText>> for Moments {
+    type Error = String;
+    fn try_from(given: Vec<NumberOrText>) -> Result<Self, String> {
+        Self::from_texts(given.into_iter().map(NumberOrText::text))
+    }
+}
+
+schema_of!(Moments, [NumberOrText; 3]);
+
 /// Point of a link, m, in the frame of the link: `LINK:X,Y,Z`.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -9,8 +9,7 @@ use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
 use crate::units::VehicleAxes;
 use percuss_formats::reading::quoted;
-use percuss_formats::{DEFAULT_MAX_SIZE, Source};
-use std::fs;
+use percuss_formats::{DEFAULT_MAX_SIZE, FileKind, FileStore, Source};
 use std::path::Path;
 
 /// Files of one import: names and texts.
@@ -30,13 +29,13 @@ pub(super) fn read(
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
     let table = folder.join(&path);
     let path = table.to_string_lossy().into_owned();
-    let kind = fs::metadata(&table);
+    let kind = source.files.kind(&table);
     // Reading a pipe or a device could block or never end.
-    if kind.as_ref().is_ok_and(|found| !found.is_file()) {
+    if kind.as_ref().is_ok_and(|kind| *kind != FileKind::File) {
         findings.error("no-table", &spot, format!("the table {} is no file", quoted(&path)));
         return;
     }
-    if kind.is_ok() && !options.allow_outside && !is_inside(folder, &table) {
+    if kind.is_ok() && !options.allow_outside && !is_inside(&*source.files, folder, &table) {
         let message = format!(
             "the table {} is outside the sheet's folder; move it there, or import the sheet with --allow-outside \
              (allow_outside=True in Python)",
@@ -45,7 +44,7 @@ pub(super) fn read(
         findings.error("outside-folder", &spot, message);
         return;
     }
-    let read = match Source::read(&path, DEFAULT_MAX_SIZE) {
+    let read = match Source::read_from(&source.files, &path, DEFAULT_MAX_SIZE) {
         Ok(read) => read,
         Err(error) => {
             let why = error.diagnostics.first().map_or(String::new(), |d| d.message.clone());
@@ -115,9 +114,9 @@ fn read_subsystem(
 }
 
 /// True if a file is in a folder or below it, links resolved.
-fn is_inside(folder: &Path, file: &Path) -> bool {
+fn is_inside(files: &dyn FileStore, folder: &Path, file: &Path) -> bool {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    match (fs::canonicalize(folder), fs::canonicalize(file)) {
+    match (files.canonical(folder), files.canonical(file)) {
         (Ok(folder), Ok(file)) => file.starts_with(folder),
         _ => false,
     }

@@ -12,15 +12,26 @@ use percuss_explorer::{ENGINE, PageContent, page};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
 use percuss_render::MADE_BY;
 use percuss_study::{
-    Model, ModelTable, Names, PoseTable, QuestionTables, StudyFile, StudyTables, mass, scene_shapes,
+    Model, ModelTable, Names, PoseTable, QuestionTables, SceneShapes, StudyFile, StudyTables, mass,
+    scene_shapes,
 };
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Message of a build without the engine.
 const NOT_BUILT: &str = "this build of percuss has no explorer: run crates/explorer/build.sh engine and build with \
     `cargo build --release --features explorer`, or take a package, which has everything";
+
+/// First bytes of a workbook, which is a ZIP archive.
+const WORKBOOK: &[u8] = b"PK\x03\x04";
+
+/// Largest size of the further files of a model in a page, bytes.
+const LARGEST_FILES: u64 = 16 << 20;
+
+/// Largest size of the shapes in a page, bytes of base64: about 900,000 triangles. Browsers keep the text of a page in memory twice.
+const LARGEST_SHAPES: usize = 40 << 20;
 
 /// Question at first sight, from flags or from a study.
 struct FirstQuestion {
@@ -70,13 +81,7 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
     let options = LoadOptions { accept: tables.model.accepted(), ..LoadOptions::default() };
     let opened = Model::from_source(&source, &options)?;
     opened.inputs.iter().for_each(|input| record_input(&input.path));
-    if let Some(other) = opened.inputs.get(1) {
-        return Err(Failure::bad_input(format!(
-            "{path} reads {} as well; the page contains one file: write the points into the sheet, or convert the model \
-             by percuss convert",
-            other.path
-        )));
-    }
+    let files = further_files(&opened)?;
     let text = std::str::from_utf8(&source.bytes)
         .map_err(|_| Failure::bad_input(format!("{path}: the page contains text; this file is not UTF-8")))?;
     if let Some(file) =
@@ -97,7 +102,7 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
         ));
     }
     let start = json!({
-        "model": { "name": source.name, "text": text, "shapes": shapes(&model) },
+        "model": { "name": source.name, "text": text, "files": files, "shapes": shapes(&model, *strict)? },
         "study": tables,
         "driver": tables.varied,
         "variants": tables.variants,
@@ -149,14 +154,51 @@ fn check_question(tables: &StudyTables, model: &Model) -> Result<(), Failure> {
     }
 }
 
-/// Triangles of each link as base64 of 32-bit floats, which drawing needs; null for a link without shapes.
-fn shapes(model: &Model) -> Vec<Option<String>> {
-    let encode = |facets: Vec<[[f64; 3]; 3]>| {
-        let numbers = facets.iter().flatten().flatten();
-        let bytes: Vec<u8> = numbers.flat_map(|x| (*x as f32).to_le_bytes()).collect();
-        (!bytes.is_empty()).then(|| STANDARD.encode(bytes))
-    };
-    scene_shapes(model).into_iter().map(encode).collect()
+/// Files that a model reads besides its own, in base64 by path: included files, meshes of inertias, the table of a sheet.
+fn further_files(model: &Model) -> Result<BTreeMap<String, String>, Failure> {
+    let mut files = BTreeMap::new();
+    let mut left = LARGEST_FILES;
+    for input in model.inputs.iter().skip(1) {
+        let path = &*input.path;
+        let too_large = |_| {
+            Failure::bad_input(format!(
+                "{path}: the files that the model reads are larger than {} MB together, the limit of a page; give the bodies an \
+                 <inertial> in place of large meshes",
+                LARGEST_FILES >> 20
+            ))
+        };
+        let Source { bytes, .. } = Source::read(path, left).map_err(too_large)?;
+        if bytes.starts_with(WORKBOOK) {
+            return Err(Failure::bad_input(format!(
+                "{path}: the explorer reads no workbooks; save the table as CSV"
+            )));
+        }
+        left -= bytes.len() as u64;
+        files.insert(path.to_owned(), STANDARD.encode(bytes));
+    }
+    Ok(files)
+}
+
+/// Triangles of each link; null for a link without shapes. Reports the shapes that are left out.
+fn shapes(model: &Model, strict: bool) -> Result<Vec<Option<String>>, Failure> {
+    let SceneShapes { mut links, diagnostics } = scene_shapes(model);
+    write_diagnostics(&diagnostics, strict)?;
+    let mut left = LARGEST_SHAPES;
+    for (link, shape) in model.mechanism.links().iter().zip(&mut links) {
+        let size = shape.as_ref().map_or(0, String::len);
+        if size > left {
+            note(&format!(
+                "link \"{}\" is drawn without its shape of {} MB: the page contains shapes of at most {} MB",
+                link.name(),
+                size >> 20,
+                LARGEST_SHAPES >> 20
+            ));
+            *shape = None;
+        } else {
+            left -= size;
+        }
+    }
+    Ok(links)
 }
 
 /// Name of the model with `.html`, in the current folder.

@@ -1,4 +1,4 @@
-// Engine of the page. Requests are answered one after another; work that takes long can be ended.
+// Engine of the page. Requests are processed in order; a long computation can be cancelled.
 
 import { decodeLzma } from './lzma';
 import { Module } from './module';
@@ -74,7 +74,7 @@ export class Engine {
     return asked;
   }
 
-  /** Ends the request at work; the engine has no model afterwards. */
+  /** Cancels the current request; afterwards no model is open. */
   async end() {
     if (!this.worker) return;
     this.worker.terminate();

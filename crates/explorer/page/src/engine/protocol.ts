@@ -3,7 +3,11 @@
 
 export type Triple = [number, number, number];
 
-export interface SceneLink { name: string; mass: number; com: Triple | null; lines: [Triple, Triple][] }
+export interface SceneLink {
+  name: string; mass: number; com: Triple | null; lines: [Triple, Triple][];
+  /** Moments of inertia about the centre of mass, kg·m². */
+  moments: Triple | null;
+}
 export interface SceneJoint {
   name: string; kind: string; parent: number; child: number; axis: Triple | null;
   limits: [number, number] | null; can_be_set: boolean;
@@ -54,7 +58,7 @@ export interface Shown {
 }
 export interface ListedContact { name: string; kind: string; report: MassReport | null; problem: string | null }
 export interface Opened {
-  scene: Scene; contact: ContactTable; conditions: ConditionsTable;
+  scene: Scene; shapes: { links: (string | null)[]; diagnostics: Finding[] } | null; contact: ContactTable; conditions: ConditionsTable;
   contacts: { contacts: ListedContact[] } | null; poses: string[]; diagnostics: Finding[];
 }
 export interface Explanation {
@@ -93,9 +97,9 @@ export interface GivenContact { status: string | null; effective_mass: number | 
 export interface DirectionMass { direction_world: Triple; status: string; effective_mass: number | null }
 export interface Directions { principal: DirectionMass[]; point_world: Triple }
 
-// Tables of a study file.
+// Tables of a study.
 export interface ModelTable {
-  path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; [key: string]: unknown;
+  path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; link_inertia?: Record<string, Triple>; [key: string]: unknown;
 }
 export interface ContactTable {
   at?: string; link?: string; point?: Triple; normal?: Triple; along_line?: { link: string; point: Triple };
@@ -109,7 +113,7 @@ export interface Study {
 }
 
 export type Request =
-  | { do: 'open'; model: ModelTable; text: string }
+  | { do: 'open'; model: ModelTable; text: string; files?: Record<string, string>; shapes?: boolean }
   | { do: 'show'; question: Study; vary?: string }
   | { do: 'explain'; question: Study }
   | { do: 'damp'; question: Study; damping: Record<string, unknown> }

@@ -1,5 +1,5 @@
-// Further results at the pose shown: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. Each is asked for
-// only while it is shown, when the question rests.
+// Further results at the pose: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. A result is requested
+// only while it is displayed and no drag is in progress.
 
 import type { DampingReport, Directions, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
 
@@ -8,12 +8,25 @@ export interface Settings {
   restitution: string; stiffness: string; speed: string; law: string; tool: string;
   /** Stop of a joint in place of the contact, as JOINT:lower or JOINT:upper; empty for the contact shown. */
   stop: string;
+  impactRestitution: string; impactSpeed: string;
   region: string; limit: string; limitValue: string; area: string; load: string;
+  /** Keys of the damper that the panel does not show, as a study has them. */
+  further: Record<string, Scalar>;
 }
+
+type Scalar = number | string | boolean;
+
+/** Tables of a study with the start values of the panels. */
+export interface PanelTables { damping?: Table | null; impact?: Table | null; safe_speed?: Table | null }
+type Table = Record<string, unknown>;
+
+/** Settings with texts. */
+export type TextSetting = Exclude<keyof Settings, 'further'>;
 
 export const DEFAULTS: Settings = {
   restitution: '0.3', stiffness: '200 N/mm', speed: '1 m/s', law: 'kelvin-voigt', tool: 'mujoco', stop: '',
-  region: 'chest', limit: 'force', limitValue: '', area: '1 cm2', load: '0',
+  impactRestitution: '0.3', impactSpeed: '1 m/s',
+  region: 'chest', limit: 'force', limitValue: '', area: '1 cm2', load: '0', further: {},
 };
 
 export type Kind = 'damper' | 'impact' | 'safe' | 'kinematics' | 'directions' | 'map';
@@ -37,9 +50,11 @@ const FACETS_AT_ONCE = 10_000;
 
 export class Answers {
   settings: Settings = { ...DEFAULTS };
+  /** Keys of the tables of a study that the panels leave out. */
+  leftOut: { [K in Kind]?: string[] } = {};
   results: { [K in Kind]?: Outcome<Results[K]> } = {};
   private shown = new Set<Kind>();
-  /** Question of the results. */
+  /** Study of the results. */
   private study: Study | undefined;
   private run = 0;
   /** Surfaces of the links with shapes; given by the view. */
@@ -69,18 +84,46 @@ export class Answers {
     void this.refresh();
   }
 
-  /** True if the results belong to the question shown. */
+  /** True if the results belong to the displayed study. */
   isFresh(): boolean {
     return this.shown.size === 0 || this.study === this.present().study;
   }
 
   clear() {
     this.results = {};
-    this.settings.stop = '';
+    Object.assign(this.settings, { stop: '', further: {} });
+    this.leftOut = {};
     this.study = undefined;
   }
 
-  /** Asks for all results that are shown, unless they belong to this question already. A newer call ends an older one. */
+  /** Sets the fields to the values of a study. */
+  begin({ damping, impact, safe_speed }: PanelTables = {}) {
+    const texts: Partial<Settings> = {};
+    if (damping) {
+      const { restitution, stiffness, speed, law, limit, for: tools, output, ...more } = damping;
+      void output;
+      const further = Object.entries(more).filter((entry): entry is [string, Scalar] => typeof entry[1] !== 'object');
+      Object.assign(texts, {
+        ...given({ restitution, stiffness, law }), speed: text(speed), stop: text(limit), tool: [tools].flat().map(text).find((tool) => tool && tool !== 'all') ?? DEFAULTS.tool,
+        further: Object.fromEntries(further),
+      });
+      this.leftOut.damper = Object.keys(more).filter((key) => typeof more[key] === 'object');
+    }
+    if (impact) {
+      const { restitution, speed, ...more } = impact;
+      Object.assign(texts, given({ impactRestitution: restitution, impactSpeed: speed }));
+      this.leftOut.impact = Object.keys(more);
+    }
+    if (safe_speed) {
+      const { region, area, load, ...more } = safe_speed;
+      const limit = LIMITS.find((name) => more[name] !== undefined) ?? DEFAULTS.limit;
+      Object.assign(texts, { ...given({ area, load }), region: text(region), limit, limitValue: text(more[limit]) });
+      this.leftOut.safe = Object.keys(more).filter((key) => key !== limit);
+    }
+    this.set(texts);
+  }
+
+  /** Requests all displayed results, unless they belong to the current study. A later call cancels an earlier one. */
   async refresh() {
     const { study, state } = this.present();
     if (!study || this.study === study || this.shown.size === 0) return;
@@ -102,10 +145,10 @@ export class Answers {
         do: 'damp', question: study,
         damping: {
           restitution: number(s.restitution), stiffness: value(s.stiffness), ...(s.speed.trim() ? { speed: value(s.speed) } : {}), law: s.law, for: [s.tool],
-          ...(s.stop ? { limit: s.stop } : {}),
+          ...(s.stop ? { limit: s.stop } : {}), ...s.further,
         },
       });
-      case 'impact': return this.ask({ do: 'impact', question: study, impact: { restitution: number(s.restitution), speed: value(s.speed.trim() || '1 m/s') } });
+      case 'impact': return this.ask({ do: 'impact', question: study, impact: { restitution: number(s.impactRestitution), speed: value(s.impactSpeed.trim() || '1 m/s') } });
       case 'safe': return this.ask({
         do: 'safe-speed', question: study,
         safe_speed: {
@@ -137,6 +180,12 @@ export class Answers {
   }
 }
 
+/** Limits of a safe speed. */
+export const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
+
+/** Value of a study as the text of a field. */
+const text = (value: unknown) => (value === undefined || value === null ? '' : String(value));
+const given = (values: Table) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== undefined).map(([key, value]) => [key, text(value)]));
 const number = (text: string) => (Number.isFinite(Number(text)) && text.trim() !== '' ? Number(text) : text);
 /** Number or quantity with a unit, as a study has it. */
 const value = number;

@@ -18,7 +18,7 @@ const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: '
 const WHEEL_RANGE = 0.05;
 const TURN_RANGE = Math.PI;
 const SLIDE_RANGE = 0.1;
-/** Longest range of a wheel that a stop may ask for, m. */
+/** Longest range of a wheel up to its stops, m. */
 const LONGEST_TRAVEL = 0.3;
 const ROUND = 0.005;
 
@@ -42,7 +42,7 @@ function jointDriver(joint: SceneJoint): Driver | null {
   const unit = turns ? DEGREE : MILLIMETRE;
   const side = turns ? TURN_RANGE : SLIDE_RANGE;
   const [low, high] = joint.limits ?? [-side, side];
-  // A limit far away leaves no fine motion.
+  // With a distant limit, the slider would be too coarse.
   const range: [number, number] = [Math.max(low, -2 * Math.max(side, TURN_RANGE)), Math.min(high, 2 * Math.max(side, TURN_RANGE))];
   if (!(range[0] < range[1])) return null;
   return { name: joint.name, label: joint.name, isMotion: false, unit, range };
@@ -58,7 +58,7 @@ export function drivers(opened: Opened): Driver[] {
     };
   });
   const joints = scene.joints.map(jointDriver).filter((driver) => driver !== null);
-  // The travel drives the linkage, and the turning of a wheel about its bearing moves nothing else.
+  // The travel drives the linkage; the rotation of a wheel about its bearing moves no other link.
   return motions.length ? [...motions, ...joints.filter((driver) => driver.name === 'rack')] : joints;
 }
 
@@ -86,7 +86,7 @@ export function givenValue(study: Study, driver: Driver): number | undefined {
   return text === undefined ? undefined : siValue(text.slice(driver.name.length + 1));
 }
 
-/** Value of a driver at the pose shown, SI. */
+/** Value of a driver at the displayed pose, SI. */
 export function valueOf(driver: Driver, study: Study, posed: Posed | undefined): number {
   const given = givenValue(study, driver);
   if (given !== undefined) return given;
@@ -118,7 +118,7 @@ function written(value: number, unit: DisplayUnit): string {
   return plain(Number((value * unit.perSi).toFixed(6))) + (unit === DEGREE ? 'deg' : unit.name);
 }
 
-/** Study with another value of a driver; undefined takes the value away. */
+/** Study with another value of a driver; `undefined` removes the value. */
 export function withValue(study: Study, driver: Driver, value: number | undefined): Study {
   if (driver.isMotion) {
     const kept = (study.pose.travel ?? []).filter((text) => !text.startsWith(`${driver.name}=`));
@@ -131,7 +131,7 @@ export function withValue(study: Study, driver: Driver, value: number | undefine
   return { ...study, pose: { ...study.pose, set } };
 }
 
-/** Range of a curve as the engine reads it; downwards from its upper end if asked for. */
+/** Range of a curve as the engine reads it; with `downwards`, from its upper end. */
 export function vary(driver: Driver, count: number, downwards = false): string {
   const ends = driver.range.map((x) => written(x, driver.unit));
   const [from, to] = downwards ? ends.reverse() : ends;
@@ -140,14 +140,14 @@ export function vary(driver: Driver, count: number, downwards = false): string {
 
 export interface Part { text: string; downwards: boolean }
 
-/** The same range in parts, upwards and downwards from the row next to the design pose, at which loops are closed. The engine searches
- * a second for each row before the first that is reached; rows beyond the last one take no time. */
+/** The same range in parts, upwards and downwards from the row next to the design pose, at which loops are closed. For each
+ * row before the first reachable row, the engine searches for about a second; rows beyond the last reachable row take no time. */
 export function varyOutward(driver: Driver, count: number): Part[] {
   const [low, high] = driver.range;
   const step = (high - low) / (count - 1);
   const first = Math.ceil(-low / step - 1e-9);
   const part = (range: [number, number], rows: number, downwards: boolean): Part => ({ text: vary({ ...driver, range }, rows, downwards), downwards });
-  // A range has two rows at least.
+  // A range has at least two rows.
   if (first < 2) return [part([low, high], count, false)];
   if (first > count - 2) return [part([low, high], count, true)];
   return [part([low + first * step, high], count - first, false), part([low, low + (first - 1) * step], first, true)];

@@ -4,12 +4,12 @@ import type { Curve, CurveRow } from '../engine/protocol';
 import type { Driver } from './drivers';
 import { fixed } from './numbers';
 
-/** Where the branch shown ends: between a row that is reached and one that is not. */
+/** End of the displayed branch: between a reachable and an unreachable row. */
 export interface End { side: 'lower' | 'upper'; inside: number; outside: number }
 
 export const isReached = (row: CurveRow) => row.status !== 'unreachable' && row.status !== 'no answer';
 
-/** Rows of the branch shown: those reached without a gap around a value. */
+/** First and last row of the displayed branch: the reachable rows around a value without an interruption. */
 export function branchRows(rows: CurveRow[], now: number): [number, number] | undefined {
   const nearest = rows.reduce((best, row, i) => (isReached(row) && (best < 0 || Math.abs(row.at - now) < Math.abs(rows[best].at - now)) ? i : best), -1);
   if (nearest < 0) return undefined;
@@ -46,7 +46,7 @@ export function remarks(curve: Curve, driver: Driver, ends: End[]): string[] {
   return out;
 }
 
-/** Parts of the range in which m̄ is inside of a band: from, to. */
+/** Parts of the range in which m̄ is within a band: first and last value. */
 export function insideBand(rows: CurveRow[], band: [number, number]): [number, number][] {
   const out: [number, number][] = [];
   let open = false;

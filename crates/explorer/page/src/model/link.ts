@@ -2,11 +2,11 @@
 
 import type { Study } from '../engine/protocol';
 
-/** `text`: the model; left out if it is long, the link then belongs to a page with this model. */
-export interface LinkedState { study: Study; text?: string; driver?: string; view?: string }
+/** `text`, `files`: the model, and its further files in base64; left out if they are long, the link then belongs to a page with this model. */
+export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string }
 
 const VERSION = '1';
-/** Longest model in a link, characters: browsers and mail programs cut longer addresses. */
+/** Longest model in a link with its files, characters: browsers and mail programs cut longer addresses. */
 const LONGEST_TEXT = 60_000;
 
 async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
@@ -15,13 +15,14 @@ async function through(bytes: Uint8Array, stream: CompressionStream | Decompress
 }
 
 export async function toHash(state: LinkedState): Promise<string> {
-  const short = { ...state, text: state.text!.length > LONGEST_TEXT ? undefined : state.text };
+  const length = Object.values(state.files ?? {}).reduce((sum, text) => sum + text.length, state.text!.length);
+  const short = length > LONGEST_TEXT ? { ...state, text: undefined, files: undefined } : state;
   const packed = await through(new TextEncoder().encode(JSON.stringify(short)), new CompressionStream('deflate-raw'));
   const text = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
   return `#${VERSION}:${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }
 
-/** State of an address; null without one. Throws a message if the address is of another version or damaged. */
+/** State of an address; null without one. Throws an error if the address is of another version or damaged. */
 export async function fromHash(hash: string): Promise<LinkedState | null> {
   if (hash.length < 2) return null;
   const [version, text] = [hash.slice(1, hash.indexOf(':')), hash.slice(hash.indexOf(':') + 1)];

@@ -1,4 +1,4 @@
-// Numbers as text: digits by the stated error, never more.
+// Numbers as text; the number of digits follows from the stated error.
 
 const MOST_DIGITS = 5;
 
@@ -34,7 +34,7 @@ export function fixed(x: number, decimals: number): string {
   return (Number(text) === 0 ? text.replace('-', '') : text).replace('-', '−');
 }
 
-/** With its sign. */
+/** Fixed decimals with the sign. */
 export function signed(x: number, decimals: number): string {
   const text = fixed(x, decimals);
   return text.startsWith('−') || Number(text) === 0 ? text : `+${text}`;
@@ -49,7 +49,7 @@ export interface DisplayUnit { name: string; perSi: number; decimals: number; st
 export const MILLIMETRE: DisplayUnit = { name: 'mm', perSi: 1000, decimals: 1, step: 0.5 };
 export const DEGREE: DisplayUnit = { name: '°', perSi: 180 / Math.PI, decimals: 1, step: 0.5 };
 
-/** Number of a position as typed: 30deg, 5mm, 0.2. SI. */
+/** SI value of a position in text: 30deg, 5mm, 0.2. */
 export function siValue(text: string): number {
   const match = /^\s*([-+0-9.eE]+)\s*(mm|cm|m|deg|rad)?\s*$/.exec(text);
   if (!match) return NaN;

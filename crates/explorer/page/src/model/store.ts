@@ -4,7 +4,8 @@ import { Ended, Engine } from '../engine/engine';
 import type {
   ContactTable, Curve, CurveRow, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
-import { Answers } from './answers';
+import { Answers, type PanelTables } from './answers';
+import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
 import { drivers, firstDriver, valueOf, vary, varyOutward, withValue, type Driver } from './drivers';
 import { endsOf, type End } from './ends';
 import { fromHash, toHash } from './link';
@@ -13,11 +14,11 @@ export type ViewName = '3d' | 'front' | 'side' | 'top';
 export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[]; kinematics?: KinematicsReport }
 interface Entry { study: Study; label: string }
 export interface Start {
-  model?: { name: string; text: string; shapes?: (string | null)[] };
-  study?: Partial<Study>;
+  model?: ModelFiles;
+  study?: Partial<Study> & { panels?: PanelTables };
   driver?: string;
   view?: ViewName;
-  /** Variants of a study, shown as frozen ones. */
+  /** Variants of a study, displayed as frozen variants. */
   variants?: (Partial<Study> & { name: string })[];
 }
 
@@ -29,9 +30,9 @@ const ROWS_OF_END = 21;
 const STEPS_OF_END = 2;
 /** Poses of the band of tolerances, each with all sensitivities. */
 const POSES_OF_BAND = 9;
-/** Time of rest before the work that a drag leaves out, ms. */
+/** Delay after the last change before the computations that a drag omits, ms. */
 const REST = 250;
-/** Work that takes longer is reported, ms. */
+/** Duration after which a computation is reported, ms. */
 const SLOW = 300;
 const MOST_VARIANTS = 8;
 const LONGEST_HISTORY = 200;
@@ -49,6 +50,10 @@ export class Store {
   busy = false;
   fileName = '';
   text = '';
+  /** Further files of the model, base64 by path. */
+  files: Record<string, string> | undefined;
+  /** Folder with several models, one of which is to be chosen. */
+  folder: { models: FoundModel[]; files: NamedFile[] } | undefined;
   shapes: (string | null)[] | undefined;
   opened: Opened | undefined;
   refusal: Refusal | undefined;
@@ -71,17 +76,17 @@ export class Store {
   showsMotion = false;
   showsDesign = false;
   selected: string | undefined;
-  /** Moves of the hardpoints when the model was opened: the scene of the opening has them. */
+  /** Moves of the hardpoints when the model was opened; the coordinates of the opened scene include them. */
   movedAtOpening: Record<string, Triple> = {};
   past: Entry[] = [];
   future: Entry[] = [];
-  /** Band of m̄ that a design shall have, kg. */
+  /** Target range of m̄, kg. */
   target: [number, number] | undefined;
   /** Tolerance of each coordinate of the hardpoints, m. */
   tolerance: number | undefined;
   /** Variation of m̄ within the tolerance along the curve, kg: root of the sum of squares, and sum. */
   variation: { at: number; mass: number; rss: number; worst: number }[] | undefined;
-  /** Ends of the branch shown, refined when the question rests. */
+  /** Ends of the displayed branch, refined after a drag. */
   ends: End[] = [];
   private resting: Promise<void> = Promise.resolve();
   readonly answers = new Answers(
@@ -127,11 +132,14 @@ export class Store {
     const text = linked?.text ?? (linked?.study.model.path === start.model?.name ? start.model?.text : undefined);
     if (linked && text === undefined) this.notice = `The link belongs to a page with ${linked.study.model.path}.`;
     if (linked && text !== undefined) {
-      const isSame = text === start.model?.text;
-      await this.open(linked.study.model.path, text, isSame ? start.model?.shapes : undefined, linked.study, linked.driver);
+      const own = text === start.model?.text ? start.model : undefined;
+      const { files = own?.files, driver, study } = linked;
+      await this.open({ name: study.model.path, text, files, shapes: own?.shapes }, study, driver);
+      if (own) this.answers.begin(start.study?.panels);
       if (linked.view) this.view = linked.view as ViewName;
     } else if (start.model) {
-      await this.open(start.model.name, start.model.text, start.model.shapes, start.study, start.driver);
+      await this.open(start.model, start.study, start.driver);
+      this.answers.begin(start.study?.panels);
       if (start.view) this.view = start.view;
       await this.freezeAll(start.variants ?? []);
     }
@@ -151,12 +159,32 @@ export class Store {
     await this.update();
   }
 
-  async open(name: string, text: string, shapes?: (string | null)[], given?: Partial<Study>, driver?: string) {
+  /** Opens a model of a folder, or shows the list of its models. */
+  async openFolder(files: NamedFile[]) {
+    this.set({ notice: undefined, folder: undefined });
+    const models = await modelsOf(files);
+    if (!models.length) {
+      this.set({ notice: `None of the ${files.length} files of the folder is a model: expected URDF, MJCF, SDFormat or a suspension sheet.` });
+    } else if (models.length === 1) {
+      await this.openFromFolder(models[0], files);
+    } else {
+      this.set({ folder: { models, files } });
+    }
+  }
+
+  async openFromFolder(chosen: FoundModel, files: NamedFile[]) {
+    this.set({ folder: undefined });
+    const { model, left } = await filesOfModel(chosen, files);
+    await this.open(model);
+    if (left.length) this.set({ notice: `${left.length} files are left out, because the page reads at most 64 MB: ${left.slice(0, 3).join(', ')}${left.length > 3 ? ' …' : ''}` });
+  }
+
+  async open({ name, text, files, shapes }: ModelFiles, given?: Partial<Study>, driver?: string) {
     const model = { ...given?.model, path: name };
-    const reply = await this.ask<Opened>({ do: 'open', model, text });
+    const reply = await this.ask<Opened>({ do: 'open', model, text, files, shapes: !shapes });
     if (!reply) return;
     if ('refused' in reply) {
-      this.set({ refusal: reply.refused, ...(this.opened ? {} : { fileName: name, text }) });
+      this.set({ refusal: reply.refused, ...(this.opened ? {} : { fileName: name, text, files }) });
       return;
     }
     const opened = reply.ok;
@@ -171,12 +199,16 @@ export class Store {
     const all = drivers(opened);
     const link = study.contact.link ?? opened.scene.links[opened.scene.contacts.find((c) => c.name === study.contact.at)?.link ?? -1]?.name;
     Object.assign(this, {
-      fileName: name, text, shapes, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
+      fileName: name, text, files, shapes: shapes ?? opened.shapes?.links, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
       frames: opened.scene.design, curve: undefined, explanation: undefined, drivers: all,
       driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
       variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
     });
     this.answers.clear();
+    const without = opened.shapes?.diagnostics.length;
+    if (without) {
+      this.notice = `${without} ${without === 1 ? 'link is' : 'links are'} drawn without ${without === 1 ? 'its shape' : 'their shapes'} (see Findings). Meshes are found in a folder with the model: choose it by Folder…, or drop it.`;
+    }
     await this.update();
   }
 
@@ -189,7 +221,7 @@ export class Store {
         // A trap leaves the module in an unknown state.
         this.notice = `The engine stopped: ${(error as Error).message}. The page goes on with a new one.`;
         await this.engine!.end();
-        await this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+        await this.reopen();
       }
       return undefined;
     } finally {
@@ -198,17 +230,22 @@ export class Store {
     }
   }
 
-  /** Ends the work at hand; the last result stays. */
+  /** Opens the model in a restarted engine. */
+  private reopen() {
+    return this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text, files: this.files });
+  }
+
+  /** Cancels the current computation; the last result remains. */
   async end() {
     if (!this.busy || !this.engine || !this.study) return;
     await this.engine.end();
-    await this.engine.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+    await this.reopen();
     this.set({ busy: false, notice: 'The work was ended. The last result is shown.' });
   }
 
   // ---- results -------------------------------------------------------------------------------------------------------
 
-  /** Asks for the newest study; older ones are dropped. */
+  /** Requests the result of the newest study; earlier studies without a result are skipped. */
   async update() {
     this.dirty = true;
     if (this.working) return;
@@ -262,7 +299,7 @@ export class Store {
     this.changed();
   }
 
-  /** Work that a drag leaves out. */
+  /** Computations that a drag omits. */
   private async atRest() {
     if (!this.study || this.gesture || this.working) return;
     await this.writeHash();
@@ -271,7 +308,7 @@ export class Store {
     await this.varyPoints();
   }
 
-  /** True if no work is left for the question shown. */
+  /** Resolves when all computations for the displayed study are finished. */
   async rested() {
     const isDone = () => this.isIdle && this.rest === undefined && (this.problem !== undefined || this.answers.isFresh());
     while (!isDone()) await new Promise((done) => setTimeout(done, 20));
@@ -289,7 +326,7 @@ export class Store {
       for (let step = 0; step < STEPS_OF_END; step++) {
         const low = Math.min(end.inside, end.outside);
         const high = Math.max(end.inside, end.outside);
-        // From the side that is reached.
+        // The rows begin at the reachable side.
         const downwards = end.side === 'lower';
         const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END, downwards) });
         if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply) || !reply.ok.curve || !('ok' in reply.ok.curve)) return;
@@ -325,7 +362,7 @@ export class Store {
     this.resting = this.resting.then(() => this.varyPoints());
   }
 
-  /** Value of a driver at the pose shown, SI. */
+  /** Value of a driver at the displayed pose, SI. */
   positionOf(driver: Driver): number {
     return this.study ? valueOf(driver, this.study, this.posed) : 0;
   }
@@ -350,7 +387,7 @@ export class Store {
   }
 
   linked() {
-    return { study: this.study!, text: this.text, driver: this.driver?.name, view: this.view };
+    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view };
   }
 
   async explain() {
@@ -374,7 +411,7 @@ export class Store {
     this.gesture ??= { study: this.study!, label };
   }
 
-  /** Ends a gesture; `keep` false takes its changes back. */
+  /** Ends a gesture; with `keep` false, its changes are reverted. */
   finish(keep = true, label?: string) {
     const gesture = this.gesture;
     this.gesture = undefined;
@@ -392,13 +429,13 @@ export class Store {
     return this.opened !== undefined && !this.working && !this.gesture;
   }
 
-  /** Ends a gesture when its last change is answered; a refused change is taken back. */
+  /** Ends a gesture after the result of its last change; a refused change is reverted. */
   async finishAnswered(keep: boolean, label: string | undefined) {
     while (this.working) await new Promise((done) => setTimeout(done, 4));
     this.finish(keep && !this.problem, label);
   }
 
-  /** Name of the change that an undo takes back. */
+  /** Name of the change that an undo reverts. */
   get lastLabel(): string | undefined {
     return this.gesture?.label ?? this.past.at(-1)?.label;
   }
@@ -412,7 +449,7 @@ export class Store {
     if (alone) this.begin(label);
     this.study = study;
     if (!alone) {
-      // The page follows with the reply, which is the next frame: it would be made twice for each move.
+      // The page is rendered with the reply in the next frame; rendering now would double the work for each move.
       void this.update();
       return;
     }
@@ -471,7 +508,7 @@ export class Store {
   movePoint(name: string, by: Triple, label: string) {
     const study = this.study!;
     const move = { ...study.model.move };
-    // A tenth of a micrometre: no digits of rounding in the command.
+    // Rounded to 0.1 µm, so that the command contains no digits of rounding.
     const rounded = by.map((x) => Math.round(x * 1e7) / 1e7 + 0) as Triple;
     if (rounded.every((x) => x === 0)) delete move[name];
     else move[name] = rounded;
@@ -498,7 +535,8 @@ export class Store {
   }
 
   get findings(): Finding[] {
-    return this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? [];
+    const shapes = this.opened?.shapes?.diagnostics ?? [];
+    return [...(this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? []), ...shapes];
   }
 }
 

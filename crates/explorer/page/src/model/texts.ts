@@ -9,7 +9,7 @@ const triple = (values: readonly number[]) => values.map(plain).join(',');
 
 type Flag = [string, string?];
 
-/** List of flags, and a function that adds one with a value that is given. */
+/** List of flags, and a function that adds a flag if its value is given. */
 function list() {
   const out: Flag[] = [];
   const one = (flag: string, value: string | number | undefined) => {
@@ -22,6 +22,7 @@ function modelFlags({ model }: Study): Flag[] {
   const { out, one } = list();
   for (const [point, by] of Object.entries(model.move ?? {})) one('--move', `${point}=${triple(by)}`);
   for (const [link, mass] of Object.entries(model.link_mass ?? {})) one('--link-mass', `${link}=${plain(mass)}`);
+  for (const [link, moments] of Object.entries(model.link_inertia ?? {})) one('--link-inertia', `${link}=${triple(moments)}`);
   for (const [link, com] of Object.entries((model.link_com ?? {}) as Record<string, number[]>)) one('--link-com', `${link}=${triple(com)}`);
   return out;
 }
@@ -84,10 +85,11 @@ export function commandOf(kind: 'damper' | 'impact' | 'safe', study: Study, s: S
       one('--speed', s.speed.trim());
       one('--law', s.law);
       one('--for', s.tool);
+      for (const [name, value] of Object.entries(s.further)) one(`--${name.replaceAll('_', '-')}`, String(value));
       return commandText('damp --mass-from', study, [...(s.stop ? [...modelFlags(study), ...poseFlags(study)] : question), ...out]);
     case 'impact':
-      one('--restitution', s.restitution.trim());
-      one('--speed', s.speed.trim() || '1 m/s');
+      one('--restitution', s.impactRestitution.trim());
+      one('--speed', s.impactSpeed.trim() || '1 m/s');
       return commandText('impact', study, [...question, ...out]);
     case 'safe':
       one('--region', s.region);

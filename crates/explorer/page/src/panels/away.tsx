@@ -1,4 +1,4 @@
-// To take away: command, study, Python, files, link.
+// Export: command, study, Python, files, link.
 
 import { useState } from 'preact/hooks';
 import { vary } from '../model/drivers';
@@ -16,7 +16,7 @@ export function save(name: string, content: BlobPart, type: string) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-/** Copies a text; a page from a file may have no clipboard, and then selects it. */
+/** Copies a text. A page opened from a file may have no access to the clipboard; then the text is copied by a selection. */
 export async function copy(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -39,7 +39,7 @@ export function figureText(): string | undefined {
   if (!svg) return undefined;
   const made = svg.cloneNode(true) as SVGElement;
   made.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  // The style sheet of the page does not travel with the figure.
+  // The saved figure does not contain the style sheet of the page.
   const originals = [svg, ...svg.querySelectorAll<SVGElement>('*')];
   [made, ...made.querySelectorAll<SVGElement>('*')].forEach((node, i) => {
     const style = getComputedStyle(originals[i]);
@@ -62,8 +62,8 @@ export function csvText(): string | undefined {
 
 /** The page with the present state, as a file. */
 function pageText(): string {
-  const { study, text, fileName, shapes, driver, view } = store;
-  const start = JSON.stringify({ model: { name: fileName, text, shapes }, study, driver: driver?.name, view }).replaceAll('<', '\\u003c');
+  const { study, text, files, fileName, shapes, driver, view } = store;
+  const start = JSON.stringify({ model: { name: fileName, text, files, shapes }, study, driver: driver?.name, view }).replaceAll('<', '\\u003c');
   const data = document.documentElement.cloneNode(true) as HTMLElement;
   data.querySelector('#start')!.textContent = start;
   data.querySelector('#app')!.innerHTML = '';

@@ -49,7 +49,7 @@ function Legend() {
   );
 }
 
-/** Band that a design shall keep, and tolerance of the hardpoints. */
+/** Target range of m̄, and tolerance of the hardpoints. */
 function Bands() {
   const [open, setOpen] = useState(false);
   const { target, tolerance, posed } = store;
@@ -84,7 +84,7 @@ function PlainNumber({ label, value, set }: { label: string; value: number; set(
   );
 }
 
-/** The curve in words: ends of the travel, change points, and how much of it is inside of the target. */
+/** The curve in words: ends of the travel, change points, and the part of the travel within the target. */
 function Remarks() {
   const { driver, ends, target, variation, posed } = store;
   const curve = rowsOf();
@@ -233,7 +233,7 @@ function Plot() {
   );
 }
 
-/** Parts of the range without a finite mass, with the reason in a word. */
+/** Parts of the range without a finite mass, with the reason. */
 function gaps(curve: Curve): { from: number; to: number; why: string }[] {
   const out: { from: number; to: number; why: string }[] = [];
   const { rows } = curve;

@@ -1,9 +1,9 @@
-// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. Each panel asks only while it is open.
+// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. A panel requests its result only while it is open.
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { KinematicsReport, Outcome } from '../engine/protocol';
-import type { Kind, Results, Settings } from '../model/answers';
+import { LIMITS, type Kind, type Results, type TextSetting } from '../model/answers';
 import { digits, fixed, signed } from '../model/numbers';
 import { store } from '../model/store';
 import { commandOf, kinematicsCommand } from '../model/texts';
@@ -16,7 +16,6 @@ const TOOLS = [
 ];
 const LAWS = ['kelvin-voigt', 'hunt-crossley'];
 const REGIONS = ['skull', 'face', 'neck', 'back', 'chest', 'abdomen', 'pelvis', 'upper-arm', 'lower-arm', 'hand', 'thigh', 'lower-leg'];
-const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
 
 function Panel<K extends Kind>({ kind, title, children, result, command }: {
   kind: K; title: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren; command(): string;
@@ -28,6 +27,7 @@ function Panel<K extends Kind>({ kind, title, children, result, command }: {
     <details class={`further ${kind}`} open={answers.isShown(kind)} onToggle={(event) => answers.show(kind, event.currentTarget.open)}>
       <summary><h2>{title}</h2></summary>
       {children}
+      {answers.leftOut[kind]?.length ? <p class="soft">Keys of the study that this panel leaves out: {answers.leftOut[kind].join(', ')}.</p> : null}
       <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
         {!found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
           : 'refused' in found ? <p class="box warn">{found.refused.message}</p> : <>{result(found.ok)}<CommandOfPanel text={command()} /></>}
@@ -51,7 +51,7 @@ function CommandOfPanel({ text }: { text: string }) {
   );
 }
 
-function Field({ name, label, hint }: { name: keyof Settings; label: string; hint?: string }) {
+function Field({ name, label, hint }: { name: TextSetting; label: string; hint?: string }) {
   return (
     <label class="line"><span>{label}</span>
       <input class="setting" type="text" autocomplete="off" placeholder={hint} value={store.answers.settings[name]}
@@ -60,11 +60,16 @@ function Field({ name, label, hint }: { name: keyof Settings; label: string; hin
   );
 }
 
-function Choice({ name, label, of }: { name: keyof Settings; label: string; of: readonly (string | [string, string])[] }) {
+/** Choices with the chosen one, which may be that of a study. */
+function withChosen(of: readonly (string | [string, string])[], chosen: string) {
+  return of.some((entry) => (typeof entry === 'string' ? entry : entry[0]) === chosen) ? of : [...of, chosen];
+}
+
+function Choice({ name, label, of }: { name: TextSetting; label: string; of: readonly (string | [string, string])[] }) {
   return (
     <label class="line"><span>{label}</span>
       <select value={store.answers.settings[name]} onChange={(event) => store.answers.set({ [name]: event.currentTarget.value })}>
-        {of.map((entry) => {
+        {withChosen(of, store.answers.settings[name]).map((entry) => {
           const [value, text] = typeof entry === 'string' ? [entry, entry] : entry;
           return <option key={value} value={value}>{text}</option>;
         })}
@@ -122,6 +127,7 @@ function StopChoice() {
 }
 
 export function DamperPanel() {
+  const { further } = store.answers.settings;
   return (
     <Panel kind="damper" title="Damper and simulator" command={() => commandOf('damper', store.study!, store.answers.settings)} result={({ exports, ...damper }) => {
       const units = damper.stop?.motion === 'turn' ? TURNS : SLIDES;
@@ -157,11 +163,12 @@ export function DamperPanel() {
       <Field name="speed" label="speed" hint="1 m/s" />
       <Choice name="law" label="law" of={LAWS} />
       <Choice name="tool" label="simulator" of={TOOLS} />
+      {Object.keys(further).length ? <p class="soft">From the study: {Object.entries(further).map(([name, value]) => `${name} = ${value}`).join(', ')}.</p> : null}
     </Panel>
   );
 }
 
-/** Impulses below this part of that of the contact are rounding. */
+/** Ratio to the impulse of the contact below which an impulse is rounding. */
 const SMALL_IMPULSE = 1e-9;
 
 export function ImpactPanel() {
@@ -191,8 +198,8 @@ export function ImpactPanel() {
         </>
       );
     }}>
-      <Field name="restitution" label="restitution" />
-      <Field name="speed" label="speed" hint="1 m/s" />
+      <Field name="impactRestitution" label="restitution" />
+      <Field name="impactSpeed" label="speed" hint="1 m/s" />
       <p class="soft">Before the impact, the mechanism moves with v*, the motion of least energy with this closing speed.</p>
     </Panel>
   );
@@ -222,7 +229,7 @@ export function SafeSpeedPanel() {
   );
 }
 
-/** Quantities that come first, the others follow on request. */
+/** Quantities at the top of the table. */
 const FIRST = ['camber', 'toe', 'caster', 'kingpin_inclination', 'scrub_radius', 'half_track_change', 'roll_centre_height', 'camber_gradient', 'toe_gradient'];
 const UNITS: Record<string, [string, number, number]> = {
   rad: ['°', 180 / Math.PI, 3], m: ['mm', 1000, 2], 'rad/m': ['°/m', 180 / Math.PI, 2], 'N/m': ['N/mm', 1e-3, 2], N: ['N', 1, 1], kg: ['kg', 1, 3], Hz: ['Hz', 1, 3],

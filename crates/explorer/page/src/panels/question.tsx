@@ -51,11 +51,11 @@ export function ContactPanel() {
                 </optgroup>
               ) : null;
             })}
-            <option value={OWN}>own point and normal</option>
+            <option value={OWN}>another point and normal</option>
           </select>
         </label>
       ) : null}
-      {contact.at ? <p class="soft">Drag the point or the head of the arrow, or click a link, for an own contact.</p> : <OwnContact contact={contact} />}
+      {contact.at ? <p class="soft">To define another contact, drag the point or the head of the arrow, or click a link.</p> : <OwnContact contact={contact} />}
     </section>
   );
 }
@@ -156,7 +156,7 @@ function farEnd(contact: ContactTable): { link: string; point: Triple } {
   return { link: scene!.links[link].name, point: to.toArray().map((x) => Math.round(x * 1e3) / 1e3 + 0) as Triple };
 }
 
-/** Choice of a pose of the model, such as a keyframe; drivers that are set move on from it. */
+/** Choice of a pose of the model, such as a keyframe; the drivers start from this pose. */
 function NamedPose() {
   const { study, opened } = store;
   if (!opened!.poses?.length) return null;

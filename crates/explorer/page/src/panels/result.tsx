@@ -1,4 +1,4 @@
-// The result: m̄ with its error bound, the difference from a frozen variant, and each outcome in words with a way out.
+// The result: m̄ with its error bound, the difference from a frozen variant, and each outcome with an explanation and a remedy.
 
 import type { MassReport } from '../engine/protocol';
 import { bound, digits, fixed, mass, signed } from '../model/numbers';

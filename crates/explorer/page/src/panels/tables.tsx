@@ -1,4 +1,4 @@
-// Contributions, hardpoints, masses, motion ratios and findings as tables: the text twins of the picture.
+// Contributions, hardpoints, masses, motion ratios and findings as tables: the text alternative to the picture.
 
 import { useState } from 'preact/hooks';
 import type { Triple } from '../engine/protocol';
@@ -102,35 +102,72 @@ function initialMove(name: string): Triple {
   return store.movedAtOpening[name] ?? [0, 0, 0];
 }
 
+/** Unit of moments of inertia, and its number per kg·m²; `largest`: largest moment, kg·m². */
+function inertiaUnit(largest: number): [string, number] {
+  if (largest >= 0.5) return ['kg·m²', 1];
+  return largest >= 5e-5 ? ['kg·cm²', 1e4] : ['kg·mm²', 1e6];
+}
+
 export function Masses() {
   const { scene, study } = useStore();
   if (!scene || !study) return null;
   const changes = study.model.link_mass ?? {};
   const links = store.opened!.scene.links.filter((l) => l.mass > 0 || changes[l.name] !== undefined);
   if (!links.length) return null;
-  const set = (name: string, value: number | undefined) => {
-    const link_mass = { ...changes };
-    if (value === undefined) delete link_mass[name];
-    else link_mass[name] = Math.max(0, Math.round(value * 1e6) / 1e6);
-    const model = { ...study.model, link_mass };
-    if (!Object.keys(link_mass).length) delete (model as { link_mass?: unknown }).link_mass;
-    store.change({ ...study, model }, `mass of ${name}`);
+  const setMass = (name: string, value: number) => {
+    const link_mass = { ...changes, [name]: Math.max(0, Math.round(value * 1e6) / 1e6) };
+    store.change({ ...study, model: { ...study.model, link_mass } }, `mass of ${name}`);
   };
+  const turned = study.model.link_inertia ?? {};
+  const setMoments = (name: string, values: Triple) => {
+    const link_inertia = { ...turned, [name]: values };
+    store.change({ ...study, model: { ...study.model, link_inertia } }, `moments of inertia of ${name}`);
+  };
+  const asInFile = (name: string) => {
+    const { link_mass, link_inertia, ...rest } = study.model;
+    const without = (table: object | undefined) => Object.fromEntries(Object.entries(table ?? {}).filter(([key]) => key !== name));
+    const [masses, inertias] = [without(link_mass), without(link_inertia)];
+    const model = {
+      ...rest, ...(Object.keys(masses).length ? { link_mass: masses } : {}), ...(Object.keys(inertias).length ? { link_inertia: inertias } : {}),
+    };
+    store.change({ ...study, model }, `${name} as in the file`);
+  };
+  // The scene has the changes of the last result, also the moments that a changed mass scales.
+  const moments = (name: string) => turned[name] ?? scene.links.find((l) => l.name === name)?.moments;
+  const [unit, perUnit] = inertiaUnit(Math.max(0, ...store.opened!.scene.links.flatMap((l) => l.moments ?? [])));
   return (
-    <Details title="Masses, kg" content={() => (
+    <Details title="Masses and moments of inertia" content={() => (
       <>
-        <table class="points">
+        <table class="points inertias">
+          <thead><tr><th /><th>kg</th>{['xx', 'yy', 'zz'].map((axes) => <th key={axes}>I<sub>{axes}</sub>, {unit}</th>)}</tr></thead>
           <tbody>
-            {links.map((link) => (
-              <tr key={link.name}>
-                <th scope="row" title={link.name}>{link.name}</th>
-                <td><NumberField label={`mass of ${link.name}, kg`} value={changes[link.name] ?? link.mass} decimals={3} step={0.1} changed={changes[link.name] !== undefined} set={(x) => set(link.name, x)} /></td>
-                <td>{changes[link.name] !== undefined ? <button onClick={() => set(link.name, undefined)} aria-label={`mass of ${link.name} as in the file`}>↺</button> : null}</td>
-              </tr>
-            ))}
+            {links.map((link) => {
+              const { name } = link;
+              const about = moments(name);
+              const isChanged = changes[name] !== undefined || turned[name] !== undefined;
+              return (
+                <tr key={name}>
+                  <th scope="row" title={name}>
+                    {isChanged ? <button class="quiet" onClick={() => asInFile(name)} title="as in the file" aria-label={`mass and inertia of ${name} as in the file`}>↺</button> : null}{name}
+                  </th>
+                  <td><NumberField label={`mass of ${name}, kg`} value={changes[name] ?? link.mass} decimals={3} step={0.1} changed={changes[name] !== undefined} set={(x) => setMass(name, x)} /></td>
+                  {about ? about.map((moment, k) => {
+                    const shown = moment * perUnit;
+                    const decimals = shown > 0 ? Math.min(5, Math.max(0, 2 - Math.floor(Math.log10(shown)))) : 2;
+                    return (
+                      <td key={k}>
+                        <NumberField label={`${'xyz'[k]} moment of inertia of ${name}, ${unit}`} value={shown} decimals={decimals} step={10 ** (1 - decimals)}
+                          changed={turned[name] !== undefined}
+                          set={(x) => setMoments(name, about.map((own, i) => Number((i === k ? Math.max(0, x) / perUnit : own).toPrecision(9))) as Triple)} />
+                      </td>
+                    );
+                  }) : <td colSpan={3} />}
+                </tr>
+              );
+            })}
           </tbody>
         </table>
-        <p class="soft">The moments of inertia about the centre of mass change in proportion.</p>
+        <p class="soft">Moments about the centre of mass, along the axes of the link. A changed mass scales them in proportion, unless they are changed too.</p>
       </>
     )} />
   );

@@ -18,7 +18,7 @@ const BAR = 0.016;
 const THIN_BAR = 0.008;
 const JOINT = 0.022;
 
-/** Matrix that puts a body of unit radius and length along y between two points. */
+/** Matrix that places a body of unit radius and length along y between two points. */
 function between(from: Vector3, to: Vector3, radius: number): Matrix4 {
   const along = to.clone().sub(from);
   const length = along.length();
@@ -45,7 +45,7 @@ function tyre(): BufferGeometry {
   return new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 64);
 }
 
-/** Bodies of unit size, the same for every scene: a drag makes a scene for each answer. */
+/** Bodies of unit size, the same for every scene: a drag makes a scene for each result. */
 const UNIT_BAR = new CylinderGeometry(1, 1, 1, 14);
 const UNIT_BALL = new SphereGeometry(1, 14, 10);
 const GROUND_CONE = new CylinderGeometry(0.25, 1, 1.6, 4);
@@ -73,7 +73,8 @@ export class Bodies {
   /** Geometries of the shapes of this scene. */
   private own: BufferGeometry[] = [];
 
-  /** `former`: bodies of the scene before, whose materials are taken; the renderer would prepare new ones for each answer of a drag. */
+  /** `former`: bodies of the previous scene. Their materials are used again, because the renderer would prepare new materials for each result of a
+   * drag. */
   constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number, former?: Bodies) {
     const isSame = former?.scene.links.length === scene.links.length && former.scene.wheels.length === scene.wheels.length;
     const [links, tyres] = isSame ? [former.materials.splice(0), former.tyres.splice(0)] : [[], []];

@@ -11,9 +11,9 @@ const DIRECTIONS: Record<ViewName, { from: Vector3; up: Vector3 }> = {
   top: { from: new Vector3(0, 0, 1), up: new Vector3(1, 0, 0) },
 };
 const FIELD = 32;
-/** Part of the view that the mechanism takes: names and the arrow need room. */
+/** Part of the view that the mechanism takes: names and the arrow need the rest. */
 const FILLED = 0.78;
-/** The same in a low view, where buttons take more of it. */
+/** The same in a low view, where buttons cover a larger part. */
 const FILLED_LOW = 0.7;
 const LOW = 420;
 const FITTING_STEPS = 6;
@@ -50,7 +50,7 @@ export class Cameras {
     return this.name === '3d' ? this.perspective : this.flat;
   }
 
-  /** Switches the controls off while something else is dragged. */
+  /** Disables the controls while a mark or a link is dragged. */
   enable(on: boolean) {
     this.controls.perspective.enabled = on && this.name === '3d';
     this.controls.flat.enabled = on && this.name !== '3d';

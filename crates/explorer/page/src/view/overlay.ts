@@ -188,7 +188,7 @@ export class Overlay {
     return tip;
   }
 
-  /** Name at a position; with a line to where a dragged point was. */
+  /** Name at a position; with a line to the previous position of a dragged point. */
   drawLabel(text: string | undefined, x = 0, y = 0, bad?: { x: number; y: number }) {
     if (!text) {
       this.label.replaceChildren();

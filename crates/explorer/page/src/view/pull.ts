@@ -16,7 +16,7 @@ const LONGEST_STEP = 0.08;
  * axis has less), and the least for a direction. */
 const CLEAR_MOTION = 120;
 const LEAST_MOTION = 8;
-/** Joints that are tried: with more, the first answer would come late. */
+/** Largest number of joints that are tried before the first result. */
 const MOST_DRIVERS = 8;
 
 export class Pull {
@@ -50,7 +50,7 @@ export class Pull {
       const motion = Math.hypot(to.x - at.x, to.y - at.y) / PROBE;
       if (motion < largest) continue;
       largest = motion;
-      // The branch shown is not left; its ends are known only for the driver of the curve.
+      // The drag stays on the displayed branch, whose ends are known only for the driver of the curve.
       const rows = store.curve && 'ok' in store.curve ? store.curve.ok.rows : [];
       const range = branchRows(rows, value);
       this.ends = range && store.driver === driver ? [rows[range[0]].at, rows[range[1]].at] : driver.range;

@@ -30,7 +30,7 @@ export function outline(scene: Scene, frames: number[], shapes: (Float32Array | 
     for (const line of link.lines) for (const end of line) points.push(pointAt(frames, i, end));
     if (link.com && link.mass > 0) points.push(pointAt(frames, i, link.com));
     const corners = shapes[i];
-    // Every corner of a large mesh would take long; the outline needs only some.
+    // Some corners of a large mesh suffice for its bounds.
     const step = corners ? 3 * Math.max(1, Math.floor(corners.length / 3 / 600)) : 1;
     for (let k = 0; corners && k + 2 < corners.length; k += step) points.push(pointAt(frames, i, [corners[k], corners[k + 1], corners[k + 2]]));
   });

@@ -21,7 +21,7 @@ const SNAP = 0.001;
 /** Angle within which a dragged normal takes the direction of an axis, rad. */
 const SNAP_ANGLE = 0.1;
 
-/** Room for the arrow of the contact, as a part of the radius of the scene. */
+/** Space for the arrow of the contact, as a part of the radius of the scene. */
 const ARROW_ROOM = 0.25;
 const MOST_TIMES = 400;
 
@@ -211,7 +211,7 @@ export class View {
       this.fit();
     }
     if (store.isIdle && posed) {
-      // A driver that moves the contact out of the view takes the view along; a view that was moved by hand stays.
+      // The view follows a contact that leaves it, unless the user has moved the camera.
       const { x, y } = this.cameras.project(new Vector3(...posed.report.contact.point_world));
       const isInside = x > 0 && y > 0 && x < this.element.clientWidth && y < this.element.clientHeight;
       const hasLeft = !isInside && this.shown.isInside && this.shown.answered !== store.answered;
@@ -230,7 +230,7 @@ export class View {
     const variant = store.variants.at(-1);
     bodies.outlines(store.showsDesign, variant && variant.study !== store.answered ? variant : undefined);
     this.renderer?.render(this.stage, this.cameras.camera);
-    // Only now: the shader programs of the former bodies are those of the new ones, and are compiled again if nothing uses them.
+    // After the new bodies exist: shader programs that no body uses are deleted, and would be compiled again.
     former?.dispose();
     if (!this.webgl) {
       this.overlay.drawWires(this.cameras, bodies.wires(frames, colours));
@@ -325,8 +325,8 @@ export class View {
 
   // ---- gestures ------------------------------------------------------------------------------------------------------
 
-  /** Position of the pointer in the view. During a drag, the place of the view is not read again: the browser would compute the layout
-   * for each event. */
+  /** Position of the pointer in the view. During a drag, the position of the view is not read again, because the browser would
+   * compute the layout for each event. */
   private at(event: PointerEvent) {
     if (!this.drag) this.box = this.element.getBoundingClientRect();
     return { x: event.clientX - this.box.left, y: event.clientY - this.box.top };
@@ -499,7 +499,7 @@ export class View {
     if (drag) {
       const by = drag.what === 'point' ? store.moved(drag.name).map((x, k) => (x - drag.start[k]) * 1000) : [];
       const text = by.map((x, k) => (Math.abs(x) > 1e-6 ? `${signed(x, 1)} mm ${'xyz'[k]}` : '')).filter(Boolean).join(' ');
-      // A refused place of a hardpoint is taken back.
+      // A refused position of a hardpoint is reverted.
       const label = text ? `${drag.name} ${text}` : undefined;
       if (drag.what === 'link' && isClick) {
         store.finish(false);
@@ -548,17 +548,17 @@ export class View {
 
   // ---- for tests -----------------------------------------------------------------------------------------------------
 
-  /** True if the newest study is answered and drawn. */
+  /** True if the result of the newest study is drawn. */
   isSettled(): boolean {
     return !this.pending && store.isIdle;
   }
 
-  /** Resolves when all work for the study is done, also that which a drag leaves out. */
+  /** Resolves when all computations for the study are finished, including those that a drag omits. */
   rested(): Promise<void> {
     return store.rested();
   }
 
-  /** Median times of a question with its reply, and of a drawing, ms; the times before are forgotten. */
+  /** Median times of a question with its reply, and of a drawing, ms; earlier times are deleted. */
   takeTimes(): { answer: number; draw: number; count: number } {
     const median = (times: number[]) => [...times].sort((a, b) => a - b)[Math.floor(times.length / 2)] ?? 0;
     const found = { answer: median(store.times), draw: median(this.times), count: store.times.length };

@@ -16,28 +16,23 @@ pub use path::MeshFolders;
 pub(crate) use stl::binary_stl_facets;
 pub use triangles::Triangles;
 
-use std::fs::File;
-use std::io::Read;
+use crate::reading::files::FileStore;
 use std::path::Path;
 
 /// Default size limit of a mesh file, bytes: 256 MiB.
 pub const DEFAULT_MAX_MESH_SIZE: u64 = 256 << 20;
 
-/// Reads a mesh file of at most `max_size` bytes. The format follows from the content, then from the file name.
+/// Reads a mesh file of a store, of at most `max_size` bytes. The format follows from the content, then from the file name.
 ///
 /// In COLLADA files, node transforms and the unit of length are applied; `up_axis` is ignored, as in RViz. Polygons in COLLADA
 /// and OBJ files are split into fans of triangles.
 ///
 /// # Errors
 /// [`MeshError`]: a file that is unreadable, too large or invalid, numbers that are not finite, or no triangle.
-pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
+pub fn read_mesh(files: &dyn FileStore, path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
     let unreadable =
         |error: std::io::Error| MeshError::Unreadable { path: path.to_owned(), message: error.to_string() };
-    let file = File::open(path).map_err(unreadable)?;
-    // Memory for a file of known length is allocated at once: a growing vector takes up to twice as much.
-    let length = file.metadata().map_or(0, |found| found.len()).min(max_size);
-    let mut bytes = Vec::with_capacity(usize::try_from(length + 1).unwrap_or(0));
-    file.take(max_size.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
+    let bytes = files.read(path, max_size).map_err(unreadable)?;
     if bytes.len() as u64 > max_size {
         return Err(MeshError::TooLarge { path: path.to_owned(), limit: max_size });
     }

@@ -1,10 +1,11 @@
 //! Search for the mesh files named by a URDF.
 
 use super::error::MeshError;
+use crate::reading::files::SharedFiles;
 use std::path::{Path, PathBuf};
 
 /// Folders that are searched for the mesh files of a URDF.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct MeshFolders {
     /// Folder of the URDF; base of relative names.
     pub model: PathBuf,
@@ -13,6 +14,8 @@ pub struct MeshFolders {
     /// Folders that contain packages and models: the entries of ROS_PACKAGE_PATH, `share` in the entries of AMENT_PREFIX_PATH, and
     /// the entries of GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and SDF_PATH.
     pub holders: Vec<PathBuf>,
+    /// Store that is searched.
+    pub files: SharedFiles,
 }
 
 impl MeshFolders {
@@ -30,11 +33,11 @@ impl MeshFolders {
             holders.extend(folders_in(name));
         }
         holders.retain(|folder| !folder.as_os_str().is_empty());
-        Self { model, packages, holders }
+        Self { model, packages, holders, files: SharedFiles::default() }
     }
 
     /// Finds the file of a mesh. `package://NAME/…` and `model://NAME/…` are searched in the given folder of the
-    /// package, then in the holders, then upwards from the folder of the URDF. `file://…` names a file directly.
+    /// package, then in the holders, then upwards from the folder of the URDF, then in all folders of files in memory. `file://…` names a file directly.
     /// Other names are relative to the folder of the URDF.
     ///
     /// # Errors
@@ -42,7 +45,7 @@ impl MeshFolders {
     pub fn find(&self, file: &str) -> Result<PathBuf, MeshError> {
         let mut tried = Vec::new();
         for path in self.candidate_paths(file) {
-            if path.is_file() {
+            if self.files.is_file(&path) {
                 return Ok(path);
             }
             tried.push(path);
@@ -73,13 +76,14 @@ impl MeshFolders {
             paths.push(holder.join(name).join(within));
         }
         // `dunce` avoids the prefix `\\?\` on Windows, because error messages show the paths.
-        let model = dunce::canonicalize(&self.model).unwrap_or_else(|_| self.model.clone());
-        for folder in model.ancestors() {
+        let model = self.files.canonical(&self.model).unwrap_or_else(|_| self.model.clone());
+        for folder in dunce::simplified(&model).ancestors() {
             if is_package(folder) {
                 paths.push(folder.join(within));
             }
             paths.push(folder.join(name).join(within));
         }
+        paths.extend(self.files.package_folders(name).into_iter().map(|folder| folder.join(within)));
         paths
     }
 }

@@ -65,7 +65,7 @@ impl Surface {
                 continue;
             };
             let path = folders.find(file)?;
-            let triangles = read_mesh(&path, max_size)?;
+            let triangles = read_mesh(&*folders.files, &path, max_size)?;
             surface.files.push(path);
             let in_link_frame = |p: [f64; 3]| {
                 shape.frame.point(&Vector3::new(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2]))

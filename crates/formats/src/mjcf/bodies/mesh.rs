@@ -1,5 +1,6 @@
 //! Mesh assets, and their inertias. A file is opened only if an inertia depends on it.
 
+use crate::SharedFiles;
 use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, Triangles, read_mesh};
 use crate::meshes::surface::hull::{HullDefect, convex_hull};
 use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
@@ -36,6 +37,8 @@ struct Mesh {
 #[derive(Debug)]
 pub(crate) struct Meshes<'t> {
     tree: &'t ElementTree,
+    files: SharedFiles,
+    /// Folder of the main file.
     folder: PathBuf,
     meshes: HashMap<String, Mesh>,
     /// Files that were opened.
@@ -44,9 +47,14 @@ pub(crate) struct Meshes<'t> {
 }
 
 impl<'t> Meshes<'t> {
-    /// Reads the assets of a model whose main file is `name`.
-    pub fn read(tree: &'t ElementTree, name: &str, models: &Models<'_>, findings: &mut Findings<'_>) -> Self {
-        let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
+    /// Reads the assets of a model. Mesh files are in the store `files`.
+    pub fn read(
+        tree: &'t ElementTree,
+        files: &SharedFiles,
+        models: &Models<'_>,
+        findings: &mut Findings<'_>,
+    ) -> Self {
+        let folder = Path::new(&tree.files[0].name).parent().map(Path::to_owned).unwrap_or_default();
         let mut meshes = HashMap::new();
         for element in tree.in_sections("asset").filter(|element| tree.tag(*element) == "mesh") {
             let attributes = models.attributes(element, DefaultKind::Mesh, None, findings);
@@ -66,7 +74,7 @@ impl<'t> Meshes<'t> {
                 });
             }
         }
-        Self { tree, folder, meshes, opened: Vec::new(), triangles: 0 }
+        Self { tree, files: files.clone(), folder, meshes, opened: Vec::new(), triangles: 0 }
     }
 
     /// Solid of an asset for drawings, with the frame of its file in the geom; `None` for an unknown name or vertices in the model.
@@ -130,7 +138,8 @@ impl<'t> Meshes<'t> {
         let read = match &mesh.file {
             Some(file) => {
                 let path = self.folder.join(file);
-                let read = read_mesh(&path, DEFAULT_MAX_MESH_SIZE).map_err(|error| error.to_string());
+                let read =
+                    read_mesh(&*self.files, &path, DEFAULT_MAX_MESH_SIZE).map_err(|error| error.to_string());
                 self.opened.push(path);
                 read
             }

@@ -3,13 +3,13 @@
 //! An `<include>` is replaced by the elements below the root of its file. MuJoCo searches the file relative to the folder of the main
 //! file, then relative to the folder of the including file, and accepts each file once.
 
-use crate::Source;
 use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
 use crate::reading::limits::{
     MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
 };
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::xml;
+use crate::{SharedFiles, Source};
 use roxmltree::Node;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -30,18 +30,20 @@ pub(crate) struct AttachedModel {
     pub attachable: Vec<(String, usize)>,
 }
 
-/// Reads the main file (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
+/// Reads the main file, whose text is `text`, and its included files. Defects are reported; after an error the tree may be
 /// incomplete.
-pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
+pub(crate) fn read_files(source: &Source, text: &str, report: Report) -> Files {
+    let (name, store) = (&*source.name, &source.files);
     let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
     let mut reader = FileReader {
         files: Files { tree: ElementTree::default(), reports: vec![report], models: Vec::new() },
+        store,
         folder,
         model: 0,
         included: HashSet::new(),
         bytes: text.len() as u64,
     };
-    reader.included.extend(std::fs::canonicalize(name).ok());
+    reader.included.extend(store.canonical(Path::new(name)).ok());
     reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
     reader.append_file(0, None, 0);
     if !reader.files.tree.elements.is_empty() {
@@ -51,8 +53,9 @@ pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
     reader.files
 }
 
-struct FileReader {
+struct FileReader<'a> {
     files: Files,
+    store: &'a SharedFiles,
     /// Folder of the main file of the current model.
     folder: PathBuf,
     /// Index of the current model.
@@ -63,7 +66,7 @@ struct FileReader {
     bytes: u64,
 }
 
-impl FileReader {
+impl FileReader<'_> {
     /// Parses file number `file` and appends its elements below `parent`, which is at nesting depth `depth`. The root element is
     /// appended only for the main file.
     fn append_file(&mut self, file: usize, parent: Option<ElementId>, depth: usize) {
@@ -137,7 +140,7 @@ impl FileReader {
         let candidates = [Some(self.folder.join(name)), of_including.map(|folder| folder.join(name))];
         let candidates: Vec<PathBuf> = candidates.into_iter().flatten().collect();
         let Some(path) = self.find_file(node, file, name, &candidates) else { return };
-        let canonical = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
         if !self.included.insert(canonical) {
             self.files.reports[file].error("included-twice", Place::Attribute(node, "file"), || {
                 format!(
@@ -160,7 +163,7 @@ impl FileReader {
         name: &str,
         candidates: &[PathBuf],
     ) -> Option<PathBuf> {
-        let found = candidates.iter().find(|path| path.is_file()).cloned();
+        let found = candidates.iter().find(|path| self.store.is_file(path)).cloned();
         if found.is_none() {
             self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
                 let tried =
@@ -183,7 +186,7 @@ impl FileReader {
             return None;
         }
         let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
-        let source = match Source::read(&path.to_string_lossy(), left) {
+        let source = match Source::read_from(self.store, &path.to_string_lossy(), left) {
             Ok(source) => source,
             Err(error) => {
                 self.files.reports[file].error("unreadable", place, || {
@@ -233,7 +236,7 @@ impl FileReader {
                 return;
             }
             let path = folder.join(&name);
-            if !path.is_file() {
+            if !self.store.is_file(&path) {
                 self.files.reports[file].error("no-such-file", Place::Offset(offset), || {
                     format!(
                         "the model {} does not exist; it is searched in the folder of the main file ({})",
@@ -246,7 +249,7 @@ impl FileReader {
             let model = self.files.models.len();
             self.model = model;
             self.folder = path.parent().map(Path::to_owned).unwrap_or_default();
-            self.included = std::fs::canonicalize(&path).into_iter().collect();
+            self.included = self.store.canonical(&path).into_iter().collect();
             let Some(index) = self.open_file(&path, file, Place::Offset(offset)) else { return };
             let root = ElementId(self.files.tree.elements.len() as u32);
             self.append_file(index, None, 0);

@@ -2,7 +2,6 @@
 //!
 //! An `<include>` gets the root element of its file as a child. A file may be included several times, but not within itself.
 
-use crate::Source;
 use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
 use crate::reading::limits::{
     MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
@@ -11,6 +10,7 @@ use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::sdf::document::uri::find_model_file;
+use crate::{SharedFiles, Source};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 use std::path::{Path, PathBuf};
@@ -21,12 +21,13 @@ pub(crate) struct Files {
     pub reports: Vec<Report>,
 }
 
-/// Reads the main file (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
+/// Reads the main file of the store (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
 /// incomplete, or empty.
-pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
+pub(crate) fn read_files(store: &SharedFiles, name: &str, text: &str, report: Report) -> Files {
     let mut reader = FileReader {
         files: Files { tree: ElementTree::default(), reports: vec![report] },
-        open: vec![std::fs::canonicalize(name).unwrap_or_else(|_| PathBuf::from(name))],
+        store,
+        open: vec![store.canonical(Path::new(name)).unwrap_or_else(|_| PathBuf::from(name))],
         bytes: text.len() as u64,
     };
     reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
@@ -34,15 +35,16 @@ pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
     reader.files
 }
 
-struct FileReader {
+struct FileReader<'a> {
     files: Files,
+    store: &'a SharedFiles,
     /// Canonical paths of the files that contain the current element, from the main file on.
     open: Vec<PathBuf>,
     /// Total size of all files, bytes.
     bytes: u64,
 }
 
-impl FileReader {
+impl FileReader<'_> {
     /// Parses file number `file` and appends its root element below `parent`.
     fn append_file(&mut self, file: usize, parent: Option<ElementId>, depth: usize) {
         let text = self.files.tree.files[file].text.clone();
@@ -115,7 +117,7 @@ impl FileReader {
             });
             return;
         }
-        let path = match find_model_file(&uri, Path::new(&tree.files[file].name)) {
+        let path = match find_model_file(self.store, &uri, Path::new(&tree.files[file].name)) {
             Ok(path) => path,
             Err(message) => {
                 // A world may include lights and scenery that are not at hand; its models are chosen later.
@@ -126,7 +128,7 @@ impl FileReader {
                 return;
             }
         };
-        let canonical = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
         if self.open.contains(&canonical) {
             self.files.reports[file].error("include-cycle", place, || {
                 format!(
@@ -137,7 +139,7 @@ impl FileReader {
             return;
         }
         let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
-        let source = match Source::read(&path.to_string_lossy(), left) {
+        let source = match Source::read_from(self.store, &path.to_string_lossy(), left) {
             Ok(source) => source,
             Err(error) => {
                 self.files.reports[file].error("unreadable", place, || {

@@ -2,29 +2,29 @@
 
 use crate::meshes::files::MeshFolders;
 use crate::reading::report::quoted;
-use crate::{DEFAULT_MAX_SIZE, Source};
+use crate::{DEFAULT_MAX_SIZE, SharedFiles, Source};
 use std::path::{Path, PathBuf};
 
-/// File of a model of SDFormat that `uri` names in the file `including`. A folder is a model of a library: its `model.config` names the
+/// File of a model of SDFormat that `uri` names in the file `including` of a store. A folder is a model of a library: its `model.config` names the
 /// file, or the file is `model.sdf`. The error names the paths that were tried and the remedy.
-pub(crate) fn find_model_file(uri: &str, including: &Path) -> Result<PathBuf, String> {
+pub(crate) fn find_model_file(files: &SharedFiles, uri: &str, including: &Path) -> Result<PathBuf, String> {
     if uri.starts_with("https://") || uri.starts_with("http://") {
         return Err(format!(
             "the model {} is on a server, and nothing is downloaded; download it, and include it by its path",
             quoted(uri)
         ));
     }
-    let folders = MeshFolders::of_model(including, Vec::new());
+    let folders = MeshFolders { files: files.clone(), ..MeshFolders::of_model(including, Vec::new()) };
     let mut candidates = folders.candidate_paths(uri);
     if !uri.contains("://") {
         // A name without a scheme may be that of a model of a library.
         candidates.extend(folders.candidate_paths(&format!("model://{uri}")));
     }
-    if let Some(file) = candidates.iter().find(|path| path.is_file()) {
+    if let Some(file) = candidates.iter().find(|path| files.is_file(path)) {
         return Ok(file.clone());
     }
-    if let Some(folder) = candidates.iter().find(|path| path.is_dir()) {
-        return model_in_folder(folder).ok_or_else(|| {
+    if let Some(folder) = candidates.iter().find(|path| files.is_folder(path)) {
+        return model_in_folder(files, folder).ok_or_else(|| {
             format!(
                 "the folder {} has no model.config that names an SDF file, and no model.sdf",
                 quoted(&folder.to_string_lossy())
@@ -42,14 +42,14 @@ pub(crate) fn find_model_file(uri: &str, including: &Path) -> Result<PathBuf, St
 }
 
 /// SDF file of a model's folder: the one with the highest version in `model.config`, else `model.sdf`.
-fn model_in_folder(folder: &Path) -> Option<PathBuf> {
-    let named = configured_file(&folder.join("model.config")).map(|name| folder.join(name));
-    named.into_iter().chain([folder.join("model.sdf")]).find(|path| path.is_file())
+fn model_in_folder(files: &SharedFiles, folder: &Path) -> Option<PathBuf> {
+    let named = configured_file(files, &folder.join("model.config")).map(|name| folder.join(name));
+    named.into_iter().chain([folder.join("model.sdf")]).find(|path| files.is_file(path))
 }
 
 /// Name of the SDF file in a `model.config`: that of the highest version.
-fn configured_file(config: &Path) -> Option<String> {
-    let source = Source::read(&config.to_string_lossy(), DEFAULT_MAX_SIZE).ok()?;
+fn configured_file(files: &SharedFiles, config: &Path) -> Option<String> {
+    let source = Source::read_from(files, &config.to_string_lossy(), DEFAULT_MAX_SIZE).ok()?;
     let text = std::str::from_utf8(&source.bytes).ok()?;
     let document = crate::reading::xml::parse(text, &mut crate::reading::report::Report::default())?;
     let files = document.descendants().filter(|node| node.has_tag_name("sdf"));

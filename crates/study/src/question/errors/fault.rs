@@ -423,6 +423,23 @@ pub enum Fault {
         /// Component, m.
         value: f64,
     },
+    /// Moments of inertia of a link without mass.
+    #[error("link \"{link}\" has no mass, so that no moments of inertia can be set; give it a mass first")]
+    NoMassToTurn {
+        /// Link.
+        link: String,
+    },
+    /// Moments of inertia that no body has.
+    #[error(
+        "link \"{link}\": moments of inertia {moments:?} kg·m² about the centre of mass; expected finite moments of 0 or more, none \
+         larger than the sum of the other two"
+    )]
+    LinkInertia {
+        /// Link.
+        link: String,
+        /// Given moments, kg·m².
+        moments: [f64; 3],
+    },
     /// Changes that give no valid mechanism.
     #[error("the changed model is invalid: {message}")]
     NoMechanism {

@@ -2,6 +2,7 @@
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
@@ -13,8 +14,10 @@ use crate::reports::drawing::link_lines::{
 use crate::reports::drawing::shape_reader::ShapeReader;
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::TOUCH_TOLERANCE;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use percuss_dynamics::{PointVelocity, Pose};
-use percuss_mechanism::{ContactNormal, LinkId, Mechanism, NamedContact};
+use percuss_mechanism::{ContactNormal, Link, LinkId, Mechanism, NamedContact};
 use percuss_spatial::{Transform, Vector3};
 use serde::Serialize;
 
@@ -56,6 +59,8 @@ pub struct SceneLink {
     pub mass: f64,
     /// Centre of mass, frame of the link; `None` without mass.
     pub com: Option<[f64; 3]>,
+    /// Moments of inertia about the centre of mass along the axes of the frame of the link, kg·m²; `None` without mass.
+    pub moments: Option<[f64; 3]>,
     /// Lines between the joints, frame of the link.
     pub lines: Vec<[[f64; 3]; 2]>,
 }
@@ -231,6 +236,7 @@ pub fn scene(model: &Model) -> Result<Scene, StudyError> {
             name: of_link.name().to_owned(),
             mass: of_link.inertia().mass,
             com: centre_of_mass(mechanism, id).map(Into::into),
+            moments: moments(of_link),
             lines: if is_ground { Vec::new() } else { lines.iter().map(|l| l.map(Into::into)).collect() },
         }
     };
@@ -269,11 +275,33 @@ pub fn scene(model: &Model) -> Result<Scene, StudyError> {
     })
 }
 
-/// Triangles of the shapes, one list of corners (m, frame of the link) per link; empty lists without shapes.
-/// Unreadable shapes are left out.
-pub fn scene_shapes(model: &Model) -> Vec<Vec<[[f64; 3]; 3]>> {
+/// Triangles of the shapes of the links.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SceneShapes {
+    /// Per link: base64 of the corners as 32-bit floats (little endian, m, frame of the link), nine numbers a triangle; `None`
+    /// without a shape.
+    pub links: Vec<Option<String>>,
+    /// Shapes that are left out, with the reason.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Reads the shapes of the links of a model.
+pub fn scene_shapes(model: &Model) -> SceneShapes {
     let mut reader = ShapeReader::new(model);
-    model.mechanism.link_ids().map(|id| reader.link_triangles(id)).collect()
+    let mut encode = |id: LinkId| {
+        let triangles = reader.link_triangles(id);
+        let numbers = triangles.iter().flatten().flatten();
+        let bytes: Vec<u8> = numbers.flat_map(|x| (*x as f32).to_le_bytes()).collect();
+        (!bytes.is_empty()).then(|| STANDARD.encode(bytes))
+    };
+    let links = model.mechanism.link_ids().map(&mut encode).collect();
+    SceneShapes { links, diagnostics: reader.diagnostics }
+}
+
+/// Moments of inertia of a link with mass about its centre of mass.
+fn moments(link: &Link) -> Option<[f64; 3]> {
+    let inertial = link.inertial().filter(|inertial| inertial.mass > 0.0)?;
+    Some(inertial.about_com.diagonal().into())
 }
 
 /// Named contact of a scene.

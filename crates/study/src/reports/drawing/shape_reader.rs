@@ -28,7 +28,8 @@ impl<'a> ShapeReader<'a> {
     /// Reader of the shapes of a model; meshes are searched from the folder of the model file.
     pub fn new(model: &'a Model) -> Self {
         let path = model.inputs.first().map_or("", |input| &input.path);
-        let folders = MeshFolders::of_model(Path::new(path), Vec::new());
+        let files = model.origin.files.clone();
+        let folders = MeshFolders { files, ..MeshFolders::of_model(Path::new(path), Vec::new()) };
         Self { model, folders, triangles_left: FACETS, meshes: Vec::new(), diagnostics: Vec::new() }
     }
 
@@ -53,7 +54,7 @@ impl<'a> ShapeReader<'a> {
             return Vec::new();
         }
         for file in surface.files() {
-            let input = Input::from_file(file);
+            let input = Input::from_file(&*self.folders.files, file);
             self.meshes.extend(input.filter(|input| !self.meshes.contains(input)));
         }
         // Infinite edge length: as few triangles as possible.

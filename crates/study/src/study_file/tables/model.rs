@@ -5,7 +5,7 @@ use super::headings::{CHANGES, READING};
 use crate::model::changes::Changes;
 #[cfg(feature = "flags")]
 use crate::values::named;
-use crate::values::quantities::{Mass, Point};
+use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::value;
 use percuss_mechanism::Accept;
 use schemars::JsonSchema;
@@ -75,6 +75,28 @@ pub struct ModelTable {
     )]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
+    /// Change the moments of inertia of a link about its centre of mass (kg·m²).
+    ///
+    /// Three moments along the axes of the link frame, after a change of the mass; the products of inertia are unchanged. Units: kg m2,
+    /// kg mm2, lb in2.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "LINK=IXX,IYY,IZZ",
+            value_parser = named::link_inertia,
+            allow_hyphen_values = true,
+            help_heading = CHANGES
+        )
+    )]
+    #[serde(
+        default,
+        deserialize_with = "value::by_name",
+        serialize_with = "value::by_name_entries",
+        skip_serializing_if = "Vec::is_empty"
+    )]
+    #[schemars(with = "BTreeMap<String, Moments>")]
+    pub link_inertia: Vec<(String, Moments)>,
     /// Shift a hardpoint of a suspension sheet (m; 5mm).
     ///
     /// The shift is in the axes of the sheet; numbers without a unit are in m.
@@ -108,6 +130,11 @@ pub(crate) fn points(table: &[(String, Point)]) -> Vec<(String, [f64; 3])> {
     table.iter().map(|(name, point)| (name.clone(), point.0)).collect()
 }
 
+/// Entries of a table of moments of inertia.
+pub(crate) fn moments(table: &[(String, Moments)]) -> Vec<(String, [f64; 3])> {
+    table.iter().map(|(name, moments)| (name.clone(), moments.0)).collect()
+}
+
 /// Entries of a table of masses.
 pub(crate) fn masses(table: &[(String, Mass)]) -> Vec<(String, f64)> {
     table.iter().map(|(name, mass)| (name.clone(), mass.0)).collect()
@@ -127,6 +154,7 @@ impl ModelTable {
         Changes {
             link_mass: masses(&self.link_mass),
             link_com: points(&self.link_com),
+            link_inertia: moments(&self.link_inertia),
             moves: points(&self.moves),
         }
     }
