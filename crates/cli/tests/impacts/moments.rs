@@ -40,7 +40,7 @@ fn masses_have_the_closed_form() {
     let pendulum = json(&format!("mass {rod} --about-axis 0,3,0 --expect 0.5 --format json"));
     assert!((number(&pendulum["effective_mass"]) - 0.5).abs() < ROUNDING);
     let text = percuss(&format!("mass {rod} --about-axis 1,0,0")).stdout;
-    assert!(text.contains("immovable: no motion of the mechanism turns the link about this axis"), "{text}");
+    assert!(text.contains("immovable: no motion of the mechanism turns the link about"), "{text}");
     let text = percuss(&format!("mass {OUTER} --set elbow=0.7")).stdout;
     for words in [
         "effective inertia",
