@@ -475,7 +475,7 @@ typedef struct percuss_contact {
    */
   double normal[3];
   /*
-   Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
+   Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY; or PERCUSS_AXIS_LINK to PERCUSS_AXIS_AGAINST.
    */
   percuss_normal normal_given;
   /*
@@ -1105,6 +1105,22 @@ typedef struct percuss_rank {
  The opposite direction of that line: a stop that limits the extension of a damper.
  */
 #define PERCUSS_NORMAL_TURNING_AWAY 5
+
+/*
+ The axis of a moment in the contact link's frame. The contact is a moment about the axis (a couple): effective masses are inertias
+ in kg·m², speeds rad/s, and the point has no effect.
+ */
+#define PERCUSS_AXIS_LINK 6
+
+/*
+ The axis of a moment in the world's frame.
+ */
+#define PERCUSS_AXIS_WORLD 7
+
+/*
+ The axis of a moment in the other link's frame (the world's frame if the other side is the ground).
+ */
+#define PERCUSS_AXIS_AGAINST 8
 
 /*
  A finite effective mass.

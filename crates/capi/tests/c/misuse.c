@@ -137,7 +137,7 @@ static void nulls(void)
   CHECK(outcome == PERCUSS_NO_ANSWER && isnan(value));
   const double quaternion[4] = {2.0, 0.0, 0.0, 0.0};
   FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "norm 2");
-  contact.normal_given = 6;
+  contact.normal_given = 9;
   FAILS(percuss_pose_effective_mass(pose, &contact, 0, &mass), argument, "normal_given");
   contact.normal_given = PERCUSS_NORMAL_TOWARD;
   contact.toward = 9;

@@ -188,10 +188,29 @@ static void contacts(void)
   c = ball.contact;
   c.normal_given = PERCUSS_NORMAL_TOWARD;
   refused_contact(&ball, pose, &c, contact, "toward is not set");
-  c.normal_given = 6;
-  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 5");
+  c.normal_given = 9;
+  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 8");
   c.normal_given = -1;
-  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 5");
+  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 8");
+  /* The axis of a moment: at the zero pose the row over the angular velocity of the ball is the unit axis in every frame. */
+  for (percuss_normal frame = PERCUSS_AXIS_LINK; frame <= PERCUSS_AXIS_AGAINST; frame++) {
+    c = ball.contact;
+    c.normal_given = frame;
+    c.normal[0] = 0.0;
+    c.normal[1] = 3.0;
+    c.normal[2] = 4.0;
+    double j[3], value, at_zero[4] = {1.0, 0.0, 0.0, 0.0};
+    percuss_mass mass;
+    percuss_outcome outcome;
+    OK(percuss_pose_contact_row(pose, &c, j, 3));
+    CHECK(fabs(j[0]) < 1e-15 && fabs(j[1] - 0.6) < 1e-15 && fabs(j[2] - 0.8) < 1e-15);
+    OK(percuss_pose_effective_mass(pose, &c, PERCUSS_ROUTE_AUTO, &mass));
+    OK(percuss_workspace_effective_mass(ball.workspace, at_zero, 4, &c, &outcome, &value, NULL));
+    CHECK(outcome == mass.outcome);
+    CHECK(outcome != PERCUSS_FINITE || fabs(value / mass.effective_mass - 1.0) < 1e-12);
+    c.normal[1] = c.normal[2] = 0.0;
+    refused_contact(&ball, pose, &c, contact, "the axis has length");
+  }
   /* Configurations and bases. */
   const double zero[4] = {0.0, 0.0, 0.0, 0.0}, two[4] = {2.0, 0.0, 0.0, 0.0}, none[4] = {NAN, 0.0, 0.0, 0.0};
   const double origin[3] = {0.0, 0.0, 0.0}, far[3] = {1e101, 0.0, 0.0}, unit[4] = {1.0, 0.0, 0.0, 0.0};

@@ -40,7 +40,7 @@ fn masses_have_the_closed_form() {
     let pendulum = json(&format!("mass {rod} --about-axis 0,3,0 --expect 0.5 --format json"));
     assert!((number(&pendulum["effective_mass"]) - 0.5).abs() < ROUNDING);
     let text = percuss(&format!("mass {rod} --about-axis 1,0,0")).stdout;
-    assert!(text.contains("immovable: no motion of the mechanism turns the link about this axis"), "{text}");
+    assert!(text.contains("immovable: no motion of the mechanism turns the link about"), "{text}");
     let text = percuss(&format!("mass {OUTER} --set elbow=0.7")).stdout;
     for words in [
         "effective inertia",
@@ -74,7 +74,7 @@ fn impacts_have_units_of_rotation() {
         assert!(!text.contains(words), "{words}: {text}");
     }
     let text = percuss(&format!("{run} --stiffness 200Nm/rad --in-time")).stdout;
-    for words in ["peak moment", "N·m at the contact", "N·m/rad", " mrad at most", "peak force"] {
+    for words in ["peak moment", "N·m at the contact", "N·m/rad", " mrad at most", "ms, peak moment"] {
         assert!(text.contains(words), "{words}: {text}");
     }
     // One freedom, a linear spring and no change of m̄: peak moment ω √(k m̄).

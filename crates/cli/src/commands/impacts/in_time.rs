@@ -35,12 +35,14 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         }
         change => format!("; the effective mass changes by {:+.2} % over it", 100.0 * change),
     });
-    let ContactUnits { force, small_length, .. } = ContactUnits::new(report.mass.contact.is_moment);
+    let is_moment = report.mass.contact.is_moment;
+    let ContactUnits { force, small_length, .. } = ContactUnits::new(is_moment);
+    let what = if is_moment { "moment" } else { "force" };
     let mut facts = vec![
         (
             "in time",
             format!(
-                "restitution {} reached, {} requested; the contact lasts {} ms, peak force {} {force}",
+                "restitution {} reached, {} requested; the contact lasts {} ms, peak {what} {} {force}",
                 short_number(found.restitution),
                 number(report.restitution),
                 short_number(1e3 * found.duration),
@@ -56,7 +58,7 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         facts.push((
             "one freedom",
             format!(
-                "by the effective mass over the penetration alone: restitution {}, peak force {} {force}",
+                "by the effective mass over the penetration alone: restitution {}, peak {what} {} {force}",
                 short_number(one.restitution),
                 short_number(one.peak_force)
             ),
