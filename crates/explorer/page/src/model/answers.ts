@@ -104,14 +104,14 @@ export class Answers {
       void output;
       const further = Object.entries(more).filter((entry): entry is [string, Scalar] => typeof entry[1] !== 'object');
       Object.assign(texts, {
-        ...given({ restitution, stiffness, law }), speed: text(speed), stop: text(limit), tool: [tools].flat().map(text).find((tool) => tool && tool !== 'all') ?? DEFAULTS.tool,
+        ...given({ restitution, law, stiffness: limit || more.exponent ? stiffness : withUnit(stiffness, 'N/m') }), speed: text(limit ? speed : withUnit(speed, 'm/s')), stop: text(limit), tool: [tools].flat().map(text).find((tool) => tool && tool !== 'all') ?? DEFAULTS.tool,
         further: Object.fromEntries(further),
       });
       this.leftOut.damper = Object.keys(more).filter((key) => typeof more[key] === 'object');
     }
     if (impact) {
       const { restitution, speed, ...more } = impact;
-      Object.assign(texts, given({ impactRestitution: restitution, impactSpeed: speed }));
+      Object.assign(texts, given({ impactRestitution: restitution, impactSpeed: withUnit(speed, 'm/s') }));
       this.leftOut.impact = Object.keys(more);
     }
     if (safe_speed) {
@@ -185,6 +185,8 @@ export const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
 
 /** Value of a study as the text of a field. */
 const text = (value: unknown) => (value === undefined || value === null ? '' : String(value));
+/** Number with the default unit of a study; a text has its own unit. */
+const withUnit = (value: unknown, unit: string) => (typeof value === 'number' ? `${value} ${unit}` : value);
 const given = (values: Table) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== undefined).map(([key, value]) => [key, text(value)]));
 const number = (text: string) => (Number.isFinite(Number(text)) && text.trim() !== '' ? Number(text) : text);
 /** Number or quantity with a unit, as a study has it. */

@@ -36,8 +36,14 @@ export function remarks(curve: Curve, driver: Driver, ends: End[]): string[] {
   const out = ends.map(({ side, inside }) => (
     `The linkage ends at ${shown(driver, inside)} of ${driver.label}: a dead centre, beyond which the loops do not close. It is the ${side} end.`));
   const of = (status: string, text: string) => {
-    const at = curve.rows.filter((row) => row.status === status).map((row) => row.at);
-    if (at.length) out.push(`${text} from ${shown(driver, at[0])} to ${shown(driver, at.at(-1)!)}.`);
+    const ranges: [number, number][] = [];
+    curve.rows.forEach((row, i) => {
+      if (row.status !== status) return;
+      if (i > 0 && curve.rows[i - 1].status === status) ranges.at(-1)![1] = row.at;
+      else ranges.push([row.at, row.at]);
+    });
+    const texts = ranges.map(([from, to]) => (from === to ? `at ${shown(driver, from)}` : `from ${shown(driver, from)} to ${shown(driver, to)}`));
+    if (texts.length) out.push(`${text} ${texts.join(', ')}.`);
   };
   of('immovable', 'Immovable');
   of('massless', 'Massless');

@@ -104,8 +104,8 @@ function initialMove(name: string): Triple {
 
 /** Unit of moments of inertia, and its number per kg·m²; `largest`: largest moment, kg·m². */
 function inertiaUnit(largest: number): [string, number] {
-  if (largest >= 0.5) return ['kg·m²', 1];
-  return largest >= 5e-5 ? ['kg·cm²', 1e4] : ['kg·mm²', 1e6];
+  if (largest >= 10) return ['kg·m²', 1];
+  return largest >= 1e-3 ? ['kg·cm²', 1e4] : ['kg·mm²', 1e6];
 }
 
 export function Masses() {
