@@ -102,7 +102,7 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
         ));
     }
     let start = json!({
-        "model": { "name": source.name, "text": text, "files": files, "shapes": shapes(&model, *strict)? },
+        "model": { "name": path_in_page(&source.name), "text": text, "files": files, "shapes": shapes(&model, *strict)? },
         "study": tables,
         "driver": tables.varied,
         "variants": tables.variants,
@@ -174,9 +174,14 @@ fn further_files(model: &Model) -> Result<BTreeMap<String, String>, Failure> {
             )));
         }
         left -= bytes.len() as u64;
-        files.insert(path.to_owned(), STANDARD.encode(bytes));
+        files.insert(path_in_page(path), STANDARD.encode(bytes));
     }
     Ok(files)
+}
+
+/// Path with the separator of the engine, which is that of Unix on every system.
+fn path_in_page(path: &str) -> String {
+    if cfg!(windows) { path.replace('\\', "/") } else { path.to_owned() }
 }
 
 /// Triangles of each link; null for a link without shapes. Reports the shapes that are left out.
