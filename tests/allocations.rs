@@ -290,7 +290,7 @@ fn an_impact_in_a_workspace_allocates_nothing() {
             let (on, against, point, normal) = percuss_oracle::random::contact(&mut rng, &rig.mechanism);
             let contact = Contact::new(on, point, normal).normal(Direction::Along(normal, Frame::World));
             let contact = against.map_or(contact, |other| contact.against(other));
-            // Then the dense route is asked for the joints that such a motion moves.
+            // For such a motion, the dense route computes the undetermined joints, which allocates.
             let remarks = pose.respond(&contact).map(|response| response.remarks).unwrap_or_default();
             if remarks.contains(&Remark::UndeterminedMotion) {
                 continue;

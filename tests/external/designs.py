@@ -7,7 +7,7 @@ read here by a short parser, and posed at random. The effective mass is 1/(j M�
 Jacobians. Checked flags:
 
     --link-mass, --link-com   mass of the tree with another mass (moments in proportion) or another centre of mass
-    --link-inertia            mass of the tree with other moments about the centre of mass, alone and after another mass
+    --link-inertia            mass of the tree with other moments about the centre of mass, alone and with another mass of the link
     compare                   100 (m/m₁ − 1) of three such trees
     safe-speed                F = v √(μ k), F = p A, E = ½ μ v², I = μ v with 1/μ = 1/m_H + 1/m_R; m_R the effective
                               mass of the tree with the load as a point mass at the contact, or M/2 + m_L; without a
@@ -216,10 +216,10 @@ def changed_masses(check, tree, path, flags, q, link, point, normal, rng):
     expected, _ = tree.mass(q, link, point, normal, changes={name: (mass, moved, inertia)})
     given = [*flags, "--link-com", f"{name}={commas(moved)}"]
     check.same("link-com", check.value(check.answer("mass", path, *given), "effective_mass"), expected, given)
-    # With the moments of three point masses on the axes added, the tensor stays one of a body.
+    # Adding the moments of three point masses on the axes keeps the tensor valid: a body can have it.
     a, b, c = rng.uniform(0, 0.1, size=3)
     moments = np.diag(inertia) + [b + c, a + c, a + b]
-    # Products of inertia scale with the mass: with a smaller mass, the tensor is still one of a body.
+    # The products of inertia scale with the mass; with a smaller mass, the tensor remains valid.
     for new in (mass, min(mass, other)):
         turned = inertia * new / mass
         np.fill_diagonal(turned, moments)

@@ -1,6 +1,5 @@
-//! Moments about an axis as contacts: closed forms, and three computations on random trees and linkages (massless links,
-//! locks, armatures, held points, floating bases, redundant loops): both routes, maximal coordinates, and the angular block
-//! of the inverse operational inertia.
+//! Moments about an axis as contacts: closed forms, and comparisons on random trees and linkages (massless links, locks, armatures, held
+//! points, floating bases, redundant loops) of both routes, maximal coordinates, and the angular block of the inverse operational inertia.
 
 use nalgebra::{Matrix3, SVector, Vector3};
 use percuss_dynamics::{
@@ -22,7 +21,7 @@ use std::sync::Arc;
 
 /// Relative error of route C: its kernel of 6 · links rows is not scaled by masses.
 const ORACLE: f64 = 1e-10;
-/// Two computations from the same few numbers: some ten roundings.
+/// Bound for two computations from the same few numbers: about ten roundings.
 const EXACT: f64 = 1e-14;
 
 fn any(rng: &mut StdRng) -> Vector3<f64> {
@@ -66,7 +65,7 @@ fn compare(subject: &Subject, gauge: &mut Gauge, count: &mut Count) {
         let response = by(choice);
         match (response.effective_mass, c.outcome) {
             (EffectiveMass::Finite(m), Outcome::Finite(expected)) => {
-                // Rates that are fast at 1 rad/s are differences of large terms.
+                // Large rates at unit closing speed are differences of large terms.
                 let near = near_at(pose) + ORACLE + 1e-12 * Motion::of(&response).size();
                 gauge.relative(name, m, expected, near);
                 assert!(
@@ -102,7 +101,7 @@ fn compare(subject: &Subject, gauge: &mut Gauge, count: &mut Count) {
             w.fixed_rows_mut::<3>(6).copy_from(&-axis);
         }
         let inverse = w.dot(&(inertia.matrix() * w));
-        // Cancellation in the sum of large responses of both links.
+        // Bound for the cancellation between large responses of both links.
         let terms = inertia.matrix().fixed_view::<3, 3>(0, 0).norm()
             + inertia.matrix().fixed_view::<3, 3>(6, 6).norm();
         let near = 1e-11 * (1.0 + terms * expected) + near_at(pose);
@@ -133,7 +132,7 @@ fn both_routes_are_maximal_coordinates() {
     }
 }
 
-/// A single link, below the ground by a joint of `kind` about or along `axis`.
+/// A single link on the ground, with a joint of `kind` about or along `axis`.
 fn one_link(
     inertial: Inertial,
     kind: JointKind,
@@ -168,8 +167,8 @@ fn finite(mass: EffectiveMass) -> f64 {
     }
 }
 
-/// A free body has 1/(âᵀ I_c⁻¹ â); a pendulum its moment of inertia about the hinge over the square of the cosine between both axes;
-/// a body on a slide is immovable.
+/// A free body has m̄ = 1/(âᵀ I_c⁻¹ â). For a pendulum, m̄ is its moment of inertia about the hinge, divided by the square of the cosine
+/// between both axes. A body on a prismatic joint is immovable.
 #[test]
 fn closed_forms() {
     let mut rng = StdRng::seed_from_u64(2910);
@@ -188,7 +187,7 @@ fn closed_forms() {
         let pose = system.pose(&system.configuration()).expect("a pose");
         let contact = Contact::about_axis(free.root(), axis);
         let expected = 1.0 / unit.dot(&(inertial.about_com.try_inverse().expect("regular") * unit));
-        // The smallest principal moment may be a hundredth of the largest.
+        // Tolerance for principal moments with a ratio of up to 100.
         let found = finite(mass_at(&pose, &contact));
         assert!((found / expected - 1.0).abs() < 1e-11, "{found}, {expected}");
         let alone = pose.free_body_mass(&contact).expect("a body");
@@ -212,7 +211,7 @@ fn closed_forms() {
         assert!((own / about_hinge - 1.0).abs() < 1e-12, "{own}, {about_hinge}");
         let cosine = unit.dot(&hinge_axis);
         let oblique = finite(mass_at(&pose, &Contact::about_axis(link, axis)));
-        // An oblique axis has a closing speed of cos per rate.
+        // For an oblique axis, the closing speed per rate is the cosine.
         assert!((oblique * cosine * cosine / about_hinge - 1.0).abs() < 1e-12 / cosine.abs());
 
         let slides = one_link(inertial, JointKind::Prismatic, origin, hinge_axis);
@@ -223,7 +222,7 @@ fn closed_forms() {
     }
 }
 
-/// A massless link that turns freely about the axis is massless, and immovable about an axis across its hinge.
+/// A massless link on a hinge: massless about the hinge, immovable about a perpendicular axis, and finite with an armature.
 #[test]
 fn a_massless_link_has_all_outcomes() {
     let nothing = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
@@ -239,7 +238,7 @@ fn a_massless_link_has_all_outcomes() {
     assert!((found / 0.03 - 1.0).abs() < EXACT);
 }
 
-/// The stop of a hinge has the m̄ of a contact of child and parent at a point 1 m from the axis.
+/// The stop of a hinge has the same m̄ as a contact of child and parent at a point 1 m from the axis.
 #[test]
 fn stops_of_hinges_are_points_at_one_metre() {
     let (mut compared, mut outcomes) = (0, 0);

@@ -1108,7 +1108,7 @@ typedef struct percuss_rank {
 
 /*
  The axis of a moment in the contact link's frame. The contact is a moment about the axis (a couple): effective masses are inertias
- in kg·m², speeds rad/s, and the point has no effect.
+ in kg·m², speeds are in rad/s, and the point has no effect.
  */
 #define PERCUSS_AXIS_LINK 6
 

@@ -31,7 +31,7 @@ pub enum GenerateError {
     },
     /// The contact is a moment about an axis.
     #[error(
-        "the contact is a moment about an axis, for which no code is generated; give a contact point with a normal"
+        "the contact is a moment about an axis, for which no code is generated; expected a contact point with a normal"
     )]
     Moment,
     /// The normal of a stop is a line that may turn by 5° only.

@@ -29,7 +29,7 @@ pub enum ImpactError {
         /// Given value.
         got: f64,
     },
-    /// Friction of a moment about an axis.
+    /// Friction at a contact that is a moment about an axis.
     #[error(
         "the contact is a moment about an axis, which has no tangential friction; expected a contact point with a normal"
     )]

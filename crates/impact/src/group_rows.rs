@@ -52,8 +52,8 @@ impl GroupRows {
         (OPEN_PER_FLOOR * self.relative_error()).clamp(OPEN_COMPONENT, MOST_OPEN)
     }
 
-    /// Appends the multipliers λ of least norm with Aᵀλ = `forces` (generalised forces on the coordinates of the model) to `multipliers`.
-    /// Returns the largest residual |Aᵀλ − forces| over scaled coordinates. `y`: memory.
+    /// Appends to `multipliers` the multipliers λ of least norm with Aᵀλ = `forces` (generalised forces on the coordinates of the model).
+    /// Returns the largest residual |Aᵀλ − forces| over scaled coordinates. `y`: scratch.
     pub fn add_multipliers(&self, forces: &[f64], multipliers: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
         let (group, rank) = (&self.group, self.group.rank);
         let scaled = |k: usize| {

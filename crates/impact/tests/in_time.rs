@@ -118,7 +118,7 @@ fn a_rod_loads_its_hinge_as_newton_says() {
     assert!(found.samples.len() > 120);
 }
 
-/// A rod that rotates about its hinge pulls with m ω²/2 along its axis, and any motion with twice the rates with four times the forces.
+/// A rod of length 1 m that rotates about its hinge pulls the hinge with m ω²/2 along the rod; twice the rates give four times the forces.
 #[test]
 fn a_motion_loads_bearings_quadratically() {
     let (pose, contact) = at(&body(JointKind::Continuous, 3.0), 0.4, Vector3::y());
@@ -140,7 +140,7 @@ fn a_motion_loads_bearings_quadratically() {
             all.filter_map(|c| c.value()).fold(0.0, |most: f64, f| most.max(f.abs()))
         };
         let (a, b) = (4.0 * largest(&once), largest(&twice));
-        // The accelerations are solved to the accuracy of a regular linkage.
+        // Tolerance for the accelerations of a linkage without change point.
         assert!((a - b).abs() < 1e-6 * a.max(1e-6), "{}: {a} {b}", case.name);
         count += 1;
     }

@@ -85,7 +85,7 @@ fn reactions_are_those_of_maximal_coordinates() {
     assert!(count.determinate > 10_000 && count.indeterminate > 1_000, "{count:?}");
 }
 
-/// The same for moments about an axis.
+/// As above, for moments about an axis.
 #[test]
 fn reactions_to_moments_are_those_of_maximal_coordinates() {
     let mut cases = all(120);

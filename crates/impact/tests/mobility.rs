@@ -97,8 +97,8 @@ fn principal_masses_are_extreme() {
     assert!(compared > 60, "{compared}");
 }
 
-/// W of a moment and a contact point: its first diagonal entry is 1/m̄ of the moment, the block of the moment is the angular part of the
-/// inverse operational inertia, and the blocks between both contacts are transposes.
+/// W of a moment and a contact point: its first diagonal entry is 1/m̄ of the moment, and the block of the moment is the angular part of
+/// the inverse operational inertia.
 #[test]
 fn moments_are_rows_of_angular_velocities() {
     let mut compared = 0;

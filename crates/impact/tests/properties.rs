@@ -283,7 +283,7 @@ fn workspaces_agree_with_single_impacts() {
             }
             (a, b) => panic!("{}: {a:?} {b:?}", case.name),
         };
-        // Memory of the impact on another mechanism does not matter.
+        // Memory of an impact on another mechanism has no effect on the result.
         let mut again = ImpactWorkspace::new(pose);
         again.at(pose).impact_into(&case.contact, 0.7, 0.4, &mut reused).expect("an impact");
         assert_eq!(format!("{reused:?}"), format!("{workspace:?}"), "{}", case.name);

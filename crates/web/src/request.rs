@@ -19,10 +19,10 @@ pub enum Request {
         model: ModelTable,
         /// Text of the file.
         text: String,
-        /// Further files that the model may name, in base64, by their paths relative to the same folder as that of the model.
+        /// Further files to which the model may refer, in base64 by path. The paths and the path of the model refer to the same folder.
         #[serde(default)]
         files: BTreeMap<String, String>,
-        /// True for a reply with the shapes of the links.
+        /// True if the reply must contain the shapes of the links.
         #[serde(default)]
         shapes: bool,
     },

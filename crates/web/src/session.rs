@@ -120,7 +120,7 @@ enum Reply {
 #[derive(Debug, Serialize)]
 struct Opened {
     scene: Scene,
-    /// Shapes of the links, if the request asks for them.
+    /// Shapes of the links, if requested.
     shapes: Option<SceneShapes>,
     contact: ContactTable,
     conditions: ConditionsTable,
@@ -319,7 +319,7 @@ impl Session {
     }
 }
 
-/// Source of a model with the files that it may name, in base64.
+/// Source of a model. `files`: base64 of the files to which the model may refer.
 fn source(path: &str, text: String, files: BTreeMap<String, String>) -> Result<Source, Refusal> {
     let mut store = Vec::with_capacity(files.len() + 1);
     for (name, packed) in files {
@@ -327,7 +327,7 @@ fn source(path: &str, text: String, files: BTreeMap<String, String>) -> Result<S
         let bytes = bytes.map_err(|error| Refusal::of_message(format!("{name}: invalid base64: {error}")))?;
         store.push((name, bytes));
     }
-    // The name of a model of an SDF file is FILE#MODEL.
+    // The path of a model in an SDFormat file is FILE#MODEL.
     let file = path.rsplit_once('#').map_or(path, |(file, _)| file);
     store.push((file.to_owned(), text.clone().into_bytes()));
     Ok(Source { files: MemoryFiles::new(store).into(), ..Source::from_text(path, text) })

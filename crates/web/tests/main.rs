@@ -301,7 +301,7 @@ fn sdformat_is_read() {
     assert_same(&reply["ok"]["result"]["ok"]["report"]["effective_mass"], 4.0, "at the tip");
 }
 
-/// Base64 of texts by their names.
+/// Base64 of texts, by file name.
 fn packed(files: &[(&str, &str)]) -> Value {
     let encode = |text: &str| base64::engine::general_purpose::STANDARD.encode(text);
     files
@@ -337,7 +337,7 @@ fn a_folder_has_the_included_files_and_the_meshes() {
     }
     let missing = open("robot/scene.xml", scene, json!({}));
     assert!(missing["refused"]["message"].as_str().unwrap().contains("arm.xml"), "{missing}");
-    // A mesh of a package is found in a folder with the name of the package, also if it is not above the model.
+    // A mesh of a package is found in a folder with the name of the package, even if no parent folder of the model contains that folder.
     let urdf = r#"<robot name="r"><link name="a"><visual><geometry><mesh filename="package://parts/t.obj"/></geometry></visual>
         <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"#;
     let opened = open("ws/robot/r.urdf", urdf, packed(&[("ws/meshes/parts/t.obj", TETRAHEDRON)]));
@@ -352,7 +352,7 @@ fn a_folder_has_the_included_files_and_the_meshes() {
     assert!(damaged["refused"]["message"].as_str().unwrap().contains("base64"), "{damaged}");
 }
 
-/// A sheet with its points in a table is the sheet with the points, and its points can be moved.
+/// A sheet with its points in a table gives the same results as the sheet that contains the points, also with moved points.
 #[test]
 fn a_sheet_has_its_table() {
     let text = std::fs::read_to_string(double_wishbone()).unwrap();

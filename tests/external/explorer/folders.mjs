@@ -16,7 +16,7 @@ const URDF = `<robot name="pin"><link name="base"/><joint name="hinge" type="rev
   <link name="pin"><inertial><origin xyz="0.3 0 0"/><mass value="2"/><inertia ixx="0.1" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial>
   <visual><geometry><mesh filename="package://parts/meshes/t.obj"/></geometry></visual></link></robot>`;
 
-/** A folder with three models: MJCF in two files with the mesh of an inertia, a URDF with a mesh of a package, a sheet with a table. */
+/** Makes a folder with three models: MJCF in two files with an inertia from a mesh, URDF with a mesh of a package, a sheet with a table. */
 function makeFolder(name) {
   const top = join(folder, name);
   rmSync(top, { recursive: true, force: true });
@@ -62,7 +62,7 @@ export const folderTests = {
     const page = await open(browser, explore(SHEET));
     await page.setInputFiles('input[aria-label="Folder with a model"]', top);
     await page.waitForSelector('.chooser[open]');
-    // An included model is last; other XML and hidden folders are no models.
+    // An included model is last. Other XML files and files in hidden folders are not listed.
     assert.deepEqual(await listed(page), ['car.toml', 'scene.xml', 'pin.urdf', 'arm.xml']);
     await page.keyboard.press('Escape');
     await page.waitForFunction(() => !document.querySelector('.chooser'));
@@ -74,10 +74,10 @@ export const folderTests = {
       assert.equal(await page.locator('.notice').count(), 0, name);
       const { scene } = await state(page);
       if (name === 'scene.xml') assert.ok(Math.abs(scene.links.find((l) => l.name === 'arm').mass - 100) < SAME * 100, 'the mass of the mesh');
-      // The mesh of the package is drawn: it can be mapped.
+      // The meshes are drawn, so the surface can be mapped; the sheet has no shapes.
       assert.equal(await page.locator('.shows button:has-text("Map")').count(), name === 'car.toml' ? 0 : 1, name);
     }
-    // Points of the table move, and the link has the table.
+    // Points of the table can be moved, and the copied link contains the table.
     const first = await shown(page);
     await page.fill('[aria-label="lower_ball z, mm"]', '190');
     await page.keyboard.press('Tab');
@@ -100,7 +100,7 @@ export const folderTests = {
     await page.waitForFunction(() => document.querySelector('.file')?.textContent === 'pin.urdf' && window.percussView.isSettled());
     await agrees(page, folder, 'dropped');
     assert.equal(await page.locator('.shows button:has-text("Map")').count(), 1, 'the mesh is drawn');
-    // The file alone has the same number; the page names the mesh that is missing.
+    // The file alone gives the same m̄; the page reports the missing mesh.
     const before = await shown(page);
     await page.setInputFiles('input[type=file]', join(top, 'robot/urdf/pin.urdf'));
     await page.waitForSelector('.notice');
@@ -146,7 +146,7 @@ export const folderTests = {
     await page.fill('input[aria-label="mass of wheel, kg"]', '10');
     await page.keyboard.press('Tab');
     await agrees(page, root, 'mass and moment');
-    // The focus is in the next field, whose text is unchanged.
+    // The focus is in the next field, whose text is unchanged, so the page undoes its own last step.
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal(await shown(page), changed, 'the mass is undone');

@@ -4,8 +4,9 @@ import assert from 'node:assert/strict';
 import { agrees, center, close, explore, launch, open, root, settle, shown } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
-/** Limit of the processor time of the page per answer while a hardpoint is dragged, on a processor four times as slow, ms. It is judged on
- * an idle machine only (`EXPLORER_JUDGE_TIMES=1`, as run.sh without `--gate`): other programs that share the caches add a third. */
+/** Limit of the processor time of the page per result while a hardpoint is dragged, on a processor that is four times as slow, ms. Tested
+ * only on an idle machine (`EXPLORER_JUDGE_TIMES=1`, the default of run.sh without `--gate`): other programs that share the caches add a
+ * third. */
 const LONGEST_FRAME = 60;
 const JUDGE_TIMES = process.env.EXPLORER_JUDGE_TIMES === '1';
 const SLOWER = 4;
@@ -16,8 +17,8 @@ const MOVES = Number(process.env.EXPLORER_MOVES ?? 10_000);
 const PORTIONS = 10;
 /** Moves per frame of the browser: more than a user makes, so that the page must drop some of them. */
 const MOVES_OF_FRAME = 4;
-/** Limit of the growth of the memory over the last four fifths of the moves, bytes: compiled code and caches of the browser, and a part for
- * each answer. A reply has 60 kB. */
+/** Limit of the growth of the memory over the last four fifths of the moves, bytes: a constant for compiled code and caches of the browser,
+ * and 2 kB per result. A reply has 60 kB, so kept replies would exceed the limit. */
 const LARGEST_GROWTH = (answers) => 1_500_000 + 2_000 * answers;
 /** Least cosine of the rotation of a link from its design position: on the other branch of a loop, a link is turned by more than a right angle. */
 const LEAST_COSINE = 0;

@@ -2,11 +2,11 @@
 # Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources and builds the engine if
 # it is out of date. Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
-#     --gate: as .ci/run: release profile, 60 drags, seed 23, 2000 moves, times printed but not judged; as root, installs missing
+#     --gate: as .ci/run: release profile, 60 drags, seed 23, 2000 moves, times printed but not tested; as root, installs missing
 #     Debian packages
 # Environment, with defaults: EXPLORER_DRAGS, random drags per seed (350); EXPLORER_SEEDS, seeds separated by commas (7,11,23);
 # EXPLORER_MOVES, moves of the pointer in the test of the memory (10000);
-# EXPLORER_JUDGE_TIMES=0: times are printed but not judged
+# EXPLORER_JUDGE_TIMES, 1: times are compared with their limits; 0: times are only printed (1; with --gate 0)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)

@@ -37,7 +37,7 @@ pub const PERCUSS_NORMAL_TURNING_TOWARD: percuss_normal = 4;
 pub const PERCUSS_NORMAL_TURNING_AWAY: percuss_normal = 5;
 
 /// The axis of a moment in the contact link's frame. The contact is a moment about the axis (a couple): effective masses are inertias
-/// in kg·m², speeds rad/s, and the point has no effect.
+/// in kg·m², speeds are in rad/s, and the point has no effect.
 pub const PERCUSS_AXIS_LINK: percuss_normal = 6;
 /// The axis of a moment in the world's frame.
 pub const PERCUSS_AXIS_WORLD: percuss_normal = 7;
@@ -135,7 +135,7 @@ impl percuss_contact {
     #[inline]
     pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY and of PERCUSS_AXIS_LINK to PERCUSS_AXIS_AGAINST.
+        // In the order of the values: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY, then PERCUSS_AXIS_LINK to PERCUSS_AXIS_AGAINST.
         let vectors = [Frame::Link, Frame::World, Frame::Against].map(Some);
         let [link, world, against] = vectors;
         let frames = [link, world, against, None, None, None, link, world, against];

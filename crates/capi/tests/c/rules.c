@@ -192,7 +192,7 @@ static void contacts(void)
   refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 8");
   c.normal_given = -1;
   refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 8");
-  /* The axis of a moment: at the zero pose the row over the angular velocity of the ball is the unit axis in every frame. */
+  /* Axes of moments: at the zero pose, the contact row over the angular velocity of the ball is the unit axis in every frame. */
   for (percuss_normal frame = PERCUSS_AXIS_LINK; frame <= PERCUSS_AXIS_AGAINST; frame++) {
     c = ball.contact;
     c.normal_given = frame;

@@ -137,11 +137,11 @@ impl ModelFormat {
             _ => None,
         };
         match (given, of_ending) {
-            // Models of every format have names that end in .xml.
+            // The ending .xml is usual for all three formats.
             (Some(format), Some(other)) if format != other && ending != "xml" => {
                 let (to, other) = (format.name(), other.name());
                 Err(Failure::bad_input(format!(
-                    "--output {output}: the ending names the format {other}, and --to the format {to}; leave out --to, or use another ending"
+                    "--output {output}: the ending names the format {other}, and --to the format {to}; omit --to, or use another ending"
                 )))
             }
             (Some(format), _) | (None, Some(format)) => Ok(format),

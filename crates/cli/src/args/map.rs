@@ -39,7 +39,7 @@ impl MapArgs {
         let contact = &self.contact.contact;
         if contact.about_axis.is_some() {
             return Err(Failure::bad_input(
-                "--about-axis: a map is about contact points; use percuss mass for the inertia about an axis",
+                "--about-axis: a map is about contact points; use percuss mass for the effective inertia about an axis",
             ));
         }
         if contact.normal.is_some() || contact.along_line.is_some() {

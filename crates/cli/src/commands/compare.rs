@@ -230,7 +230,7 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
     table
 }
 
-/// Unit of all effective masses; both units if the designs have contact points and moments.
+/// Unit of all effective masses; both units if some designs have contact points and others moments.
 fn mass_unit(report: &ComparisonReport) -> &'static str {
     let unit = report.designs.first().map_or("kg", |design| design.mass_unit);
     if report.designs.iter().all(|design| design.mass_unit == unit) { unit } else { "kg, kg·m²" }

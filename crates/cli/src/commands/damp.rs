@@ -106,10 +106,10 @@ pub fn headline(report: &DampingReport) -> (&'static str, String) {
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
-/// Factor from the SI unit of penetrations to the shown unit: mm or mrad.
+/// Factor from the SI unit of penetrations (m, rad) to the displayed unit (mm, mrad).
 const SMALL: f64 = 1e3;
 
-/// Units of the numbers of a report.
+/// Units of the contact of a report.
 fn units(report: &DampingReport) -> ContactUnits {
     ContactUnits::new(report.is_moment)
 }

@@ -174,7 +174,7 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     }
 }
 
-/// Notes the tables whose results are left out, because the output in a format has the contact at its pose only.
+/// Reports the tables whose results are omitted, because an output with `--format` contains only the contact at its pose.
 fn note_left_out(study: &StudyFile) {
     let tables = [
         ("[impact]", study.impact.is_some()),
@@ -187,7 +187,7 @@ fn note_left_out(study: &StudyFile) {
         tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
     if !left_out.is_empty() {
         note(&format!(
-            "--format shows the contact at its pose, without {}; leave out --format, or ask their commands",
+            "--format prints the contact at its pose, without {}; omit --format, or run the commands for these tables",
             left_out.join(", ")
         ));
     }

@@ -1,6 +1,6 @@
-//! Units of the numbers about a contact: at a point, or a moment about an axis.
+//! Units of the results for a contact: at a point, or a moment about an axis.
 
-/// Units of a contact.
+/// Units of the results for a contact.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactUnits {
     /// Name of m̄: effective mass or effective inertia.
@@ -16,7 +16,7 @@ pub struct ContactUnits {
 }
 
 impl ContactUnits {
-    /// Units of a contact at a point, or of a moment: about an axis, or at the stop of a joint that turns.
+    /// Units for a contact at a point, or for a moment (about an axis, or at the stop of a revolute joint).
     pub fn new(is_moment: bool) -> Self {
         if is_moment {
             return Self {

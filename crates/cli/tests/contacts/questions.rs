@@ -191,7 +191,7 @@ fn masses_and_their_centres_are_changed() {
     assert_same(mass(&format!("mass {PENDULUM} --link-com bob=0,0,-100mm")), expected(2.0, 0.6), "com");
     let both = "--link-mass bob=5 --link-com bob=0,0,0.1";
     assert_same(mass(&format!("mass {PENDULUM} {both}")), expected(5.0, 0.4), "both");
-    // J/r² of the moment about the hinge, also after a change of the mass.
+    // The moment of inertia about the hinge adds J/r², also after a change of the mass.
     let turned = "--link-inertia bob=0.1,0.64,0.6";
     assert_same(mass(&format!("mass {PENDULUM} {turned}")), expected(2.0, 0.5) + 1.0, "inertia");
     let both = format!("--link-mass bob=5 {turned}");

@@ -3,7 +3,7 @@
 use crate::support::{json, percuss};
 use serde_json::Value;
 
-/// Rounding of some ten operations on values of order 1.
+/// Bound for the rounding of about ten operations on values of order 1.
 const ROUNDING: f64 = 1e-12;
 
 fn number(value: &Value) -> f64 {
@@ -25,7 +25,7 @@ fn masses_have_the_closed_form() {
     assert!((number(&report["effective_mass"]) / inertia(0.7) - 1.0).abs() < ROUNDING, "{report}");
     assert_eq!((&report["unit"], &report["contact"]["is_moment"]), (&"kg·m²".into(), &true.into()));
     assert_eq!(report["contact"]["normal_world"], serde_json::json!([0.0, 0.0, 1.0]));
-    // Against the inner link: the inertia reflected to the elbow, which is that of the stop of the elbow.
+    // Against the inner link: the inertia reflected to the elbow, equal to the effective inertia at the stop of the elbow.
     let against = json(&format!("mass {OUTER} --against inner --set elbow=0.7 --format json"));
     let stop = json("mass models/planar_2r.urdf --at elbow:upper --set elbow=0.7 --format json");
     let at_elbow = json(&format!(
@@ -35,7 +35,7 @@ fn masses_have_the_closed_form() {
     for found in [&against, &stop] {
         assert!((number(&found["effective_mass"]) / reflected - 1.0).abs() < ROUNDING, "{found}");
     }
-    // A pendulum about its hinge: m r²; across the hinge nothing moves.
+    // A pendulum about its hinge: m r². About a perpendicular axis it is immovable.
     let rod = "models/point_mass_pendulum.urdf --link rod";
     let pendulum = json(&format!("mass {rod} --about-axis 0,3,0 --expect 0.5 --format json"));
     assert!((number(&pendulum["effective_mass"]) - 0.5).abs() < ROUNDING);
@@ -60,7 +60,7 @@ fn impacts_have_units_of_rotation() {
     let run = format!("impact {OUTER} --set elbow=0.7 --restitution 0.25 --speed 3rad/s");
     let report = json(&format!("{run} --format json"));
     assert!((number(&report["impulse"]) / (1.25 * 3.0 * inertia(0.7)) - 1.0).abs() < ROUNDING);
-    // The sum of the rates is the angular velocity: it is reversed with the restitution.
+    // The sum of the rates is the angular velocity; the impact multiplies it by −e.
     let rates = report["rates"].as_array().expect("rates");
     let sum = |when: &str| rates.iter().map(|rate| number(&rate[when][0])).sum::<f64>();
     assert!((sum("before") - 3.0).abs() < ROUNDING && (sum("after") + 0.75).abs() < ROUNDING, "{report}");
@@ -99,7 +99,7 @@ fn extremes_are_those_of_the_closed_form() {
     let bearing =
         percuss(&format!("extremes {OUTER} --range elbow=0.5:3.1 --quantity bearing:shoulder")).stdout;
     assert!(bearing.contains("N·s in shoulder per rad/s"), "{bearing}");
-    // All axes: the arm turns about z only.
+    // Any axis: the arm turns about z only.
     let any = json(&format!("extremes {OUTER} --range elbow=0.5:1 --normals any --format json"));
     assert!(number(&any["least"]["normal_world"][2]).abs() > 1.0 - 1e-9, "{any}");
 }

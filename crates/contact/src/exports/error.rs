@@ -91,7 +91,7 @@ pub enum ExportError {
     },
     /// Contact that is a moment about an axis.
     #[error(
-        "{tool}: the contact is a moment about an axis, and contacts of simulators act at points; give the stop of a joint (JOINT:lower or \
+        "{tool}: the contact is a moment about an axis, but contacts in simulators act at points; give the stop of a joint (JOINT:lower or \
          JOINT:upper), or a contact point with a normal"
     )]
     Moment {

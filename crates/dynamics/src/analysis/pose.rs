@@ -253,7 +253,8 @@ impl Pose {
     }
 
     /// Contact row j = n̂ᵀ(J_on − J_against) over the coordinates: closing speed of the gap at unit rates, 1×n (m for
-    /// rotations, 1 for translations). For a moment j = âᵀ(J_ω,on − J_ω,against) (1 and 0). Joints that move both sides equally are left out.
+    /// rotations, 1 for translations). For a moment: j = âᵀ(J_ω,on − J_ω,against) (1 for rotations, 0 for translations). Joints that move
+    /// both sides equally are omitted.
     pub fn contact_row(&self, contact: &LocatedContact) -> Vec<f64> {
         let model = self.assembly.model();
         let mut values = vec![0.0; model.velocity_coordinates.len()];
@@ -273,8 +274,8 @@ impl Pose {
         self.assembly.model().point_jacobian(&self.kinematics, link, point)
     }
 
-    /// Jacobian of the angular velocity of a link over the coordinates, 3×n: ω = J u, in root axes, relative to the ground (1 for
-    /// rotations, 0 for translations).
+    /// Jacobian of the angular velocity of a link over the coordinates, 3×n (1 for rotations, 0 for translations): ω = J u, in root axes,
+    /// relative to the ground.
     ///
     /// # Panics
     /// If the link belongs to another mechanism.

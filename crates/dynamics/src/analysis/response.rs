@@ -115,7 +115,7 @@ impl ContactResponse {
 }
 
 impl Pose {
-    /// Effective mass of a contact along its normal, in kilograms, with motion, contributions and errors. For a moment about an axis the
+    /// Effective mass of a contact along its normal, in kilograms, with motion, contributions and errors. For a moment about an axis: the
     /// effective inertia in kg·m², with j = âᵀ(J_ω,on − J_ω,against).
     ///
     /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and the mechanism has no loops.

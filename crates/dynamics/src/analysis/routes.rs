@@ -53,8 +53,8 @@ impl RouteResult {
     }
 }
 
-/// Largest possible m̄ in order of magnitude: the sum of the bodies' masses, kg; for a moment times the square of the characteristic length,
-/// kg·m².
+/// Order of magnitude of the largest possible m̄: the sum of the bodies' masses, kg; for a moment, multiplied by the square of the
+/// characteristic length, kg·m².
 fn total_mass(model: &Model, row: &ContactRow) -> f64 {
     row.unit_mass() * model.bodies.iter().map(|body| body.inertia.mass.abs()).sum::<f64>()
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use percuss_kernel::{LinkFrame, Normal, NormalFrame};
 use percuss_mechanism::LinkId;
 
-/// Converts a checked contact of a model to a contact of the crate `kernel`; `None` for a moment, which no kernel supports.
+/// Converts a checked contact of a model to a contact of the crate `kernel`; `None` for a moment, which the kernels do not support.
 pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> Option<percuss_kernel::Contact> {
     let link = |link: LinkId| {
         let own = &model.link_frames[link.index()];

@@ -26,9 +26,9 @@ pub enum Frame {
 pub enum Direction {
     /// Along a vector given in a frame; the length of the vector has no effect.
     Along(Vector3<f64>, Frame),
-    /// A moment about an axis â, given in a frame, in place of a force along a normal. The closing speed is the relative
-    /// angular velocity â·(ω_link − ω_against), rad/s, and m̄ is an inertia, kg·m². Only the direction of the vector has
-    /// an effect: not its length, and not the contact point.
+    /// A moment about an axis â, given in a frame, instead of a force along a normal. The closing speed is the relative
+    /// angular velocity â·(ω_link − ω_against), rad/s, and m̄ is an inertia, kg·m². The length of the vector and the contact
+    /// point have no effect.
     About(Vector3<f64>, Frame),
     /// From the contact point towards a point (m) of another link, in that link's frame: the normal of a stop.
     /// Refused if the line has turned by more than 5° from its direction as drawn (all joints at 0), measured in the
@@ -59,7 +59,7 @@ impl Direction {
         matches!(self, Direction::About(..))
     }
 
-    /// Vector of a fixed normal or axis with its frame; `None` for a line.
+    /// Vector and frame of a normal or an axis given as a vector; `None` for a line.
     pub fn vector(&self) -> Option<(Vector3<f64>, Frame)> {
         match *self {
             Direction::Along(vector, frame) | Direction::About(vector, frame) => Some((vector, frame)),
@@ -67,7 +67,7 @@ impl Direction {
         }
     }
 
-    /// The same kind of direction along another vector in another frame; a line is unchanged.
+    /// Direction of the same kind with another vector and frame; a line is returned unchanged.
     pub(crate) fn with_vector(self, vector: Vector3<f64>, frame: Frame) -> Self {
         match self {
             Direction::Along(..) => Direction::Along(vector, frame),
@@ -95,7 +95,7 @@ pub struct Contact {
     pub link: LinkId,
     /// The link on the other side; `None` for the ground.
     pub against: Option<LinkId>,
-    /// The contact point in the frame of the contact link, m. No effect on a moment.
+    /// The contact point in the frame of the contact link, m; has no effect for a moment.
     pub point: Vector3<f64>,
     /// The normal n̂, **out of the contact link into the other side**; the axis â of a moment.
     pub normal: Direction,
@@ -126,16 +126,16 @@ impl Contact {
 
     /// Moment about an axis (frame of the link) between a link and the ground.
     ///
-    /// m̄ = 1/(j M⁻¹ jᵀ), kg·m², with j q̇ = â·ω. For a free body m̄ = 1/(âᵀ I_c⁻¹ â), I_c its central inertia; for a link on one
-    /// hinge along â, m̄ is the moment of inertia about the hinge.
+    /// m̄ = 1/(j M⁻¹ jᵀ), kg·m², with j q̇ = â·ω. For a free body with the central inertia I_c, m̄ = 1/(âᵀ I_c⁻¹ â). For a link whose only
+    /// joint is a hinge to the ground along â, m̄ is the moment of inertia about the hinge.
     pub fn about_axis(link: LinkId, axis: impl Into<Vector3<f64>>) -> Self {
         let normal = Direction::About(axis.into(), Frame::Link);
         Self { link, against: None, point: Vector3::zeros(), normal }
     }
 
     /// Stop of a joint with one velocity: a contact of child and parent whose closing speed is the rate of the joint, or minus this rate if
-    /// not `is_upper`. For a hinge it is a moment about the axis, and m̄ is the inertia at the joint in kg·m². `None` unless the joint has one
-    /// velocity.
+    /// not `is_upper`. For a hinge the contact is a moment about the joint axis, and m̄ is the inertia at the joint in kg·m². `None` unless
+    /// the joint has one velocity.
     pub fn joint_stop(mechanism: &Mechanism, joint: JointId, is_upper: bool) -> Option<Self> {
         let joint = mechanism.joint(joint);
         let axis = if is_upper { *joint.axis() } else { -joint.axis() };
@@ -278,9 +278,9 @@ pub enum ContactError {
         /// Exclusive lower limit, kg.
         least: f64,
     },
-    /// A free body given by its mass on the other side of a moment.
+    /// Free body given by its mass as the other side of a moment.
     #[error(
-        "the contact is a moment about an axis, and a free body of {mass} kg on its other side has no known moment of inertia; \
+        "the contact is a moment about an axis; the moment of inertia of the free body of {mass} kg on the other side is unknown; \
          expected the other body as a link of the mechanism"
     )]
     MassOfMoment {
@@ -346,8 +346,8 @@ pub struct LocatedContact {
 }
 
 impl LocatedContact {
-    /// Wrench of a unit impulse between the two sides, in the frame of the contact link: (p × n̂, n̂), or (â, 0) for a moment. Its power on
-    /// the relative twist of the links is the closing speed.
+    /// Wrench of a unit impulse between the two sides, in the frame of the contact link: (p × n̂, n̂), or (â, 0) for a moment. Its power
+    /// with the relative twist of the two sides is the closing speed.
     pub fn wrench_link(&self) -> Wrench<f64> {
         unit_wrench(self.is_moment, self.normal_link, &self.point_link)
     }
@@ -357,14 +357,14 @@ impl LocatedContact {
         unit_wrench(self.is_moment, self.normal_root, &Vector3::zeros())
     }
 
-    /// Part of a twist (root axes, at the contact point) on which the wrench acts: the linear velocity, or the angular velocity for a
-    /// moment.
+    /// Part of a twist (root axes, at the contact point) that is conjugate to the contact wrench: the linear velocity; for a moment, the
+    /// angular velocity.
     pub(crate) fn conjugate_velocity(&self, twist: &Twist<f64>) -> Vector3<f64> {
         if self.is_moment { twist.angular } else { twist.linear }
     }
 }
 
-/// Unit force along `direction` at a point, or unit moment about it.
+/// Wrench of a unit force along `direction` at a point, or of a unit moment about `direction`.
 fn unit_wrench(is_moment: bool, direction: Vector3<f64>, point: &Vector3<f64>) -> Wrench<f64> {
     match is_moment {
         true => Wrench::new(direction, Vector3::zeros()),

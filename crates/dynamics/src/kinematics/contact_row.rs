@@ -1,4 +1,4 @@
-//! Contact row: closing speed of the gap per tree velocity; Jacobians of a point and of a link.
+//! Contact row: closing speed of the gap per tree velocity. Jacobians of the velocity of a point and of the angular velocity of a link.
 
 use crate::kinematics::contact::LocatedContact;
 use crate::kinematics::frames::Kinematics;
@@ -79,7 +79,7 @@ impl Model {
         self.jacobian_of(link, |i, k| self.angular_column(kinematics, i, k).0)
     }
 
-    /// Jacobian over the coordinates of a velocity on a link. `column`: velocity at unit velocity `k` of body `i`.
+    /// Jacobian of a velocity of a link over the coordinates, 3×n. `column(i, k)`: this velocity at unit velocity `k` of body `i`.
     fn jacobian_of(&self, link: LinkId, column: impl Fn(usize, usize) -> Vector3<f64>) -> DMatrix<f64> {
         let mut jacobian = DMatrix::zeros(3, self.coordinates.len());
         self.for_each_support(self.body_of(link), None, |i, _| {
@@ -111,7 +111,7 @@ pub(crate) struct RowEntry {
 pub(crate) struct ContactRow {
     pub entries: Vec<RowEntry>,
     /// Characteristic length of the contact, m: the largest distance of the contact point from a rotating joint on
-    /// its path; 1 without such a joint. For a moment: that of the mechanism.
+    /// its path; 1 without such a joint. For a moment: characteristic length of the mechanism.
     pub length: f64,
     /// True for a moment about an axis.
     pub is_moment: bool,

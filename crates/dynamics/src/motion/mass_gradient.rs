@@ -30,7 +30,7 @@ use percuss_spatial::{Transform, Twist, Wrench};
 /// Gradient of a finite effective mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassGradient {
-    /// m̄, kg (kg·m² for a moment, as in all units below).
+    /// m̄, kg. For a moment, kg·m² replaces kg here and in all units below.
     pub effective_mass: f64,
     /// For each joint, in joint order, and each of its velocities: change of m̄ per unit velocity, kg/rad or kg/m. In a mechanism
     /// with loops only sums over admissible motions are defined; see [`rate`](Self::rate).

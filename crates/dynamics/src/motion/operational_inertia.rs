@@ -12,8 +12,8 @@ use percuss_spatial::Wrench;
 /// matrix under the constraints. Φ is 12×12: the six components of the contact link (moment, then force), then those
 /// of the other link, in root axes with the origin at the point.
 ///
-/// For every contact at the point, 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂); for a moment w = (â, 0, −â, 0). Khatib 1987 calls the inverse of the upper
-/// left block the operational space inertia.
+/// For every contact at the point, 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂); for a moment, w = (â, 0, −â, 0). Khatib 1987 calls the inverse
+/// of the upper left block the operational space inertia.
 #[derive(Clone, Debug)]
 pub struct InverseOperationalInertia {
     matrix: SMatrix<f64, 12, 12>,

@@ -25,7 +25,7 @@ impl Pose {
     }
 
     /// Effective mass at a contact of the rigid bodies of its two sides without their joints, kg:
-    /// 1/Σ (1/m + (r × n̂)ᵀ I_c⁻¹ (r × n̂)), r from the centre of mass to the point; for a moment 1/Σ âᵀ I_c⁻¹ â, kg·m². The ground adds
+    /// 1/Σ (1/m + (r × n̂)ᵀ I_c⁻¹ (r × n̂)), r from the centre of mass to the point. For a moment: 1/Σ âᵀ I_c⁻¹ â, kg·m². The ground adds
     /// nothing to the sum.
     /// `None` for a body without mass or with a singular rotational inertia, and for an invalid contact.
     pub fn free_body_mass(&self, contact: &Contact) -> Option<f64> {

@@ -28,7 +28,7 @@ export function App() {
     const key = (event: KeyboardEvent) => {
       const target = event.target as HTMLElement;
       const typing = target.matches('input, select, textarea');
-      // The browser would undo the text of another field, without its focus.
+      // Without this, the browser could undo text in a field that does not have the focus.
       const ownUndo = typing && (target as HTMLInputElement).type === 'text' && (store.inGesture || !target.matches('.number'));
       if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !ownUndo) {
         event.preventDefault();
@@ -98,7 +98,7 @@ async function openFile(file: File) {
   await store.open({ name: file.name, text: await file.text() });
 }
 
-/** Opens a dropped file, or the model of dropped folders or files. */
+/** Opens a single dropped file, or a model from several dropped files or folders. */
 async function openDropped(data: DataTransfer) {
   try {
     const files = await filesOfDrop(data);

@@ -31,7 +31,7 @@ use percuss_spatial::Vector3;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-/// Reads the text of a model; `report` contains findings about its bytes.
+/// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes.
 pub(crate) fn load_text(
     source: &Source,
     text: &str,

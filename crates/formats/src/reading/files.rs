@@ -1,4 +1,4 @@
-//! Files by name: those of the file system, or files in memory.
+//! Stores of files: the file system, or files in memory.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -23,16 +23,16 @@ pub enum FileKind {
 pub struct OpenFile<'a> {
     /// Reader of the bytes.
     pub reader: Box<dyn Read + 'a>,
-    /// Length, bytes; 0 if it is unknown.
+    /// Length, bytes; 0 if unknown.
     pub length: u64,
 }
 
-/// Store of files, read by name.
+/// Store of files, which are read by their paths.
 pub trait FileStore: Debug + Send + Sync {
-    /// Kind of the entry at a path, symbolic links resolved.
+    /// Kind of the entry at a path, after resolving symbolic links.
     ///
     /// # Errors
-    /// [`io::Error`]: no such entry, or a folder on the way that may not be searched.
+    /// [`io::Error`]: no such entry, or no permission to search a folder of the path.
     fn kind(&self, path: &Path) -> io::Result<FileKind>;
 
     /// Opens a file.
@@ -41,29 +41,29 @@ pub trait FileStore: Debug + Send + Sync {
     /// [`io::Error`]: no such file, or no permission.
     fn open(&self, path: &Path) -> io::Result<OpenFile<'_>>;
 
-    /// Path that is the same for all names of an entry.
+    /// Canonical path: the same for all paths to one entry.
     ///
     /// # Errors
-    /// [`io::Error`]: no such entry in the file system.
+    /// [`io::Error`]: no such entry; files in memory cause no error.
     fn canonical(&self, path: &Path) -> io::Result<PathBuf>;
 
-    /// Folders of the store that may be the package `name`, the most probable first. The file system is not searched.
+    /// Folders of the store that may be the package `name`, the most probable first; empty for the file system, which is not searched.
     fn package_folders(&self, name: &str) -> Vec<PathBuf> {
         let _ = name;
         Vec::new()
     }
 
-    /// True if the path is a regular file.
+    /// True if a regular file exists at the path.
     fn is_file(&self, path: &Path) -> bool {
         self.kind(path).is_ok_and(|kind| kind == FileKind::File)
     }
 
-    /// True if the path is a folder.
+    /// True if a folder exists at the path.
     fn is_folder(&self, path: &Path) -> bool {
         self.kind(path).is_ok_and(|kind| kind == FileKind::Folder)
     }
 
-    /// Reads at most `max_size` + 1 bytes of a file: the last byte shows that the limit is exceeded.
+    /// Reads at most `max_size` + 1 bytes of a file: more than `max_size` bytes mean that the file is too large.
     ///
     /// # Errors
     /// [`io::Error`]: as for [`open`](Self::open), or a failure while reading.
@@ -77,7 +77,7 @@ pub trait FileStore: Debug + Send + Sync {
     }
 }
 
-/// The file system. Relative paths start at the current folder.
+/// The file system. Relative paths refer to the current folder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileSystem;
 
@@ -102,15 +102,15 @@ impl FileStore for FileSystem {
     }
 }
 
-/// Files in memory, such as those of a folder that a browser opens. Paths are compared without `.`, and with each `..` removed together with
-/// the folder before it.
+/// Files in memory, such as those of a folder that a browser opens. Paths are normalised before they are compared: `.` is removed, and `..`
+/// is removed together with the preceding folder.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryFiles {
     files: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl MemoryFiles {
-    /// Store of files with their paths.
+    /// Store of the given files: path and bytes of each.
     pub fn new(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Self {
         let files = files.into_iter().map(|(path, bytes)| (normalized(Path::new(&path)), bytes));
         Self { files: files.collect() }
@@ -128,7 +128,7 @@ impl FileStore for MemoryFiles {
         if self.files.contains_key(&path) {
             return Ok(FileKind::File);
         }
-        // Paths are in the order of their components: those below a folder follow the path of the folder.
+        // Paths are sorted by their components: the paths below a folder directly follow the path of the folder.
         let mut after = self.files.range::<Path, _>((Bound::Included(&*path), Bound::Unbounded));
         match after.next() {
             Some((first, _)) if first.starts_with(&path) => Ok(FileKind::Folder),
@@ -145,7 +145,8 @@ impl FileStore for MemoryFiles {
         Ok(normalized(path))
     }
 
-    /// Folders with the name of the package; then the uppermost folders, because an archive of a repository has the name of its version.
+    /// Folders with the name of the package; then the top-level folders, because the folder of an unpacked repository can have another
+    /// name, such as one with a version.
     fn package_folders(&self, name: &str) -> Vec<PathBuf> {
         let (mut named, mut uppermost) = (Vec::new(), Vec::new());
         for file in self.files.keys() {
@@ -163,7 +164,7 @@ impl FileStore for MemoryFiles {
     }
 }
 
-/// Path without `.` and without `..` after the name of a folder.
+/// Path without `.`, and without each `..` that follows a folder name or the root.
 fn normalized(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
     for component in path.components() {
@@ -178,7 +179,7 @@ fn normalized(path: &Path) -> PathBuf {
     out
 }
 
-/// Store shared by a model and its questions; by default the file system.
+/// Shared handle of a store; by default the file system.
 #[derive(Clone, Debug)]
 pub struct SharedFiles(Arc<dyn FileStore>);
 

@@ -21,7 +21,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Source of bytes in memory. Further files are those of the file system.
+    /// Source of bytes in memory. Further files are read from the file system.
     pub fn new(name: impl Into<String>, bytes: Vec<u8>) -> Source {
         Source { name: name.into(), bytes, files: SharedFiles::default() }
     }
@@ -35,7 +35,7 @@ impl Source {
         Self::read_from(&SharedFiles::default(), path, max_size)
     }
 
-    /// Reads a file of a store as [`read`](Self::read).
+    /// Reads a file from a store, otherwise as [`read`](Self::read); `-` is the standard input here too.
     ///
     /// # Errors
     /// As for [`read`](Self::read).

@@ -16,7 +16,8 @@ use crate::{FileStore, LoadError, Source};
 use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
 use std::path::{Path, PathBuf};
 
-/// Reads the text of a model; `report` contains findings about its bytes. `FILE#MODEL` chooses a model of the file.
+/// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes. The name `FILE#MODEL` selects a model of the
+/// file.
 pub(crate) fn load_text(
     source: &Source,
     text: &str,

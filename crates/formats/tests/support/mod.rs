@@ -60,7 +60,7 @@ pub fn codes(loaded: &Result<Loaded, LoadError>) -> Vec<(Severity, &'static str)
     told(loaded).iter().map(|d| (d.severity, d.code)).collect()
 }
 
-/// Temporary folder with files, on the disk and in memory; removed at the end.
+/// Temporary folder on the disk with a copy of its files in memory; removed at the end.
 pub struct Folder(PathBuf, MemoryFiles);
 
 impl Folder {
@@ -80,7 +80,7 @@ impl Folder {
         Self(path, in_memory)
     }
 
-    /// Loads a file of the folder. The files in memory must give the same mechanism and findings.
+    /// Loads a file of the folder. Asserts that the files in memory give the same mechanism and findings.
     pub fn load(&self, file: &str) -> Result<Loaded, LoadError> {
         let path = self.0.join(file).to_string_lossy().into_owned();
         let loaded = load_file(&path);

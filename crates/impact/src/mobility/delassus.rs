@@ -32,8 +32,8 @@ pub enum DelassusError {
 ///
 /// N is a basis of ker A and K = NᵀMN. Each contact has three rows: the opening speed along −n̂, and the two tangential speeds
 /// of the contact link relative to the other side. An impulse has the same components; it acts on the contact link, and the
-/// opposite on the other side. The first diagonal entry of a contact is 1/m̄. The rows of a moment are the relative angular velocity along
-/// −â and about two axes across it, and its block is in 1/(kg·m²).
+/// opposite on the other side. The first diagonal entry of a contact is 1/m̄. The rows of a moment are the components of the relative
+/// angular velocity along −â and two perpendicular axes; its block is in 1/(kg·m²).
 ///
 /// | symbol | meaning                                    | shape  | unit  |
 /// |--------|--------------------------------------------|--------|-------|
@@ -136,7 +136,7 @@ impl Delassus {
         JointRates { joints, base }
     }
 
-    /// Adds a free body of mass `mass` (kg) as the other side of a contact point. The body moves without turning.
+    /// Adds a free body of mass `mass` (kg) as the other side of a contact, which must not be a moment. The body does not rotate.
     ///
     /// # Panics
     /// If the contact does not exist.
@@ -147,7 +147,7 @@ impl Delassus {
     }
 
     /// Principal masses of a contact point, kg, in ascending order, with their directions in root axes: reciprocals and
-    /// eigenvectors of the block. A direction in which the point cannot move has an infinite mass. Principal inertias (kg·m²) for a moment.
+    /// eigenvectors of the block. A direction in which the point cannot move has an infinite mass. For a moment: principal inertias, kg·m².
     ///
     /// # Panics
     /// If the contact does not exist.
@@ -171,8 +171,8 @@ fn contact_axes(pose: &Pose, contact: &LocatedContact) -> Matrix3<f64> {
     Matrix3::from_columns(&[-normal, t1, t2])
 }
 
-/// Velocity of the contact link relative to the other side at the contact point, per coordinate rate, root axes; the angular velocity for a
-/// moment.
+/// Velocity of the contact link relative to the other side at the contact point, per coordinate rate, root axes. For a moment: relative
+/// angular velocity.
 pub(crate) fn relative_jacobian(pose: &Pose, contact: &LocatedContact) -> DMatrix<f64> {
     if contact.is_moment {
         let own = pose.angular_jacobian(contact.link);

@@ -38,7 +38,7 @@ impl JointRates {
         Self { joints: joints.iter().map(joint).collect(), base: base * factor }
     }
 
-    /// Sets the rates to `factor` · (`velocities`, `base`), with the velocities of all joints one after another. Reuses the memory.
+    /// Sets the rates to `factor` times `velocities` (of all joints, concatenated) and `base`. Reuses the memory.
     pub(crate) fn set_scaled(
         &mut self,
         tree: &TreeFrames,

@@ -80,7 +80,8 @@ pub fn reflected_inertia(
 }
 
 /// Effective mass at a contact whose point cannot slide: min { vᵀMv : Av = 0, jv = 1, J_t v = 0 }, the *sticking* mass
-/// nᵀΛn. m̄ itself is the *sliding* mass, 1/(nᵀΛ⁻¹n), and is never larger. For a moment: the sides do not turn about the axes across â.
+/// nᵀΛn. m̄ itself is the *sliding* mass, 1/(nᵀΛ⁻¹n), and is never larger. For a moment: without relative rotation about the axes
+/// perpendicular to â.
 ///
 /// # Errors
 /// [`ReflectedError`]: a mass matrix that is not positive semi-definite.
@@ -100,7 +101,8 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
 /// A contact point that can slide has the mass 1/(nᵀΛ⁻¹n), one that cannot slide nᵀΛn, with Λ⁻¹ = 1/m − `[r]× I⁻¹ [r]×`; m and I are the
 /// mass and the central inertia of the body, r points from its centre of mass to the contact point. Links that fixed joints connect to a
 /// fixed base are not part of the body. Rotors are ignored. Immovable for a contact between two moving links, and for a contact link that
-/// does not move. For a moment: inertias about â, without and with rotations about the axes across it. Source: Wang, Dehio and Kheddar 2022.
+/// does not move. For a moment: inertias about â; the first permits rotations about the axes perpendicular to â, the second does not.
+/// Source: Wang, Dehio and Kheddar 2022.
 ///
 /// # Errors
 /// [`ReflectedError`]: inertias that are not positive semi-definite.

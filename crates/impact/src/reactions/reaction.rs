@@ -47,7 +47,7 @@ pub struct Reaction {
 }
 
 impl Reaction {
-    /// No reaction.
+    /// Zero reaction.
     pub(crate) fn zero() -> Self {
         let none = [Component::Determinate(0.0); 3];
         Self { frame: Transform::identity(), force: none, moment: none, loops: Vec::new() }
@@ -119,7 +119,7 @@ pub struct Reactions {
 }
 
 impl Reactions {
-    /// No reactions, without memory.
+    /// Empty reactions, without allocated memory.
     pub(crate) fn none() -> Self {
         Self { ground: None, joints: Vec::new(), closures: Vec::new(), holds: Vec::new(), residual: 0.0 }
     }

@@ -38,7 +38,7 @@ pub struct ReactionMap {
     /// For each coordinate: true if a group constrains it.
     bound: Vec<bool>,
     groups: Vec<GroupRows>,
-    /// Number of the first row of each group among the rows of all groups.
+    /// Index of the first row of each group among the rows of all groups.
     first_rows: Vec<usize>,
     /// For each link: groups whose rows load its parent joint, with the wrench on the link at each unit multiplier, in
     /// the link's axes at its origin.
@@ -71,18 +71,18 @@ struct ConstraintLayout {
     layout: ReactionLayout,
 }
 
-/// Memory for the reactions to one load.
+/// Reusable buffers for the reactions to one load.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ReactionBuffers {
     /// Changes of the velocities, or accelerations, of all joints.
     pub change: Vec<f64>,
-    /// Wrenches of the parent joints of all links: first without the constraints of loops and holds, then complete.
+    /// Wrenches of the parent joints of all links: first without the constraints of loops and holds, then with them.
     pub loads: Vec<Wrench<f64>>,
     twists: Vec<Twist<f64>>,
     forces: Vec<f64>,
-    /// Multipliers of all groups one after another.
+    /// Multipliers of all groups, concatenated.
     multipliers: Vec<f64>,
-    /// Memory of the triangular solution.
+    /// Scratch of the triangular solution.
     solution: Vec<f64>,
 }
 
@@ -152,8 +152,8 @@ impl ReactionMap {
         Ok(reactions)
     }
 
-    /// Reactions as by [`reactions`](Self::reactions), in `reactions`, whose memory is reused. `mass`: m̄ of the contact; `star`, `base`: v*
-    /// of all joints, and of the root (root axes, root origin).
+    /// As [`reactions`](Self::reactions), but writes to `reactions` and reuses its memory. `mass`: m̄ of the contact; `star`, `base`:
+    /// v* of all joints, and of the root (root axes, root origin).
     #[expect(clippy::too_many_arguments, reason = "a motion, a scale, and the memory for the results")]
     pub(crate) fn reactions_of_motion(
         &self,
@@ -178,8 +178,8 @@ impl ReactionMap {
         Ok(())
     }
 
-    /// Reactions with the multipliers that balance the loads in `buffers` ([`TreeFrames::impulse_loads`], [`TreeFrames::motion_loads`]) with
-    /// the changes or accelerations there, times `scale`. Overwrites `reactions` and reuses its memory.
+    /// Reactions to `buffers.loads` ([`TreeFrames::impulse_loads`], [`TreeFrames::motion_loads`]) and `buffers.change`, times `scale`, with
+    /// the multipliers that balance them. Overwrites `reactions` and reuses its memory.
     pub(crate) fn reactions_to_loads(
         &self,
         scale: f64,
@@ -245,8 +245,8 @@ impl ReactionMap {
         reactions.residual = residual;
     }
 
-    /// Forces (N) and moments (N·m) as by [`reactions_to_loads`](Self::reactions_to_loads) in a motion: contact force `force`, rates and
-    /// accelerations of the coordinates, and `gravity` (m/s², root axes).
+    /// Reactions in a motion: forces (N) and moments (N·m), as by [`reactions_to_loads`](Self::reactions_to_loads). `force`: contact force;
+    /// then rates and accelerations of the coordinates; `gravity`: m/s², root axes.
     #[expect(clippy::too_many_arguments, reason = "a motion, and the memory for the results")]
     pub(crate) fn reactions_in_motion(
         &self,
@@ -268,7 +268,7 @@ impl ReactionMap {
         self.reactions_to_loads(1.0, buffers, reactions);
     }
 
-    /// Sets the forces of springs and dampers at `pose`, with the rates of the coordinates.
+    /// Sets the forces of springs and dampers at `pose` and at the rates of the coordinates.
     pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], rates: &[f64]) {
         let mut velocities = Vec::new();
         self.tree.joint_velocities(rates, &mut velocities);

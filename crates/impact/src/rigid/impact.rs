@@ -42,7 +42,7 @@ pub struct RigidImpact {
 }
 
 impl RigidImpact {
-    /// No impact, without memory: for [`ImpactsAtPose::impact_into`](crate::ImpactsAtPose::impact_into).
+    /// Empty impact, without allocated memory, as the output of [`ImpactsAtPose::impact_into`](crate::ImpactsAtPose::impact_into).
     pub fn none() -> Self {
         let at_rest = JointRates { joints: Vec::new(), base: Twist::zero() };
         Self {

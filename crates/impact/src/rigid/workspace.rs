@@ -58,8 +58,8 @@ impl ImpactsAtPose<'_> {
         Ok(impact)
     }
 
-    /// Impact as by [`impact`](Self::impact), in `impact`, whose memory is reused: without allocations, except for joints that a motion
-    /// without mass moves, and for open components.
+    /// As [`impact`](Self::impact), but writes to `impact` and reuses its memory. After the first call it allocates only in the dense
+    /// route, if a massless motion leaves rates undetermined, and for the loops of indeterminate reactions.
     ///
     /// # Errors
     /// As for [`impact`](Self::impact); the contents of `impact` are then undefined.

@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector};
 /// Law of several simultaneous contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SimultaneousLaw {
-    /// Newton: u⁺ ≥ −e u⁻ ⊥ P ≥ 0 for a contact that closes, u⁺ ≥ 0 ⊥ P ≥ 0 for one that opens or rests. (Moreau's form has −e u⁻ for
-    /// all contacts: the sides of a contact that opens could then move into each other.)
+    /// Newton: 0 ≤ u⁺ + e min(u⁻, 0) ⊥ P ≥ 0. Deviation from Moreau, whose form has e u⁻ in place of e min(u⁻, 0): the sides of a contact
+    /// that opens before the impact could then move into each other.
     Newton,
     /// Poisson (Glocker and Pfeiffer 1995): compression u ≥ 0 ⊥ P_c ≥ 0, then expansion u⁺ ≥ 0 ⊥ P_e − e P_c ≥ 0.
     Poisson,

@@ -48,7 +48,7 @@ pub struct TimeConditions {
     pub ends_without_force: bool,
     /// Springs and dampers of joints.
     pub springs: Vec<JointSpring>,
-    /// Number of further samples within each step of the integration, for curves and for maxima between the steps.
+    /// Number of additional samples within each step of the integration, for smooth curves and for maxima between the steps.
     pub samples_within_steps: usize,
 }
 
@@ -360,7 +360,7 @@ impl<'a> Motion<'a> {
             let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
             let dense = |h: f64| integrator.state_before(&y, h);
             let states: &dyn Fn(f64) -> Vec<f64> = if integrator.is_dense() { &dense } else { &single };
-            // The penetration can have several maxima: a linkage may swing back towards the contact before the sides separate.
+            // The penetration can have several maxima: the contact link can approach again before the sides separate.
             if closing > 0.0 && then.closing <= 0.0 {
                 let turn = self.turning_point(&y, taken, states).ok_or_else(lost)?;
                 deepest = deeper(deepest, Some(turn));
@@ -528,8 +528,8 @@ impl Sampler {
         });
     }
 
-    /// Adds the samples within a step of the scaled length `h` that begins at the scaled time `time`. `states`: state at a distance from
-    /// the beginning.
+    /// Adds the samples within a step that starts at the scaled time `time` and has the scaled duration `h`. `states`: state at a scaled
+    /// time after the start of the step.
     fn add_within(&mut self, motion: &Motion, time: f64, h: f64, states: &dyn Fn(f64) -> Vec<f64>) {
         let count = motion.conditions.samples_within_steps;
         if count == 0 {

@@ -1,4 +1,4 @@
-//! Forces in joints and loops that a motion alone causes.
+//! Forces in joints and loops that are caused by a motion alone.
 
 use crate::motion::joint_rates::JointRates;
 use crate::reactions::reaction::Reactions;
@@ -7,10 +7,10 @@ use crate::time::equations::MotionEquations;
 use nalgebra::Vector3;
 use percuss_dynamics::{LocatedContact, Pose};
 
-/// Forces (N) and moments (N·m) in all joints and loops of a mechanism that moves with the rates `rates`, without forces from outside: the
-/// forces of the terms that are quadratic in the rates (centrifugal, Coriolis and gyroscopic). `None` if the rates do not fit the pose.
+/// Forces (N) and moments (N·m) in all joints and loops of a mechanism that moves with the rates `rates` without external forces. They are
+/// quadratic in the rates (centrifugal, Coriolis and gyroscopic forces). `None` if the rates violate the constraints at the pose.
 ///
-/// M u̇ + h = Aᵀλ with A u̇ = −Ȧ u. `contact`: any contact at the pose; no force acts there.
+/// M u̇ + h = Aᵀλ with A u̇ = −Ȧ u. `contact`: any contact at the pose; no force acts at it.
 pub fn forces_of_motion(pose: &Pose, contact: &LocatedContact, rates: &JointRates) -> Option<Reactions> {
     let (u, gravity) = (rates.coordinates(pose), Vector3::zeros());
     let change = MotionEquations::new(pose, Vec::new()).accelerations(pose, contact, &u, 0.0, &gravity)?;

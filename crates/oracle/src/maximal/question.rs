@@ -39,7 +39,7 @@ pub struct Question<'a> {
     pub point: Vector3<f64>,
     /// Unit normal pointing out of the contact link, in the root link's axes.
     pub normal: Vector3<f64>,
-    /// True for a moment about the axis `normal` in place of a force at the point: j = n·(ω_on − ω_against), m̄ in kg·m².
+    /// True for a moment about the axis `normal` instead of a force at the point: j q̇ = n·(ω_on − ω_against), m̄ in kg·m².
     pub is_moment: bool,
     /// Ratio to the largest singular value up to which a constraint counts as dependent. `None`: the larger of
     /// 1e-10 and 10 δ / size, with the loop [`residual`](super::residual) δ and the characteristic length.

@@ -180,7 +180,7 @@ class Contact:
     normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
     with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
     cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
-    Contact.about_axis is a moment about an axis."""
+    Contact.about_axis creates a contact by a moment about an axis."""
     def __new__(
         cls,
         link: str,
@@ -224,8 +224,8 @@ class Contact:
     def about_axis(
         link: str, axis: ArrayLike, *, against: str | None = None, axis_frame: _NormalFrame = "link"
     ) -> Contact:
-        """Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m², speeds rad/s,
-        impulses N·m·s, forces N·m.
+        """Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m²; the units of
+        speeds, impulses and forces are rad/s, N·m·s and N·m.
 
         axis: (3,), its length does not matter. axis_frame: "link", "world" or "against"."""
     def __eq__(self, other: object, /) -> bool: ...
@@ -281,8 +281,9 @@ class Model:
     ) -> Model:
         """Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
         centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
-        about the centre of mass stay as they are. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²
-        along the axes of the link's frame; the products of inertia stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes."""
+        about the centre of mass are unchanged. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²,
+        about the axes of the link's frame; the products of inertia are unchanged. move: hardpoint of a sheet to displacement,
+        (3,) m, sheet's axes."""
     def to_urdf(self) -> str:
         """The mechanism as URDF."""
     def to_mjcf(self) -> str:
@@ -547,7 +548,7 @@ class Response:
     """m̄ at a contact of a pose, and the quantities derived from it."""
     @property
     def effective_mass(self) -> float | None:
-        """m̄ in unit; None unless finite."""
+        """m̄ in the unit given by unit; None unless finite."""
     @property
     def unit(self) -> str:
         """Unit of the effective mass and its errors: "kg", or "kg·m²" for a moment about an axis."""

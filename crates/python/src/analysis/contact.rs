@@ -17,7 +17,7 @@ use pyo3::types::PyAny;
 /// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
 /// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
 /// cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
-/// Contact.about_axis is a moment about an axis.
+/// Contact.about_axis creates a contact by a moment about an axis.
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
@@ -117,8 +117,8 @@ impl Contact {
     /// about_axis(link, axis, *, against=None, axis_frame="link")
     /// --
     ///
-    /// Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m², speeds rad/s,
-    /// impulses N·m·s, forces N·m.
+    /// Contact by a moment about an axis (a couple), such as a rotational stop: effective masses are inertias in kg·m²; the units of
+    /// speeds, impulses and forces are rad/s, N·m·s and N·m.
     ///
     /// axis: (3,), its length does not matter. axis_frame: "link", "world" or "against".
     #[staticmethod]

@@ -129,8 +129,9 @@ impl Model {
 
     /// Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
     /// centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
-    /// about the centre of mass stay as they are. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²
-    /// along the axes of the link's frame; the products of inertia stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes.
+    /// about the centre of mass are unchanged. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²,
+    /// about the axes of the link's frame; the products of inertia are unchanged. move: hardpoint of a sheet to displacement,
+    /// (3,) m, sheet's axes.
     #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), link_inertia=BTreeMap::new(), r#move=BTreeMap::new()))]
     fn changed(
         &self,

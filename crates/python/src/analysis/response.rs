@@ -77,7 +77,7 @@ pub fn remark(remark: &Remark) -> String {
 
 #[pymethods]
 impl Response {
-    /// m̄ in unit; None unless finite.
+    /// m̄ in the unit given by unit; None unless finite.
     #[getter]
     fn effective_mass(&self) -> Option<f64> {
         value(self.response.effective_mass)

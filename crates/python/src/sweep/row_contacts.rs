@@ -77,7 +77,7 @@ impl RowContacts {
             let refused = points.is_some() || normals.is_some();
             return match refused {
                 true => Err(input(
-                    "points and normals need a contact with a normal, and this one has toward or is a moment",
+                    "points and normals need a contact with a normal; this contact has toward, or is a moment",
                 )),
                 false => Ok(None),
             };

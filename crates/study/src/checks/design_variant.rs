@@ -11,7 +11,7 @@ use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Relative rounding of moments of inertia in files: six digits are usual.
+/// Tolerance for the rounding of moments of inertia in files, relative: six digits are usual.
 const MOMENT_ROUNDING: f64 = 1e-5;
 
 /// Error of a design variant.
@@ -165,8 +165,8 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
     Ok(built.mechanism)
 }
 
-/// True for moments about three perpendicular axes that a body can have: each is at most the sum of the other two. A thin plate reaches
-/// the limit, so that rounding of the sum is permitted.
+/// True if a body can have these moments of inertia about three perpendicular axes: each is at most the sum of the other two. For a thin
+/// plate one equals this sum, so a rounding error is permitted.
 fn are_moments_of_a_body(moments: &[f64; 3]) -> bool {
     let sum: f64 = moments.iter().sum();
     moments.iter().all(|moment| *moment >= 0.0 && 2.0 * moment <= sum * (1.0 + MOMENT_ROUNDING))

@@ -92,7 +92,7 @@ pub(crate) fn damping_report(
         options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
     let is_moment = answer.response.contact.is_moment;
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(evaluated.contact.link));
-    // A mass cannot replace an inertia.
+    // The mass of the link alone is not comparable with an inertia.
     let alone = alone.filter(|mass| *mass > 0.0 && !is_moment);
     let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();

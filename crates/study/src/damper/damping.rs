@@ -99,15 +99,15 @@ pub struct DampingReport {
     pub percuss: &'static str,
     /// Input files; empty if the mass is given directly.
     pub inputs: Vec<Input>,
-    /// m̄ in `unit`.
+    /// m̄ in the unit of `unit`.
     pub effective_mass: f64,
     /// Unit of the effective mass: `kg`, or `kg·m²` for a moment.
     pub unit: &'static str,
-    /// True for a moment about an axis, and for the stop of a joint that turns: lengths are angles (rad), forces are moments (N·m).
+    /// True for a moment about an axis, and for the stop of a revolute joint: lengths are angles (rad), forces are moments (N·m).
     pub is_moment: bool,
     /// Named contact; null for a contact given by link, point and normal, and for a joint stop.
     pub named_contact: Option<NamedContactRecord>,
-    /// Joint stop. Null for a contact between bodies.
+    /// Joint stop; null for other contacts.
     pub stop: Option<StopRecord>,
     /// Damper and impact.
     #[serde(flatten)]
@@ -226,7 +226,7 @@ pub(crate) fn exports(
     };
     let mut exports = BTreeMap::new();
     for tool in &question.tools {
-        // The stop of a joint is a moment that simulators have.
+        // Simulators support the stop of a joint, although it is a moment.
         let export = match is_moment && options.stop.is_none() {
             true => Err(ExportError::Moment { tool: *tool }),
             false => tool.export(&request),

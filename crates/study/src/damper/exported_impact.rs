@@ -92,8 +92,8 @@ pub struct ExportedImpact {
     pub error_bound: Option<f64>,
 }
 
-/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s. A contact in the form `JOINT:lower` or
-/// `JOINT:upper` is the stop of the joint, as in [`export_stop`].
+/// Writes the impact of a question as MJCF. Without a speed in `damping`, the closing speed is 10 mm/s. A contact `JOINT:lower` or
+/// `JOINT:upper` is exported as the stop of the joint, as by [`export_stop`].
 ///
 /// # Errors
 /// [`ImpactExportError`]: an invalid question, a contact without a finite mass, a condition or a mechanism without a form in MJCF.

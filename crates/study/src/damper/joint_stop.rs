@@ -52,7 +52,7 @@ impl FromStr for JointStop {
 }
 
 impl JointStop {
-    /// Stop that the text of `at` describes, with the question without it; `None` for another contact.
+    /// Stop of a joint given in `at`, and the question without `at`; `None` for another contact.
     pub(crate) fn of_question(
         question: &MassQuestion,
         mechanism: &Mechanism,

@@ -35,7 +35,7 @@ impl Status {
     }
 }
 
-/// Unit of the effective mass of a contact; `is_moment`: a moment about an axis, with an inertia.
+/// Unit of the effective mass of a contact. `is_moment`: the contact is a moment about an axis, and the effective mass is an inertia.
 pub(crate) fn mass_unit(is_moment: bool) -> &'static str {
     if is_moment { "kg·m²" } else { "kg" }
 }

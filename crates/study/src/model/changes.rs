@@ -7,8 +7,8 @@ pub struct Changes {
     pub link_mass: Vec<(String, f64)>,
     /// Centres of mass of links, m, in the link's frame; moments about the centre of mass stay the same.
     pub link_com: Vec<(String, [f64; 3])>,
-    /// Moments of inertia of links about the centre of mass along the axes of the link frame, kg·m²; products of inertia stay the
-    /// same. Applied after the masses.
+    /// Moments of inertia of links about the centre of mass and the axes of the link frame, kg·m²; products of inertia are unchanged.
+    /// Applied after the masses.
     pub link_inertia: Vec<(String, [f64; 3])>,
     /// Displacements of hardpoints of a suspension's sheet, m, in the sheet's axes.
     pub moves: Vec<(String, [f64; 3])>,

@@ -30,7 +30,7 @@ impl Input {
         Self { path: source.file().to_owned(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
-    /// Input of a file of a store; `None` if the file is unreadable.
+    /// Input for a file in a store; `None` if the file is unreadable.
     pub(crate) fn from_file(files: &dyn FileStore, path: &Path) -> Option<Self> {
         let mut digest = Sha256::new();
         let OpenFile { mut reader, .. } = files.open(path).ok()?;

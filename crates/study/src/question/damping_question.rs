@@ -102,7 +102,7 @@ pub fn check_units(
     )
 }
 
-/// As [`check_units`], for the fields and the dimensions of the stiffness and the speed as given; `None` for plain numbers.
+/// As [`check_units`], with the fields of the stiffness and the speed, and the dimensions of their given units; `None` for plain numbers.
 pub(crate) fn check_dimensions(
     exponent: f64,
     stiffness: (Field, Option<Dimension>),

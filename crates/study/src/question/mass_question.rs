@@ -33,7 +33,7 @@ pub enum Normal {
 }
 
 impl Normal {
-    /// Normal with names in place of links, and the frame of a normal or an axis that is a vector.
+    /// Normal with the names of links, and its frame if it is a vector (normal or axis).
     pub fn of_direction(direction: Direction, name: impl Fn(LinkId) -> String) -> (Self, Frame) {
         match direction {
             Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),

@@ -29,14 +29,14 @@ pub(crate) fn stop_motion(joint: &Joint) -> Option<StopMotion> {
     }
 }
 
-/// Error of a text `JOINT:END` with a misspelled end; `None` for other texts. The colon of a misspelled end is followed by a short word;
-/// names of joints may contain colons.
+/// Error message for a text `JOINT:END` with a misspelled end; `None` for other texts. Names of joints may contain colons, so only words
+/// that are similar to an end count as misspelled.
 pub(crate) fn misspelled_end(text: &str) -> Option<String> {
     let (joint, word) = text.rsplit_once(':')?;
     let near = near_names(word, ["lower", "upper"]).concat();
     (!near.is_empty()).then(|| {
         format!(
-            "\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper"
+            "\"{word}\" is not an end of the joint range; did you mean {joint}:{near}? The ends are lower and upper"
         )
     })
 }
@@ -91,7 +91,9 @@ impl std::str::FromStr for FurtherContact {
         let read = |text: &str| {
             let hold: Result<Hold, String> = text.parse();
             hold.map_err(|error| {
-                format!("the name of a contact is expected, the stop JOINT:lower or JOINT:upper, or: {error}")
+                format!(
+                    "expected the name of a contact, the stop JOINT:lower or JOINT:upper, or a point: {error}"
+                )
             })
         };
         if let Some((first, second)) = text.split_once('=') {
@@ -137,13 +139,13 @@ impl MassQuestion {
         Some((id, stop_motion(mechanism.joint(id))?))
     }
 
-    /// True if the contact is a moment about an axis, or the stop of a joint that turns: m̄ in kg·m², speeds in rad/s.
+    /// True for a moment about an axis, and for the stop of a revolute joint: m̄ in kg·m², speeds in rad/s.
     pub fn is_moment(&self, mechanism: &Mechanism) -> bool {
         let is_stop = || self.stop_of_joint(mechanism).is_some_and(|(_, motion)| motion == StopMotion::Turn);
         matches!(self.normal, Normal::About(_)) || is_stop()
     }
 
-    /// Refuses a result about the contact point if the resolved contact is a moment.
+    /// Refuses a result that requires a contact point if the resolved contact is a moment.
     pub(crate) fn refuse_moment(&self, result: &'static str) -> Result<(), StudyError> {
         if !matches!(self.normal, Normal::About(_)) {
             return Ok(());

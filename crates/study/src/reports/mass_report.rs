@@ -55,7 +55,8 @@ pub struct ContactRecord {
     pub point_link: [f64; 3],
     /// Unit normal out of the contact link, link's axes; the unit axis of a moment.
     pub normal_link: [f64; 3],
-    /// True for a moment about an axis: masses in kg·m², speeds in rad/s, impulses in N·m·s, forces in N·m.
+    /// True for a moment about an axis, and for the stop of a revolute joint: masses in kg·m², speeds in rad/s, impulses in N·m·s,
+    /// forces in N·m.
     pub is_moment: bool,
 }
 
@@ -150,9 +151,9 @@ pub struct MassReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// m̄ in `unit`; null unless finite.
+    /// m̄ in the unit of `unit`; null unless finite.
     pub effective_mass: Option<f64>,
-    /// Unit of all effective masses: `kg`; `kg·m²` for a moment about an axis, and for the stop of a joint that turns.
+    /// Unit of all effective masses: `kg`; `kg·m²` for a moment about an axis, and for the stop of a revolute joint.
     pub unit: &'static str,
     /// Kind of result.
     pub status: Status,

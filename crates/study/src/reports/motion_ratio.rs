@@ -26,8 +26,8 @@ pub struct MotionRatioRecord {
     pub point: [f64; 3],
     /// Direction of the speed, a unit vector in world axes.
     pub direction: [f64; 3],
-    /// Closing speed of the contact per speed of the point along the direction (rad/m for a moment); negative if the contact closes while the point
-    /// moves against the direction. Null if the point does not move.
+    /// Closing speed of the contact per speed of the point along the direction (rad/m for a moment); negative if the contact closes while
+    /// the point moves against the direction. Null if the point does not move.
     pub contact_per_wheel: Option<f64>,
     /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
     pub one_travel: bool,
@@ -113,7 +113,7 @@ fn ratio(
         along(pose, velocity, normal_world)
     });
     let one_travel = match response.contact.is_moment {
-        // The velocity of a contact point says nothing about a moment.
+        // A moment has no contact point whose velocity could be compared.
         true => pose.degrees_of_freedom() == 1,
         false => own_ratio.is_some_and(|own| (speed_of_point * own - 1.0).abs() <= INVERSE_RATIO_TOLERANCE),
     };

@@ -310,7 +310,7 @@ impl StudyReader<'_> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
         let refused = |refusal| self.invalid_key_error(refusal);
-        // The text was parsed before, with all its tables.
+        // Parsing cannot fail here: the same text has been parsed before.
         let panels = toml::from_slice(&source.bytes).unwrap_or_default();
         if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));

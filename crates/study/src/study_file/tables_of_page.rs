@@ -21,7 +21,7 @@ pub struct StudyTables {
     pub conditions: ConditionsTable,
     /// Held points.
     pub hold: Vec<Hold>,
-    /// Tables `damping`, `impact` and `safe_speed` as the file has them; null if absent.
+    /// Tables `damping`, `impact` and `safe_speed` as in the file; null if absent.
     pub panels: PanelTables,
     /// Quantity that the first range of the sweep varies.
     pub varied: Option<String>,
@@ -33,7 +33,7 @@ pub struct StudyTables {
     pub closures: usize,
 }
 
-/// Tables of a study for the further results of a page.
+/// Tables of a study with the initial values of the panels of a page.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct PanelTables {
     /// Damper.

@@ -33,7 +33,7 @@ pub(crate) struct VariantText {
     #[serde(default, deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
-    /// Moments of inertia by link about its centre of mass, kg·m².
+    /// Moments of inertia of links about their centres of mass, kg·m².
     #[serde(default, deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Moments>")]
     pub link_inertia: Vec<(String, Moments)>,

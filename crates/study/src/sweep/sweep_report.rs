@@ -39,7 +39,7 @@ pub struct SweepHeading {
     pub seed: Option<u64>,
     /// Contact link.
     pub link: String,
-    /// Unit of all effective masses: `kg`; `kg·m²` for a moment about an axis, and for the stop of a joint that turns.
+    /// Unit of all effective masses: `kg`; `kg·m²` for a moment about an axis, and for the stop of a revolute joint.
     pub unit: &'static str,
     /// Named contact, for the title of a figure.
     #[serde(skip)]

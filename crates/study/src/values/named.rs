@@ -44,7 +44,7 @@ pub fn link_com(text: &str) -> Result<(String, Point), String> {
     named(text, "LINK=X,Y,Z, such as upright=0,20mm,0")
 }
 
-/// `LINK=IXX,IYY,IZZ` of a flag.
+/// `LINK=IXX,IYY,IZZ` of a flag: link and moments of inertia.
 pub fn link_inertia(text: &str) -> Result<(String, Moments), String> {
     named(text, "LINK=IXX,IYY,IZZ, such as upright=0.04,0.03,0.02")
 }

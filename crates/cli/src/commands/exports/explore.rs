@@ -9,7 +9,7 @@ use crate::terminal::wrap::fact_line;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_render::MADE_BY;
 use percuss_study::{
     Model, ModelTable, Names, PoseTable, QuestionTables, SceneShapes, StudyFile, StudyTables, mass,
@@ -24,13 +24,13 @@ use std::process::{Command, Stdio};
 const NOT_BUILT: &str = "this build of percuss has no explorer: run crates/explorer/build.sh engine and build with \
     `cargo build --release --features explorer`, or take a package, which has everything";
 
-/// First bytes of a workbook, which is a ZIP archive.
+/// First bytes of a workbook (a ZIP archive).
 const WORKBOOK: &[u8] = b"PK\x03\x04";
 
-/// Largest size of the further files of a model in a page, bytes.
+/// Largest total size of the further files of a model in a page, bytes.
 const LARGEST_FILES: u64 = 16 << 20;
 
-/// Largest size of the shapes in a page, bytes of base64: about 900,000 triangles. Browsers keep the text of a page in memory twice.
+/// Largest total size of the shapes in a page, bytes of base64: about 900,000 triangles. Browsers store the text of a page in memory twice.
 const LARGEST_SHAPES: usize = 40 << 20;
 
 /// Question at first sight, from flags or from a study.
@@ -154,18 +154,19 @@ fn check_question(tables: &StudyTables, model: &Model) -> Result<(), Failure> {
     }
 }
 
-/// Files that a model reads besides its own, in base64 by path: included files, meshes of inertias, the table of a sheet.
+/// Files that a model reads in addition to the model file, in base64 by path: included files, meshes of inertias, the table of a sheet.
 fn further_files(model: &Model) -> Result<BTreeMap<String, String>, Failure> {
     let mut files = BTreeMap::new();
     let mut left = LARGEST_FILES;
     for input in model.inputs.iter().skip(1) {
         let path = &*input.path;
-        let too_large = |_| {
-            Failure::bad_input(format!(
-                "{path}: the files that the model reads are larger than {} MB together, the limit of a page; give the bodies an \
-                 <inertial> in place of large meshes",
+        let too_large = |error: LoadError| match &error.diagnostics[..] {
+            [found] if found.code == "too-large-file" => Failure::bad_input(format!(
+                "{path}: the files that the model reads have more than {} MB in total, the limit of a page; give the bodies an \
+                 <inertial> element, so that their inertias need no meshes",
                 LARGEST_FILES >> 20
-            ))
+            )),
+            _ => Failure::from(error),
         };
         let Source { bytes, .. } = Source::read(path, left).map_err(too_large)?;
         if bytes.starts_with(WORKBOOK) {
@@ -184,7 +185,7 @@ fn path_in_page(path: &str) -> String {
     if cfg!(windows) { path.replace('\\', "/") } else { path.to_owned() }
 }
 
-/// Triangles of each link; null for a link without shapes. Reports the shapes that are left out.
+/// Triangles of each link; `None` for a link without shapes. Reports the omitted shapes.
 fn shapes(model: &Model, strict: bool) -> Result<Vec<Option<String>>, Failure> {
     let SceneShapes { mut links, diagnostics } = scene_shapes(model);
     write_diagnostics(&diagnostics, strict)?;
@@ -193,7 +194,7 @@ fn shapes(model: &Model, strict: bool) -> Result<Vec<Option<String>>, Failure> {
         let size = shape.as_ref().map_or(0, String::len);
         if size > left {
             note(&format!(
-                "link \"{}\" is drawn without its shape of {} MB: the page contains shapes of at most {} MB",
+                "link \"{}\" is drawn without its shape of {} MB: the limit for all shapes of a page is {} MB",
                 link.name(),
                 size >> 20,
                 LARGEST_SHAPES >> 20

@@ -49,7 +49,7 @@ fn text(report: &ExtremesReport) -> String {
     format!("{facts}\n{}", wrap_lines(note(report)))
 }
 
-/// What the search does not show.
+/// Limits of the search.
 pub fn note(report: &ExtremesReport) -> &'static str {
     match report.path {
         Some(_) => {
@@ -62,7 +62,7 @@ pub fn note(report: &ExtremesReport) -> &'static str {
     }
 }
 
-/// Extremes, with their places and the searched positions.
+/// Extremes with their positions, and the ranges of the search.
 pub fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {

@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
 const SHOWN_FORCE: f64 = 1e-3;
-/// Relative change of m̄ above which a percentage says nothing.
+/// Largest relative change of m̄ that is shown as a percentage: a larger one indicates a pose near an immovable contact.
 const LARGEST_PERCENTAGE: f64 = 100.0;
 /// Most bearings in the figure: more lines cannot be told apart.
 const MOST_SHOWN: usize = 5;
@@ -31,7 +31,7 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let Some(found) = &report.in_time else { return Vec::new() };
     let change = found.mass_change.map_or_else(String::new, |change| match change {
         change if change > LARGEST_PERCENTAGE => {
-            "; the mechanism comes close to a pose at which the contact is immovable".to_owned()
+            "; the mechanism approaches a pose at which the contact is immovable".to_owned()
         }
         change => format!("; the effective mass changes by {:+.2} % over it", 100.0 * change),
     });
@@ -195,7 +195,7 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         subtitle: law,
         x_label: "time (ms)".into(),
         panels: vec![
-            // The force of a moment is in N·m, those of the bearings in N.
+            // For a moment, the contact has a moment in N·m; the bearings have forces in N.
             panel(if is_moment { "moment (N·m), forces (N)" } else { "force (N)" }, forces),
             panel(&format!("penetration ({small_length})"), vec![depth]),
             panel(&format!("m̄ ({mass_unit})"), vec![mass]),

@@ -14,7 +14,7 @@ use percuss_study::{
     ReflectedRecord, Status, impact,
 };
 
-/// Part of the peak force of a bearing up to which the forces of the motion before the impact are not mentioned.
+/// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
 const SMALL_MOTION_FORCE: f64 = 0.01;
 
 /// Runs the command.
@@ -173,7 +173,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let motion = report.contact_law.iter().flat_map(|law| &law.motion_force);
     facts.extend(motion.filter(|motion| motion.ratio > SMALL_MOTION_FORCE).map(|motion| {
         let text = format!(
-            "the velocities before the impact alone load {} with {} N; the peak forces of the bearings do not include this, --in-time does",
+            "the velocities before the impact alone load {} with {} N; the peak forces of the bearings exclude it, --in-time includes it",
             in_time::place_name(motion.place, &motion.name),
             short_number(motion.force)
         );
@@ -294,12 +294,12 @@ pub fn mass_table(report: &ImpactReport) -> Table<3> {
     table
 }
 
-/// Explanation of the last row of the masses, if it is the smallest.
+/// Explanation of the last row of the masses, if it is smaller than the second row.
 pub fn mass_note(report: &ImpactReport) -> &'static str {
     let [_, coupled, locked] = &report.mass_states[..] else { return "" };
     let sliding = coupled.sliding.zip(locked.sliding);
     if sliding.is_some_and(|(coupled, locked)| locked < coupled) {
-        "The body of the last row has no bearings on the ground, which make the mechanism heavier here.\n"
+        "The body of the last row has no bearings on the ground; here these bearings increase the effective mass of the mechanism.\n"
     } else {
         ""
     }
@@ -363,8 +363,8 @@ fn armature(range: &ReflectedRangeRecord) -> String {
     let unit = range.unit;
     let state = if range.held.iter().any(Option::is_some) { "with the other drivers held" } else { "free" };
     format!(
-        "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It contains the inertia of the \
-         links: for a simulator that has the links themselves, only the part that its model lacks is an armature",
+        "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It includes the inertia \
+         of the links: in a simulator whose model contains the links, set only the missing part as armature",
         range.joint,
         number(least),
         number(most),
@@ -424,8 +424,8 @@ pub fn reaction_table(report: &ImpactReport) -> Table<4> {
     table
 }
 
-/// Sizes of the impulses (N·s) and their moments (N·m·s): the largest of the reactions and of the contact. Moments are compared with the
-/// impulses at the characteristic length.
+/// Largest impulse (N·s) and moment impulse (N·m·s) of the reactions and of the contact. `force`, `moment`: largest of the reactions.
+/// An impulse and a moment impulse are converted into each other by the characteristic length.
 pub fn largest_impulses(report: &ImpactReport, force: f64, moment: f64) -> (f64, f64) {
     let size = report.mass.characteristic_length;
     let impulse = if report.mass.contact.is_moment { report.impulse / size } else { report.impulse };

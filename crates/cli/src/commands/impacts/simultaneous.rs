@@ -45,7 +45,7 @@ pub fn contact_table(several: &SimultaneousRecord) -> Table<4> {
                 Some(format!("{} along {}", short_number((*mass)?), short(direction)))
             })
             .collect();
-        // With a moment among the contacts, each value has its own unit.
+        // If one of the contacts is a moment, each value is followed by its unit.
         let ContactUnits { mass, speed, .. } = ContactUnits::new(contact.is_moment);
         let with = |unit: &str| if has_moment { format!(" {unit}") } else { String::new() };
         table.row([
@@ -118,7 +118,7 @@ pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
     for law in &several.laws {
         let list = |values: Vec<String>| values.join(", ");
         let created = if law.creates_energy { " (creates energy: not valid)" } else { "" };
-        // The exchanged energy, for the rounding of the loss.
+        // Scale of the energies, for rounding the loss.
         let energy = speed * law.impulses.iter().flatten().fold(0.0, |sum: f64, p| sum + p.abs());
         let Some(loss) = law.energy_loss else {
             let why = law.refusal.clone().unwrap_or_default();

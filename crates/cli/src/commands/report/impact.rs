@@ -18,7 +18,7 @@ const DRAWN_IMPULSE: f64 = 1e-3;
 const LEGEND: &str = "Impulses of the impact. The red arrow p is the impulse on the contact link, the blue arrows are the impulses that \
     the bearings exert on the second of their links, as in the tables below. All arrows have the same scale.";
 
-/// Explanation of the picture for a moment about an axis.
+/// Caption of the drawing for a moment about an axis.
 const LEGEND_OF_MOMENT: &str = "Impulses of the impact. The arrows are the impulses that the bearings exert on the second of their links, as in \
     the tables below. The contact is a moment about an axis and has no arrow.";
 
@@ -111,7 +111,7 @@ fn add_simultaneous(report: &ImpactReport, mechanism: &DrawnMechanism, page: &mu
     }
 }
 
-/// False for the stop of a joint and for a moment.
+/// True if a contact has a contact point: not for the stop of a joint or a moment.
 fn has_point(contact: &TouchingRecord) -> bool {
     !contact.is_joint_stop && !contact.is_moment
 }

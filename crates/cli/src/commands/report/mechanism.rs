@@ -27,9 +27,9 @@ pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
     if let Some(report) = report {
         caption += match report.contact.is_moment {
             true => {
-                " The contact is a moment about an axis: n is the axis, the red dot the origin of the contact link."
+                " The contact is a moment about an axis: n is the axis, and the red dot is the origin of the contact link."
             }
-            false => " The red dot is the contact point, n its normal.",
+            false => " The red dot is the contact point, and n is its normal.",
         };
         caption += " Blue arrows are the velocities of the centres of mass while the contact closes; the longest is drawn as long as n.";
     }

@@ -48,7 +48,8 @@ fn bar(name: String, effect: f64) -> TornadoBar {
     TornadoBar { name, effect, value: effect_text(effect) }
 }
 
-/// Tornado chart of the largest effects, with the number of the others in the caption. `change`, `unit`: change of a number, and unit of m̄.
+/// Tornado chart of the largest effects. The caption states the number of the others. `change`: change of each number, as text; `unit`:
+/// unit of m̄.
 fn add_tornado(title: &str, [change, unit]: [&str; 2], mut bars: Vec<TornadoBar>, page: &mut Page) {
     bars.retain(|bar| bar.effect != 0.0);
     if bars.is_empty() {

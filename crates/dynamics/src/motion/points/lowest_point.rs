@@ -56,7 +56,7 @@ impl LowestPoint {
     /// ```
     ///
     /// with the velocity s of the lowest point relative to its link, the unit normal n and the angular velocity ω* of the link,
-    /// relative to the other side, in the response v*. Zero unless m̄ is finite and ω* is determined, and for a moment.
+    /// relative to the other side, in the response v*. Zero for a moment, and unless m̄ is finite and ω* is determined.
     ///
     /// # Errors
     /// [`ResponseError`], as [`Pose::respond`].

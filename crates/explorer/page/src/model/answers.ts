@@ -10,17 +10,17 @@ export interface Settings {
   stop: string;
   impactRestitution: string; impactSpeed: string;
   region: string; limit: string; limitValue: string; area: string; load: string;
-  /** Keys of the damper that the panel does not show, as a study has them. */
+  /** Keys of the table `damping` of a study that have no field in the panel, with their values. They are sent with the request. */
   further: Record<string, Scalar>;
 }
 
 type Scalar = number | string | boolean;
 
-/** Tables of a study with the start values of the panels. */
+/** Tables of a study with the initial values of the panels. */
 export interface PanelTables { damping?: Table | null; impact?: Table | null; safe_speed?: Table | null }
 type Table = Record<string, unknown>;
 
-/** Settings with texts. */
+/** Names of the settings that are texts. */
 export type TextSetting = Exclude<keyof Settings, 'further'>;
 
 export const DEFAULTS: Settings = {
@@ -50,7 +50,7 @@ const FACETS_AT_ONCE = 10_000;
 
 export class Answers {
   settings: Settings = { ...DEFAULTS };
-  /** Keys of the tables of a study that the panels leave out. */
+  /** Keys of the tables of a study that the panels ignore. */
   leftOut: { [K in Kind]?: string[] } = {};
   results: { [K in Kind]?: Outcome<Results[K]> } = {};
   private shown = new Set<Kind>();
@@ -180,12 +180,12 @@ export class Answers {
   }
 }
 
-/** Limits of a safe speed. */
+/** Names of the limits of a safe speed. */
 export const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
 
 /** Value of a study as the text of a field. */
 const text = (value: unknown) => (value === undefined || value === null ? '' : String(value));
-/** Number with the default unit of a study; a text has its own unit. */
+/** Appends the default unit of a study to a number; a text already contains its unit. */
 const withUnit = (value: unknown, unit: string) => (typeof value === 'number' ? `${value} ${unit}` : value);
 const given = (values: Table) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== undefined).map(([key, value]) => [key, text(value)]));
 const number = (text: string) => (Number.isFinite(Number(text)) && text.trim() !== '' ? Number(text) : text);

@@ -18,7 +18,7 @@ const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: '
 const WHEEL_RANGE = 0.05;
 const TURN_RANGE = Math.PI;
 const SLIDE_RANGE = 0.1;
-/** Longest range of a wheel up to its stops, m. */
+/** Largest range of the wheel travel up to the stops, m. */
 const LONGEST_TRAVEL = 0.3;
 const ROUND = 0.005;
 

@@ -9,7 +9,7 @@ export interface End { side: 'lower' | 'upper'; inside: number; outside: number 
 
 export const isReached = (row: CurveRow) => row.status !== 'unreachable' && row.status !== 'no answer';
 
-/** First and last row of the displayed branch: the reachable rows around a value without an interruption. */
+/** First and last row of the displayed branch: the uninterrupted reachable rows around a value. */
 export function branchRows(rows: CurveRow[], now: number): [number, number] | undefined {
   const nearest = rows.reduce((best, row, i) => (isReached(row) && (best < 0 || Math.abs(row.at - now) < Math.abs(rows[best].at - now)) ? i : best), -1);
   if (nearest < 0) return undefined;

@@ -1,20 +1,20 @@
-// Files of a folder that is dropped on the page or chosen: the models in it, and the files that a model names.
+// Files of a dropped or chosen folder: its models, and the files to which a model refers.
 
-/** File with its path from the folder on, with "/". */
+/** File with its path, which starts with the name of the folder and has the separator "/". */
 export interface NamedFile { path: string; file: File }
 
-/** Model of a folder; `within`: a file that includes it. */
+/** Model in a folder; `within`: path of another model that includes it. */
 export interface FoundModel { path: string; text: string; kind: string; within?: string }
 
-/** Model with the further files that the engine gets, in base64 by path. */
+/** Model with the further files for the engine, in base64 by path. */
 export interface ModelFiles { name: string; text: string; files?: Record<string, string>; shapes?: (string | null)[] }
 
 const MOST_FILES = 20_000;
-/** Largest size of the files that the engine gets, bytes: several copies of them are in memory while a model is opened. */
+/** Largest total size of the files for the engine, bytes: several copies are in memory while a model is opened. */
 const LARGEST_TOTAL = 64 * 2 ** 20;
-/** Largest model file of the reader, bytes. */
+/** Largest size of a model file that the engine reads, bytes. */
 const LARGEST_TEXT = 32 * 2 ** 20;
-/** Folders without models. */
+/** Names of files and folders that are skipped: hidden ones, packages of Node.js, and metadata of macOS archives. */
 const SKIPPED = /^(\.|node_modules$|__MACOSX$)/;
 const ROOTS: Record<string, string> = { robot: 'URDF', mujoco: 'MJCF', sdf: 'SDFormat' };
 const MODEL = /\.(urdf|xml|mjcf|sdf|world|toml|json)$/i;
@@ -22,26 +22,26 @@ const TEXT = /\.(urdf|xml|mjcf|sdf|world|config|toml|csv|json|sub)$/i;
 
 const base = (path: string) => path.replace(/.*\//, '');
 
-/** Files of an input element for a folder. */
+/** Files of a folder that was chosen by an input element. */
 export function filesOfInput(list: FileList): NamedFile[] {
   const all = Array.from(list, (file) => ({ path: file.webkitRelativePath || file.name, file }));
   return all.filter(({ path }) => !path.split('/').some((part) => SKIPPED.test(part)));
 }
 
-/** File or folder that is dropped. */
+/** Dropped file or folder. */
 interface Node { name: string; file?(): Promise<File>; children?(): Promise<Node[]> }
 
-/** Interface of the File System API, which Chromium has. */
+/** Handle of the File System API, which Chromium supports. */
 interface Handle { kind: 'file' | 'directory'; name: string; getFile(): Promise<File>; values(): AsyncIterable<Handle> }
 type Item = DataTransferItem & { getAsFileSystemHandle?(): Promise<Handle | null> };
 
-/** Dropped files, with those in dropped folders. The items expire with the event, so that they are read before the first wait. */
+/** Dropped files and the files in dropped folders. The items are invalid after the event, so they are read before the first `await`. */
 export async function filesOfDrop(data: DataTransfer): Promise<NamedFile[]> {
   const plain = [...data.files].map((file) => ({ path: file.name, file }));
   const items = [...data.items].filter((item) => item.kind === 'file') as Item[];
   const entries = items.map((item) => item.webkitGetAsEntry?.() ?? null);
   if (!entries.some((entry) => entry?.isDirectory)) return plain;
-  // Chromium reads no entries in a page from a file, only handles.
+  // In a page opened from a file, Chromium reads folders through handles, but not through entries.
   const handles = items.map((item) => item.getAsFileSystemHandle?.());
   const found: NamedFile[] = [];
   for (const [i, entry] of entries.entries()) {
@@ -88,7 +88,7 @@ async function walk(node: Node, folder: string, found: NamedFile[]): Promise<voi
   for (const child of (await node.children?.()) ?? []) await walk(child, path, found);
 }
 
-/** Name of the format of a model; undefined for other files. */
+/** Name of the format of a model file; `undefined` for other files. */
 function kindOf(path: string, text: string): string | undefined {
   if (/\.toml$/i.test(path)) return /^\s*template\s*=/m.test(text) ? 'suspension sheet' : undefined;
   if (/\.json$/i.test(path)) return /"Type"\s*:\s*"Suspension"/.test(text) ? 'Chrono::Vehicle' : undefined;
@@ -96,12 +96,12 @@ function kindOf(path: string, text: string): string | undefined {
   return root && ROOTS[root];
 }
 
-/** Parts of the paths and names in a text. */
+/** Parts of a text between quotes, angle brackets, slashes and line ends: names of files and folders to which the text may refer. */
 function namesIn(text: string): Set<string> {
   return new Set(text.split(/["'<>\n/\\]+/).map((part) => part.trim()));
 }
 
-/** Models of a folder, first those that no other model includes. */
+/** Models of a folder; models that another model includes are last. */
 export async function modelsOf(files: NamedFile[]): Promise<FoundModel[]> {
   const found: FoundModel[] = [];
   for (const { path, file } of files) {
@@ -118,7 +118,7 @@ export async function modelsOf(files: NamedFile[]): Promise<FoundModel[]> {
   return found.sort((a, b) => rank(a) - rank(b) || a.path.localeCompare(b.path));
 }
 
-/** The files of a folder that a model names, also through its included files; `left`: the files beyond the limit of size. */
+/** The files of a folder to which a model refers, directly or through other files; `left`: paths of the files beyond the size limit. */
 export async function filesOfModel(model: FoundModel, files: NamedFile[]): Promise<{ model: ModelFiles; left: string[] }> {
   const wanted = new Map<string, File>();
   const texts = [model.text];
@@ -126,7 +126,7 @@ export async function filesOfModel(model: FoundModel, files: NamedFile[]): Promi
     const names = namesIn(text);
     for (const { path, file } of files) {
       if (path === model.path || wanted.has(path)) continue;
-      // An <include> of SDFormat names the folder of a model, not its file.
+      // An <include> of SDFormat can name the folder of a model instead of its file.
       const parts = path.split('/');
       const isOfFolder = /\.(sdf|config)$/i.test(path) && names.has(parts.at(-2) ?? '');
       if (!names.has(parts.at(-1)!) && !isOfFolder) continue;

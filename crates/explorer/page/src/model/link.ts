@@ -2,11 +2,12 @@
 
 import type { Study } from '../engine/protocol';
 
-/** `text`, `files`: the model, and its further files in base64; left out if they are long, the link then belongs to a page with this model. */
+/** `text`, `files`: the model, and its further files in base64. Both are omitted if they are long; the link then requires a page with this
+ * model. */
 export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string }
 
 const VERSION = '1';
-/** Longest model in a link with its files, characters: browsers and mail programs cut longer addresses. */
+/** Largest length of a model with its files in a link, characters: browsers and mail programs cut longer addresses. */
 const LONGEST_TEXT = 60_000;
 
 async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
@@ -22,7 +23,7 @@ export async function toHash(state: LinkedState): Promise<string> {
   return `#${VERSION}:${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }
 
-/** State of an address; null without one. Throws an error if the address is of another version or damaged. */
+/** State in the fragment of an address; null without a fragment. Throws an error if the fragment has another version or is damaged. */
 export async function fromHash(hash: string): Promise<LinkedState | null> {
   if (hash.length < 2) return null;
   const [version, text] = [hash.slice(1, hash.indexOf(':')), hash.slice(hash.indexOf(':') + 1)];

@@ -18,7 +18,7 @@ export interface Start {
   study?: Partial<Study> & { panels?: PanelTables };
   driver?: string;
   view?: ViewName;
-  /** Variants of a study, displayed as frozen variants. */
+  /** Variants of a study; the page shows them as frozen variants. */
   variants?: (Partial<Study> & { name: string })[];
 }
 
@@ -30,7 +30,7 @@ const ROWS_OF_END = 21;
 const STEPS_OF_END = 2;
 /** Poses of the band of tolerances, each with all sensitivities. */
 const POSES_OF_BAND = 9;
-/** Delay after the last change before the computations that a drag omits, ms. */
+/** Delay from the last change to the computations that are omitted during a drag, ms. */
 const REST = 250;
 /** Duration after which a computation is reported, ms. */
 const SLOW = 300;
@@ -52,7 +52,7 @@ export class Store {
   text = '';
   /** Further files of the model, base64 by path. */
   files: Record<string, string> | undefined;
-  /** Folder with several models, one of which is to be chosen. */
+  /** Folder with several models, from which the user chooses one. */
   folder: { models: FoundModel[]; files: NamedFile[] } | undefined;
   shapes: (string | null)[] | undefined;
   opened: Opened | undefined;
@@ -299,7 +299,7 @@ export class Store {
     this.changed();
   }
 
-  /** Computations that a drag omits. */
+  /** Starts the computations that are omitted during a drag. */
   private async atRest() {
     if (!this.study || this.gesture || this.working) return;
     await this.writeHash();

@@ -16,7 +16,7 @@ export function save(name: string, content: BlobPart, type: string) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-/** Copies a text. A page opened from a file may have no access to the clipboard; then the text is copied by a selection. */
+/** Copies a text. A page opened from a file may have no access to the clipboard; then the text is selected and copied. */
 export async function copy(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);

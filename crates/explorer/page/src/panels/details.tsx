@@ -1,4 +1,4 @@
-// Section that is closed at first; its content is rendered only while it is open, because each result renders it again.
+// Section that is closed initially. Its content is rendered only while the section is open, because each result renders it again.
 
 import { useState } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';

@@ -60,7 +60,7 @@ function Field({ name, label, hint }: { name: TextSetting; label: string; hint?:
   );
 }
 
-/** Choices with the chosen one, which may be that of a study. */
+/** Options of a list, including the selected value, which can come from a study. */
 function withChosen(of: readonly (string | [string, string])[], chosen: string) {
   return of.some((entry) => (typeof entry === 'string' ? entry : entry[0]) === chosen) ? of : [...of, chosen];
 }
@@ -168,7 +168,7 @@ export function DamperPanel() {
   );
 }
 
-/** Ratio to the impulse of the contact below which an impulse is rounding. */
+/** Ratio to the impulse of the contact below which an impulse is a rounding error. */
 const SMALL_IMPULSE = 1e-9;
 
 export function ImpactPanel() {

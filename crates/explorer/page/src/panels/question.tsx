@@ -156,7 +156,7 @@ function farEnd(contact: ContactTable): { link: string; point: Triple } {
   return { link: scene!.links[link].name, point: to.toArray().map((x) => Math.round(x * 1e3) / 1e3 + 0) as Triple };
 }
 
-/** Choice of a pose of the model, such as a keyframe; the drivers start from this pose. */
+/** List of the named poses of the model, such as keyframes; the drivers start from the selected pose. */
 function NamedPose() {
   const { study, opened } = store;
   if (!opened!.poses?.length) return null;

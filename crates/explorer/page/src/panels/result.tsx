@@ -61,7 +61,7 @@ function Problem() {
   const { problem, driver, study } = store;
   const reached = driver && store.curve && 'ok' in store.curve
     ? store.curve.ok.rows.filter((row) => row.status !== 'unreachable' && row.status !== 'no answer') : [];
-  // A refused change has no remedy in the travel.
+  // Another travel is no remedy for a refused change.
   const ends = reached.length && problem!.no_result ? ([reached[0].at, reached.at(-1)!.at] as const) : undefined;
   return (
     <div class="box bad" role="alert">

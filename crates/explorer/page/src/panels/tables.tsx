@@ -102,7 +102,7 @@ function initialMove(name: string): Triple {
   return store.movedAtOpening[name] ?? [0, 0, 0];
 }
 
-/** Unit of moments of inertia, and its number per kg·m²; `largest`: largest moment, kg·m². */
+/** Unit of moments of inertia, and the number of these units in 1 kg·m². `largest`: largest moment, kg·m². */
 function inertiaUnit(largest: number): [string, number] {
   if (largest >= 10) return ['kg·m²', 1];
   return largest >= 1e-3 ? ['kg·cm²', 1e4] : ['kg·mm²', 1e6];
@@ -132,7 +132,7 @@ export function Masses() {
     };
     store.change({ ...study, model }, `${name} as in the file`);
   };
-  // The scene has the changes of the last result, also the moments that a changed mass scales.
+  // The scene contains the changes of the last result, including the moments that are scaled by a changed mass.
   const moments = (name: string) => turned[name] ?? scene.links.find((l) => l.name === name)?.moments;
   const [unit, perUnit] = inertiaUnit(Math.max(0, ...store.opened!.scene.links.flatMap((l) => l.moments ?? [])));
   return (

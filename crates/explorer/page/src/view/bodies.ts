@@ -73,8 +73,8 @@ export class Bodies {
   /** Geometries of the shapes of this scene. */
   private own: BufferGeometry[] = [];
 
-  /** `former`: bodies of the previous scene. Their materials are used again, because the renderer would prepare new materials for each result of a
-   * drag. */
+  /** `former`: bodies of the previous scene. Their materials are reused, because the renderer would prepare new materials for each result
+   * of a drag. */
   constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number, former?: Bodies) {
     const isSame = former?.scene.links.length === scene.links.length && former.scene.wheels.length === scene.wheels.length;
     const [links, tyres] = isSame ? [former.materials.splice(0), former.tyres.splice(0)] : [[], []];

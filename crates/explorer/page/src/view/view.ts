@@ -230,7 +230,7 @@ export class View {
     const variant = store.variants.at(-1);
     bodies.outlines(store.showsDesign, variant && variant.study !== store.answered ? variant : undefined);
     this.renderer?.render(this.stage, this.cameras.camera);
-    // After the new bodies exist: shader programs that no body uses are deleted, and would be compiled again.
+    // Only after the new bodies exist: shader programs without users are deleted and would be compiled again.
     former?.dispose();
     if (!this.webgl) {
       this.overlay.drawWires(this.cameras, bodies.wires(frames, colours));
@@ -553,7 +553,7 @@ export class View {
     return !this.pending && store.isIdle;
   }
 
-  /** Resolves when all computations for the study are finished, including those that a drag omits. */
+  /** Resolves when all computations for the study are finished, including those that are omitted during a drag. */
   rested(): Promise<void> {
     return store.rested();
   }

@@ -22,7 +22,7 @@ use std::path::Path;
 /// Default size limit of a mesh file, bytes: 256 MiB.
 pub const DEFAULT_MAX_MESH_SIZE: u64 = 256 << 20;
 
-/// Reads a mesh file of a store, of at most `max_size` bytes. The format follows from the content, then from the file name.
+/// Reads a mesh file of at most `max_size` bytes from a store. The format follows from the content, then from the file name.
 ///
 /// In COLLADA files, node transforms and the unit of length are applied; `up_axis` is ignored, as in RViz. Polygons in COLLADA
 /// and OBJ files are split into fans of triangles.

@@ -14,7 +14,7 @@ pub struct MeshFolders {
     /// Folders that contain packages and models: the entries of ROS_PACKAGE_PATH, `share` in the entries of AMENT_PREFIX_PATH, and
     /// the entries of GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and SDF_PATH.
     pub holders: Vec<PathBuf>,
-    /// Store that is searched.
+    /// Store of files in which the folders are searched.
     pub files: SharedFiles,
 }
 
@@ -37,8 +37,9 @@ impl MeshFolders {
     }
 
     /// Finds the file of a mesh. `package://NAME/…` and `model://NAME/…` are searched in the given folder of the
-    /// package, then in the holders, then upwards from the folder of the URDF, then in all folders of files in memory. `file://…` names a file directly.
-    /// Other names are relative to the folder of the URDF.
+    /// package, then in the holders, then upwards from the folder of the URDF, then in the
+    /// [package folders](crate::FileStore::package_folders) of the store. `file://…` names a file directly. Other names are relative to
+    /// the folder of the URDF.
     ///
     /// # Errors
     /// [`MeshError::NotFound`] with all paths that were tried.

@@ -47,7 +47,7 @@ pub(crate) struct Meshes<'t> {
 }
 
 impl<'t> Meshes<'t> {
-    /// Reads the assets of a model. Mesh files are in the store `files`.
+    /// Reads the assets of a model. `files`: store of the mesh files.
     pub fn read(
         tree: &'t ElementTree,
         files: &SharedFiles,

@@ -30,7 +30,7 @@ pub(crate) struct AttachedModel {
     pub attachable: Vec<(String, usize)>,
 }
 
-/// Reads the main file, whose text is `text`, and its included files. Defects are reported; after an error the tree may be
+/// Reads the main file `source`, decoded as `text`, and its included files. Defects are reported; after an error the tree may be
 /// incomplete.
 pub(crate) fn read_files(source: &Source, text: &str, report: Report) -> Files {
     let (name, store) = (&*source.name, &source.files);

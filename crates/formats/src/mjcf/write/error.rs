@@ -1,6 +1,6 @@
 //! Refusals of the writer.
 
-/// Largest number of further elements that a message names.
+/// Largest number of further refused elements that a message names.
 const MOST_NAMED: usize = 20;
 
 /// Mechanism that MJCF cannot express, or that MuJoCo would refuse.
@@ -19,7 +19,7 @@ impl MjcfError {
         Self { element: format!("{kind} \"{name}\""), reason: reason.into() }
     }
 
-    /// First of several errors, whose reason names the elements of the others; `None` without errors.
+    /// First of several errors; its reason also names the elements of the others. `None` without errors.
     pub(super) fn combined(errors: Vec<Self>) -> Option<Self> {
         let mut errors = errors.into_iter();
         let mut first = errors.next()?;

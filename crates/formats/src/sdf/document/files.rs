@@ -21,8 +21,8 @@ pub(crate) struct Files {
     pub reports: Vec<Report>,
 }
 
-/// Reads the main file of the store (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
-/// incomplete, or empty.
+/// Reads the main file (`text`, named `name`) and its included files, which are in `store`. Defects are reported; after an error the tree
+/// may be incomplete, or empty.
 pub(crate) fn read_files(store: &SharedFiles, name: &str, text: &str, report: Report) -> Files {
     let mut reader = FileReader {
         files: Files { tree: ElementTree::default(), reports: vec![report] },

@@ -5,8 +5,8 @@ use crate::reading::report::quoted;
 use crate::{DEFAULT_MAX_SIZE, SharedFiles, Source};
 use std::path::{Path, PathBuf};
 
-/// File of a model of SDFormat that `uri` names in the file `including` of a store. A folder is a model of a library: its `model.config` names the
-/// file, or the file is `model.sdf`. The error names the paths that were tried and the remedy.
+/// SDFormat file to which the `uri` in the file `including` refers, searched in the store `files`. If the URI is the folder of a library
+/// model, its `model.config` names the file, or the file is `model.sdf`. The error names the paths that were tried and the remedy.
 pub(crate) fn find_model_file(files: &SharedFiles, uri: &str, including: &Path) -> Result<PathBuf, String> {
     if uri.starts_with("https://") || uri.starts_with("http://") {
         return Err(format!(

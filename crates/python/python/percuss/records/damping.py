@@ -206,16 +206,16 @@ class DampingReport(Record):
     inputs: list[Input]
     """Input files; empty if the mass is given directly."""
     effective_mass: float
-    """m̄ in "unit"."""
+    """m̄ in the unit of "unit"."""
     unit: str
     """Unit of the effective mass: "kg", or "kg·m²" for a moment."""
     is_moment: bool
-    """True for a moment about an axis, and for the stop of a joint that turns: lengths are angles (rad), forces are moments
+    """True for a moment about an axis, and for the stop of a revolute joint: lengths are angles (rad), forces are moments
     (N·m)."""
     named_contact: NamedContactRecord | None
     """Named contact; None for a contact given by link, point and normal, and for a joint stop."""
     stop: StopRecord | None
-    """Joint stop. None for a contact between bodies."""
+    """Joint stop; None for other contacts."""
     restitution: float
     """Requested coefficient of restitution."""
     stiffness: float

@@ -75,7 +75,8 @@ class TouchingRecord(Record):
     is_joint_stop: bool
     """True for the stop of a joint."""
     is_moment: bool
-    """True for a moment about an axis, and for the stop of a joint that turns: kg·m², rad/s and N·m·s."""
+    """True for a moment about an axis, and for the stop of a revolute joint: masses in kg·m², speeds in rad/s, impulses in
+    N·m·s."""
     link: str
     """Contact link."""
     point_world: list[float]
@@ -85,12 +86,12 @@ class TouchingRecord(Record):
     gap: float | None
     """Gap of a named contact at the pose, m: it is taken as closed; None for others."""
     closing_speed: float
-    """Closing speed before the impact, m/s (rad/s for a moment, as below kg·m²); negative if the gap opens."""
+    """Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens."""
     effective_mass: float | None
     """Effective mass of the contact alone, kg; None if immovable."""
     principal_masses: list[float | None]
-    """Principal masses of the point, kg, ascending; None for a direction in which it cannot move. Principal inertias for a
-    moment."""
+    """Principal masses of the point, kg, ascending; None for a direction in which it cannot move. For a moment: principal
+    inertias, kg·m²."""
     principal_directions_world: list[list[float]]
     """Directions of the principal masses, world axes."""
 
@@ -159,8 +160,8 @@ class SimultaneousRecord(Record):
     contacts: list[TouchingRecord]
     """The contacts; the first is that of all other results."""
     delassus: list[list[float]]
-    """Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: the angular
-    velocity about these axes, so that its block is in 1/(kg·m²)."""
+    """Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: angular
+    velocities about these axes; its block is in 1/(kg·m²)."""
     delassus_axes_world: list[list[list[float]]]
     """Axes of the rows: for each contact the opening direction and the two tangents, world axes."""
     stiffness_ratios: list[float]
@@ -257,6 +258,19 @@ class ReactionRecord(Record):
     """Largest moment in a compliant contact, N·m; None without a contact law."""
 
 
+class MotionForceRecord(Record):
+    """Force in a bearing that the velocities before the impact cause alone; it is quadratic in the rates."""
+
+    place: Literal["ground", "joint", "closure", "hold"]
+    """Place."""
+    name: str
+    """Name of the joint or closure; of the held link; of the root link."""
+    force: float
+    """Magnitude of the determinate components of the force, N."""
+    ratio: float
+    """Ratio of this force to the peak force of the bearing."""
+
+
 class ImpactLawRecord(Record):
     """Compliant contact with the peak force of the impact."""
 
@@ -278,8 +292,11 @@ class ImpactLawRecord(Record):
     """True if the direction of the contact force changes during compression; the peaks of the bearings are then for its mean
     direction."""
     mass_change_over_penetration: float | None
-    """Relative change of m̄ over the penetration: the order of the error of all peak forces; None if the penetration is not
-    reachable."""
+    """Relative change of m̄ over the penetration: order of magnitude of the relative error of all peak forces, apart from the
+    forces of "motion_force"; None if the penetration is not reachable."""
+    motion_force: MotionForceRecord | None
+    """Force of the velocities before the impact in the bearing with the largest ratio of this force to its peak force. None if
+    no bearing has a finite ratio. The peak forces exclude these forces."""
 
 
 class JointMotionRecord(Record):
@@ -305,7 +322,7 @@ class BearingForceRecord(Record):
     peak_time: float
     """Time of the largest magnitude, s."""
     estimate: float
-    """The estimate for comparison: reaction to a unit impulse at the touch, times the peak force of the contact, N."""
+    """For comparison: reaction per unit impulse at the touch, times the largest contact force of the impact in time, N."""
     open_components: list[bool]
     """True for each component (two transverse directions, the axis of the joint) that redundant loops leave open."""
 
@@ -322,7 +339,8 @@ class ImpactTimeRecord(Record):
     peak_force: float
     """Largest force of the contact, N."""
     mass_change: float | None
-    """Relative change of m̄ from the touch to the largest penetration; None if m̄ is not finite there."""
+    """Relative change of m̄ from the touch to the largest penetration; None if m̄ is not finite there. The change is unbounded
+    near a pose at which the contact is immovable."""
     one_freedom: VaryingMassImpact | None
     """The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; None for others, with gravity, or if
     the motion ends before."""
@@ -453,12 +471,13 @@ class ImpactReport(Record):
     contact alone."""
     sticking_mass: float | None
     """Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; None if not finite. The effective mass is
-    that of a sliding contact, 1/(nᵀΛ⁻¹n). None for a moment and for the stop of a joint, which have no contact point."""
+    that of a sliding contact, 1/(nᵀΛ⁻¹n). None for contacts without a contact point: a moment, the stop of a joint, a cable,
+    a spring or a rod."""
     sticking_status: Literal["finite", "immovable", "massless"] | None
-    """Kind of the sticking mass; None for a moment and for the stop of a joint."""
+    """Kind of the sticking mass; None for contacts without a contact point."""
     mass_states: list[MassStateRecord]
-    """Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for a moment and
-    for the stop of a joint."""
+    """Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for contacts
+    without a contact point."""
     motion_before: str
     """Motion before the impact: "given", or "least-energy", the motion v* times the closing speed."""
     rates: list[JointRateRecord]
@@ -544,7 +563,8 @@ class ExtremeRecord(Record):
     kept_error: float | None
     """Largest error of a coordinate of a kept point, m; None without kept points."""
     normal_world: list[float] | None
-    """Normal (axis of a moment) at the extreme, world axes, up to its sign; None for the normal of the contact."""
+    """Normal (for a moment: axis) at the extreme, world axes, up to its sign; None if the search uses the normal of the
+    contact."""
     residual: float
     """Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of the
     impulse): zero at an exact optimum."""
@@ -567,7 +587,7 @@ class ExtremesReport(Record):
     """Quantity: "effective_mass", "reflected_inertia", "held_inertia" or "bearing_impulse" (impulse in the bearing per closing
     speed, of a plastic impact)."""
     is_moment: bool
-    """True for a contact that is a moment about an axis, or the stop of a joint that turns: closing speeds in rad/s."""
+    """True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s."""
     joint: str | None
     """Joint of the quantity; None for the effective mass."""
     unit: str

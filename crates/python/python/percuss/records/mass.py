@@ -53,7 +53,8 @@ class ContactRecord(Record):
     normal_link: list[float]
     """Unit normal out of the contact link, link's axes; the unit axis of a moment."""
     is_moment: bool
-    """True for a moment about an axis: masses in kg·m², speeds in rad/s, impulses in N·m·s, forces in N·m."""
+    """True for a moment about an axis, and for the stop of a revolute joint: masses in kg·m², speeds in rad/s, impulses in
+    N·m·s, forces in N·m."""
 
 
 class HoldRecord(Record):
@@ -298,9 +299,9 @@ class MassReport(Record):
     inputs: list[Input]
     """Input files."""
     effective_mass: float | None
-    """m̄ in "unit"; None unless finite."""
+    """m̄ in the unit of "unit"; None unless finite."""
     unit: str
-    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that turns."""
+    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a revolute joint."""
     status: Literal["finite", "immovable", "massless"]
     """Kind of result."""
     singular_pose: bool

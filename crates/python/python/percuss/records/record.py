@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, 
 
 _R = TypeVar("_R", bound="Record")
 _Convert = Callable[[Any], Any]
-#: Units for a contact that is a moment about an axis, in place of those of a contact point.
+#: Units for a moment about an axis, by the units for a contact point.
 _UNITS_OF_MOMENT = {"kg": "kg m²", "N s": "N m s", "m/s": "rad/s", "N": "N m"}
 #: Keys that describe the report, not the result.
 _HEADING = ("schema", "percuss", "inputs")
@@ -95,7 +95,7 @@ def _at(record: Record, path: str) -> Any:
 
 
 def _is_moment(record: Record) -> bool:
-    """True if the report is about a moment about an axis."""
+    """True if the contact of the report is a moment about an axis."""
     keys = ("is_moment", "contact.is_moment", "mass.contact.is_moment")
     return any(_at(record, key) is True for key in keys) or _at(record, "mass_unit") == "kg·m²"
 

@@ -75,7 +75,7 @@ class SweepReport(Record):
     link: str
     """Contact link."""
     unit: str
-    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that turns."""
+    """Unit of all effective masses: "kg"; "kg·m²" for a moment about an axis, and for the stop of a revolute joint."""
     motion_ratio_of: str | None
     """Travel of the motion ratio: the name of the varied travel, or "estimate" for the point of the estimate. The ratio of one
     point holds for the motion of the impact (with a sliding rack held, and without spin of a wheel with the contact on it).
@@ -118,12 +118,12 @@ class DesignRecord(Record):
     status: Literal["finite", "immovable", "massless"] | None
     """Kind of result; None without a result."""
     effective_mass: float | None
-    """m̄ in "mass_unit"; None unless finite."""
+    """m̄ in the unit of "mass_unit"; None unless finite."""
     mass_unit: str
-    """Unit of the effective masses of the design: "kg"; "kg·m²" for a moment about an axis, and for the stop of a joint that
-    turns."""
+    """Unit of the effective masses of the design: "kg"; "kg·m²" for a moment about an axis, and for the stop of a revolute
+    joint."""
     effective_mass_error: float | None
-    """Error bound of m̄, in "mass_unit"."""
+    """Error bound of m̄, in the unit of "mass_unit"."""
     motion_ratio: float | None
     """Motion ratio: closing of the contact per upward travel of the wheel; None if it differs between motions of the mechanism."""
     travel_at_touch: float | None
@@ -148,7 +148,7 @@ class ComparisonRow(Record):
     varied: list[float]
     """The varied numbers, rad or m."""
     effective_mass: list[float | None]
-    """m̄ of each design, in its unit; None without a finite result."""
+    """m̄ of each design, in the unit of its "mass_unit"; None without a finite result."""
     difference_percent: list[float | None]
     """Difference of each design from its reference, per cent."""
     motion_ratio: list[float | None]

@@ -118,9 +118,9 @@ pub enum Fault {
         /// The result.
         result: &'static str,
     },
-    /// Closure in place of a joint.
+    /// Name of a closure instead of a joint.
     #[error(
-        "\"{closure}\" closes a loop; expected a joint of the tree. Its reaction is in the table of reactions of `percuss impact`"
+        "\"{closure}\" is the closure of a loop; expected a joint of the tree. The reactions of `percuss impact` include this closure"
     )]
     IsClosure {
         /// The closure.
@@ -136,22 +136,26 @@ pub enum Fault {
     NoClosingSpeed,
     /// Closing speed that differs from the speed of the given rates.
     #[error(
-        "{speed} m/s is given, but the given rates close the gap at {closing} m/s; leave one of the two out"
+        "{speed} {unit} is given, but the given rates close the gap at {closing} {unit}; leave one of the two out"
     )]
     OtherSpeed {
-        /// Given speed, m/s.
+        /// Given speed.
         speed: f64,
-        /// Closing speed of the given rates, m/s.
+        /// Closing speed of the given rates.
         closing: f64,
+        /// Unit of both: m/s or rad/s.
+        unit: &'static str,
     },
     /// Rates that open the gap.
     #[error(
-        "the closing speed of these rates is {} m/s; expected a speed above zero{}", rounded_speed(*closing),
-        if *closing < 0.0 { ": the rates open the gap; opposite rates close it" } else { ": the rates move the contact point along the surface, or not at all" }
+        "the closing speed of these rates is {} {unit}; expected a speed above zero: the rates {}", rounded_speed(*closing),
+        if *closing < 0.0 { "open the gap; opposite rates close it" } else { "do not change the gap" }
     )]
     GapOpens {
-        /// Closing speed of the given rates, m/s.
+        /// Closing speed of the given rates.
         closing: f64,
+        /// Unit: m/s or rad/s.
+        unit: &'static str,
     },
     /// Velocity of a fixed base.
     #[error("the base is fixed; a velocity requires a floating base")]
@@ -423,13 +427,13 @@ pub enum Fault {
         /// Component, m.
         value: f64,
     },
-    /// Moments of inertia of a link without mass.
+    /// Moments of inertia given for a link without mass.
     #[error("link \"{link}\" has no mass, so that no moments of inertia can be set; give it a mass first")]
     NoMassToTurn {
         /// Link.
         link: String,
     },
-    /// Moments of inertia that no body has.
+    /// Moments of inertia that no body can have.
     #[error(
         "link \"{link}\": moments of inertia {moments:?} kg·m² about the centre of mass; expected finite moments of 0 or more, none \
          larger than the sum of the other two"
@@ -528,7 +532,7 @@ impl Fault {
     }
 }
 
-/// Speed with six significant digits.
+/// Speed rounded to six significant digits.
 fn rounded_speed(speed: f64) -> f64 {
     format!("{speed:.5e}").parse().unwrap_or(speed)
 }

@@ -65,11 +65,11 @@ pub struct DesignRecord {
     pub inputs: Vec<Input>,
     /// Kind of result; null without a result.
     pub status: Option<Status>,
-    /// m̄ in `mass_unit`; null unless finite.
+    /// m̄ in the unit of `mass_unit`; null unless finite.
     pub effective_mass: Option<f64>,
-    /// Unit of the effective masses of the design: `kg`; `kg·m²` for a moment about an axis, and for the stop of a joint that turns.
+    /// Unit of the effective masses of the design: `kg`; `kg·m²` for a moment about an axis, and for the stop of a revolute joint.
     pub mass_unit: &'static str,
-    /// Error bound of m̄, in `mass_unit`.
+    /// Error bound of m̄, in the unit of `mass_unit`.
     pub effective_mass_error: Option<f64>,
     /// Motion ratio: closing of the contact per upward travel of the wheel; null if it differs between motions of the mechanism.
     pub motion_ratio: Option<f64>,
@@ -97,7 +97,7 @@ pub struct ComparisonRow {
     pub row: usize,
     /// The varied numbers, rad or m.
     pub varied: Vec<f64>,
-    /// m̄ of each design, in its unit; null without a finite result.
+    /// m̄ of each design, in the unit of its `mass_unit`; null without a finite result.
     pub effective_mass: Vec<Option<f64>>,
     /// Difference of each design from its reference, per cent.
     pub difference_percent: Vec<Option<f64>>,

@@ -59,7 +59,7 @@ pub struct SceneLink {
     pub mass: f64,
     /// Centre of mass, frame of the link; `None` without mass.
     pub com: Option<[f64; 3]>,
-    /// Moments of inertia about the centre of mass along the axes of the frame of the link, kg·m²; `None` without mass.
+    /// Moments of inertia about the centre of mass and the axes of the link frame, kg·m²; `None` without mass.
     pub moments: Option<[f64; 3]>,
     /// Lines between the joints, frame of the link.
     pub lines: Vec<[[f64; 3]; 2]>,
@@ -278,10 +278,10 @@ pub fn scene(model: &Model) -> Result<Scene, StudyError> {
 /// Triangles of the shapes of the links.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneShapes {
-    /// Per link: base64 of the corners as 32-bit floats (little endian, m, frame of the link), nine numbers a triangle; `None`
+    /// Per link: base64 of the corners as 32-bit floats (little endian, m, frame of the link), nine numbers per triangle; `None`
     /// without a shape.
     pub links: Vec<Option<String>>,
-    /// Shapes that are left out, with the reason.
+    /// Findings about omitted shapes.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 

@@ -58,7 +58,7 @@ pub struct ExtremeRecord {
     pub row: Option<f64>,
     /// Largest error of a coordinate of a kept point, m; null without kept points.
     pub kept_error: Option<f64>,
-    /// Normal (axis of a moment) at the extreme, world axes, up to its sign; null for the normal of the contact.
+    /// Normal (for a moment: axis) at the extreme, world axes, up to its sign; null if the search uses the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
     /// the impulse): zero at an exact optimum.
@@ -101,7 +101,7 @@ pub struct ExtremesReport {
     /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse` (impulse in the bearing per closing speed, of
     /// a plastic impact).
     pub quantity: &'static str,
-    /// True for a contact that is a moment about an axis, or the stop of a joint that turns: closing speeds in rad/s.
+    /// True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s.
     pub is_moment: bool,
     /// Joint of the quantity; null for the effective mass.
     pub joint: Option<String>,

@@ -19,7 +19,7 @@ use percuss_impact::{
 use percuss_spatial::Vector3;
 use serde::Serialize;
 
-/// Further samples within each step of the integration: smooth curves, and maxima with an error below 1e-4.
+/// Additional samples within each step of the integration, for smooth curves and for maxima with a relative error below 1e-4.
 const SAMPLES_WITHIN_STEPS: usize = 9;
 
 /// Force in one bearing over the time of an impact.
@@ -35,7 +35,7 @@ pub struct BearingForceRecord {
     pub peak_force: f64,
     /// Time of the largest magnitude, s.
     pub peak_time: f64,
-    /// For comparison: reaction to a unit impulse at the touch, times the largest force of the contact in time, N.
+    /// For comparison: reaction per unit impulse at the touch, times the largest contact force of the impact in time, N.
     pub estimate: f64,
     /// True for each component (two transverse directions, the axis of the joint) that redundant loops leave open.
     pub open_components: [bool; 3],
@@ -61,8 +61,8 @@ pub struct ImpactTimeRecord {
     pub max_penetration: f64,
     /// Largest force of the contact, N.
     pub peak_force: f64,
-    /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there. Near a pose at which the contact is
-    /// immovable it has no bound.
+    /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there. The change is unbounded near a pose
+    /// at which the contact is immovable.
     pub mass_change: Option<f64>,
     /// The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; null for others, with gravity, or if the
     /// motion ends before.

@@ -13,8 +13,8 @@ pub struct ImpactQuestion {
     pub restitution: f64,
     /// Closing speed, m/s (rad/s for a moment); `None` if the rates give it.
     pub speed: Option<f64>,
-    /// Dimensions in which the closing speed and the stiffness of `law` were given; `None` for plain numbers in SI units. They must be those
-    /// of a rotation for a moment, and those of a translation otherwise.
+    /// Dimensions of the units in which the closing speed and the stiffness of `law` were given, in this order; `None` for plain numbers.
+    /// Required: dimensions of rotation for a moment, and of translation for other contacts.
     pub dimensions: [Option<Dimension>; 2],
     /// Coefficient of friction; `None` without friction.
     pub friction: Option<f64>,

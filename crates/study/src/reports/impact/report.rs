@@ -88,24 +88,24 @@ pub struct ImpactLawRecord {
     pub mass_in_compression: Option<f64>,
     /// True if the direction of the contact force changes during compression; the peaks of the bearings are then for its mean direction.
     pub direction_changes: bool,
-    /// Relative change of m̄ over the penetration: the order of the error of all peak forces without the forces of `motion_force`; null if
-    /// the penetration is not reachable.
+    /// Relative change of m̄ over the penetration: order of magnitude of the relative error of all peak forces, apart from the forces of
+    /// `motion_force`; null if the penetration is not reachable.
     pub mass_change_over_penetration: Option<f64>,
-    /// The bearing that the velocities before the impact load most, relative to its peak force; null for a mechanism without bearings. The
-    /// peak forces do not include such forces.
+    /// Force of the velocities before the impact in the bearing with the largest ratio of this force to its peak force. Null if no bearing
+    /// has a finite ratio. The peak forces exclude these forces.
     pub motion_force: Option<MotionForceRecord>,
 }
 
-/// Force in a bearing from the velocities before the impact alone: terms that are quadratic in the rates.
+/// Force in a bearing that the velocities before the impact cause alone; it is quadratic in the rates.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionForceRecord {
     /// Place.
     pub place: ReactionPlace,
     /// Name of the joint or closure; of the held link; of the root link.
     pub name: String,
-    /// Magnitude of the force, N: of the components that redundant loops leave determinate.
+    /// Magnitude of the determinate components of the force, N.
     pub force: f64,
-    /// This force divided by the peak force of the bearing in the contact.
+    /// Ratio of this force to the peak force of the bearing.
     pub ratio: f64,
 }
 
@@ -132,12 +132,13 @@ pub struct ImpactReport {
     /// contact alone.
     pub simultaneous: Option<SimultaneousRecord>,
     /// Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; null if not finite. The effective
-    /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n). Null for a moment and for the stop of a joint, which have no contact point.
+    /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n). Null for contacts without a contact point: a moment, the stop of a joint, a cable, a
+    /// spring or a rod.
     pub sticking_mass: Option<f64>,
-    /// Kind of the sticking mass; null for a moment and for the stop of a joint.
+    /// Kind of the sticking mass; null for contacts without a contact point.
     pub sticking_status: Option<Status>,
-    /// Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for a moment and for the stop of
-    /// a joint.
+    /// Sliding and sticking masses with rotors decoupled, with rotors coupled, and with locked joints. Empty for contacts without a contact
+    /// point.
     pub mass_states: Vec<MassStateRecord>,
     /// Motion before the impact: `given`, or `least-energy`, the motion v* times the closing speed.
     pub motion_before: &'static str,
@@ -270,19 +271,19 @@ pub fn impact(
     })
 }
 
-/// False for a moment about an axis, for the stop of a joint, and for a cable, a spring or a rod.
+/// True if the contact has a contact point: not for a moment about an axis, the stop of a joint, a cable, a spring or a rod.
 fn has_contact_point(evaluated: &EvaluatedQuestion) -> bool {
     let prepared = &evaluated.prepared;
     let is_moment = evaluated.result.response.contact.is_moment;
     !is_moment && !is_line(evaluated) && prepared.question.stop_of_joint(&prepared.model.mechanism).is_none()
 }
 
-/// True for a force along the line between two points: of a cable, a spring or a rod.
+/// True for a force along the line between two points, such as that of a cable, a spring or a rod.
 fn is_line(evaluated: &EvaluatedQuestion) -> bool {
     matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..))
 }
 
-/// Refuses results about the contact point for a contact without one.
+/// Refuses results that require a contact point, for a contact without one.
 fn refuse_results_at_point(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
     let prepared = &evaluated.prepared;
     let contact = match prepared.question.stop_of_joint(&prepared.model.mechanism) {
@@ -301,7 +302,7 @@ fn refuse_results_at_point(evaluated: &EvaluatedQuestion, impact: &ImpactQuestio
     }
 }
 
-/// The bearing that the rates before the impact load most, relative to its peak force.
+/// Force of the rates before the impact in the bearing with the largest ratio of this force to its peak force.
 fn motion_force(
     evaluated: &EvaluatedQuestion,
     rigid: &RigidImpact,
@@ -351,17 +352,19 @@ fn motion_before(
     );
     let rates =
         rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(Field::Rates, error))?;
-    let closing = closing_speed(pose, &result.response.contact, &rates);
+    let contact = &result.response.contact;
+    let unit = if contact.is_moment { "rad/s" } else { "m/s" };
+    let closing = closing_speed(pose, contact, &rates);
     let speed = match (impact.speed, prepared.other_mass()) {
         // The other body moves with the difference of both speeds.
         (Some(speed), Some(_)) => speed,
         (Some(speed), None) if (speed - closing).abs() > SAME_SPEED * speed.abs().max(closing.abs()) => {
-            return Err(StudyError::input(Field::ClosingSpeed, Fault::OtherSpeed { speed, closing }));
+            return Err(StudyError::input(Field::ClosingSpeed, Fault::OtherSpeed { speed, closing, unit }));
         }
         _ => closing,
     };
     if speed.is_nan() || speed <= 0.0 {
-        return Err(StudyError::input(Field::Rates, Fault::GapOpens { closing: speed }));
+        return Err(StudyError::input(Field::Rates, Fault::GapOpens { closing: speed, unit }));
     }
     Ok((speed, Some(rates)))
 }

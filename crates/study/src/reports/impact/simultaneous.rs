@@ -23,7 +23,7 @@ pub struct TouchingRecord {
     pub name: String,
     /// True for the stop of a joint.
     pub is_joint_stop: bool,
-    /// True for a moment about an axis, and for the stop of a joint that turns: kg·m², rad/s and N·m·s.
+    /// True for a moment about an axis, and for the stop of a revolute joint: masses in kg·m², speeds in rad/s, impulses in N·m·s.
     pub is_moment: bool,
     /// Contact link.
     pub link: String,
@@ -33,11 +33,11 @@ pub struct TouchingRecord {
     pub normal_world: [f64; 3],
     /// Gap of a named contact at the pose, m: it is taken as closed; null for others.
     pub gap: Option<f64>,
-    /// Closing speed before the impact, m/s (rad/s for a moment, as below kg·m²); negative if the gap opens.
+    /// Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens.
     pub closing_speed: f64,
     /// Effective mass of the contact alone, kg; null if immovable.
     pub effective_mass: Option<f64>,
-    /// Principal masses of the point, kg, ascending; null for a direction in which it cannot move. Principal inertias for a moment.
+    /// Principal masses of the point, kg, ascending; null for a direction in which it cannot move. For a moment: principal inertias, kg·m².
     pub principal_masses: [Option<f64>; 3],
     /// Directions of the principal masses, world axes.
     pub principal_directions_world: [[f64; 3]; 3],
@@ -106,8 +106,8 @@ pub struct StickingRecord {
 pub struct SimultaneousRecord {
     /// The contacts; the first is that of all other results.
     pub contacts: Vec<TouchingRecord>,
-    /// Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: the angular velocity
-    /// about these axes, so that its block is in 1/(kg·m²).
+    /// Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents. For a moment: angular velocities about
+    /// these axes; its block is in 1/(kg·m²).
     pub delassus: Vec<Vec<f64>>,
     /// Axes of the rows: for each contact the opening direction and the two tangents, world axes.
     pub delassus_axes_world: Vec<[[f64; 3]; 3]>,

@@ -339,7 +339,7 @@ impl ContactTable {
             return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
         }
         let frame = self.frame.unwrap_or_default();
-        // The frame of a moment is that of its axis; it has no point.
+        // For a moment, `frame` is the frame of the axis; the unused point has the link frame.
         let point_frame = if self.about_axis.is_some() { FrameName::Link } else { frame };
         question.at.clone_from(&self.at);
         question.link = self.link.clone().unwrap_or_default();
@@ -370,7 +370,7 @@ impl ContactTable {
         match others.into_iter().find(|(_, is_given)| *is_given && self.about_axis.is_some()) {
             Some((key, _)) => {
                 let why = format!(
-                    "the contact is a moment about an axis: remove `{key}`, or give a point and a normal"
+                    "the contact is a moment about an axis: remove `{key}`, or give a point and a normal instead of `about_axis`"
                 );
                 Err(InvalidKey::new("contact.about_axis", why))
             }

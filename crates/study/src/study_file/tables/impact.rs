@@ -248,7 +248,7 @@ impl ImpactTable {
     /// Converts the table to a question.
     ///
     /// # Errors
-    /// [`InvalidKey`]: a missing restitution, a law that contradicts the exponent.
+    /// [`InvalidKey`]: missing restitution, or a law that contradicts the exponent.
     pub fn question(&self) -> Result<ImpactQuestion, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let Some(Ratio(restitution)) = self.restitution else {

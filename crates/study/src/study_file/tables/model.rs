@@ -77,8 +77,8 @@ pub struct ModelTable {
     pub link_com: Vec<(String, Point)>,
     /// Change the moments of inertia of a link about its centre of mass (kg·m²).
     ///
-    /// Three moments along the axes of the link frame, after a change of the mass; the products of inertia are unchanged. Units: kg m2,
-    /// kg mm2, lb in2.
+    /// Three moments about the axes of the link frame, applied after a change of the mass; the products of inertia are unchanged. Units:
+    /// kg m2, kg mm2, lb in2.
     #[cfg_attr(
         feature = "flags",
         arg(
