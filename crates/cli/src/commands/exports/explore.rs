@@ -77,6 +77,11 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
             "closure: the page cannot add loops to a model; write them into the model file (percuss convert)",
         ));
     }
+    if tables.contact.about_axis.is_some() {
+        return Err(Failure::bad_input(
+            "about_axis: the page shows contacts at points and stops of joints; percuss mass computes the effective inertia about an axis",
+        ));
+    }
     let source = Source::read(path, *max_size)?;
     let options = LoadOptions { accept: tables.model.accepted(), ..LoadOptions::default() };
     let opened = Model::from_source(&source, &options)?;

@@ -30,6 +30,8 @@ export interface Finding {
 }
 export interface Share { share: number | null }
 export interface MassReport {
+  /** kg; kg·m² for the stop of a joint that turns. */
+  unit: string;
   effective_mass: number | null; status: 'finite' | 'immovable' | 'massless'; singular_pose: boolean;
   degrees_of_freedom: number; effective_mass_error: number | null;
   error_budget: { rounding: number | null; closing: number | null; file: number | null };

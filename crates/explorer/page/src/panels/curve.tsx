@@ -54,6 +54,7 @@ function Bands() {
   const [open, setOpen] = useState(false);
   const { target, tolerance, posed } = store;
   const m = posed?.report.effective_mass ?? 1;
+  const unit = posed?.report.unit ?? 'kg';
   if (!open && !target && !tolerance) return <button class="quiet" onClick={() => setOpen(true)}>Bands …</button>;
   const [low, high] = target ?? [0.9 * m, 1.1 * m];
   const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(m), 1e-9))));
@@ -63,7 +64,7 @@ function Bands() {
   return (
     <span class="bands">
       <label><input type="checkbox" checked={target !== undefined} onChange={(event) => store.set({ target: event.currentTarget.checked ? [low, high] : undefined })} /> target</label>
-      {target ? <>{field('target from, kg', low, (x) => store.set({ target: [x, high] }))}–{field('target to, kg', high, (x) => store.set({ target: [low, x] }))} kg</> : null}
+      {target ? <>{field(`target from, ${unit}`, low, (x) => store.set({ target: [x, high] }))}–{field(`target to, ${unit}`, high, (x) => store.set({ target: [low, x] }))} {unit}</> : null}
       {store.scene?.sheet ? (
         <>
           <label><input type="checkbox" checked={tolerance !== undefined} onChange={(event) => store.setTolerance(event.currentTarget.checked ? 0.001 : undefined)} /> tolerance</label>
@@ -97,8 +98,8 @@ function Remarks() {
   if (variation?.length && posed) {
     const now = store.positionOf(driver);
     const nearest = variation.reduce((a, b) => (Math.abs(b.at - now) < Math.abs(a.at - now) ? b : a));
-    all.push(`Within the tolerance, to first order, m̄ varies by ±${digits(nearest.rss, 3)} kg (independent coordinates) and by at most `
-      + `±${digits(nearest.worst, 3)} kg (all at their limits) at ${fixed(nearest.at * driver.unit.perSi, 1)} ${driver.unit.name}.`);
+    all.push(`Within the tolerance, to first order, m̄ varies by ±${digits(nearest.rss, 3)} ${posed.report.unit} (independent coordinates) and by at most `
+      + `±${digits(nearest.worst, 3)} ${posed.report.unit} (all at their limits) at ${fixed(nearest.at * driver.unit.perSi, 1)} ${driver.unit.name}.`);
   }
   return all.length ? <p class="remarks" role="status">{all.join(' ')}</p> : null;
 }
@@ -167,7 +168,7 @@ function Plot() {
     <div
       ref={frame} class={dragging ? 'plot dragging' : 'plot'} role="slider" tabIndex={0} aria-label={`${driver.label} in the curve`}
       aria-valuemin={from} aria-valuemax={to} aria-valuenow={Number(fixed(now * scale, 2).replace('−', '-'))}
-      aria-valuetext={`${fixed(now * scale, 1)} ${driver.unit.name}, m̄ ${present === undefined ? (report?.status ?? 'none') : `${digits(present)} kg`}`}
+      aria-valuetext={`${fixed(now * scale, 1)} ${driver.unit.name}, m̄ ${present === undefined ? (report?.status ?? 'none') : `${digits(present)} ${report?.unit ?? 'kg'}`}`}
       onPointerDown={(event) => {
         event.currentTarget.setPointerCapture(event.pointerId);
         store.begin(driver.label);
@@ -212,7 +213,7 @@ function Plot() {
         ))}
         <path d={`M${MARGIN.left} ${height - MARGIN.bottom}H${width - MARGIN.right}`} class="axis" />
         <text x={(MARGIN.left + width - MARGIN.right) / 2} y={height - 5} text-anchor="middle" class="name">{label}</text>
-        <text transform={`translate(14,${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`} text-anchor="middle" class="name">m̄, kg</text>
+        <text transform={`translate(14,${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`} text-anchor="middle" class="name">m̄, {report?.unit ?? 'kg'}</text>
         <g clip-path="url(#inner)">
           {target ? <rect x={MARGIN.left} y={y(target[1])} width={Math.max(0, width - MARGIN.left - MARGIN.right)} height={Math.max(0, y(target[0]) - y(target[1]))} class="target" /> : null}
           {variation?.length ? <><path d={around('worst')} class="within worst" /><path d={around('rss')} class="within" /></> : null}

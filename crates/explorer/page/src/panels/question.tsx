@@ -15,7 +15,7 @@ const KINDS = [['stop', 'Stops'], ['spring', 'Springs'], ['damper', 'Dampers'], 
 /** Result of a named contact when the model was opened. */
 function openedValue(report: MassReport | null | undefined): string {
   if (!report) return '';
-  return report.status === 'finite' ? `, ${mass(report.effective_mass!, report.effective_mass_error)} kg` : `, ${report.status}`;
+  return report.status === 'finite' ? `, ${mass(report.effective_mass!, report.effective_mass_error)} ${report.unit}` : `, ${report.status}`;
 }
 
 const AXES: [string, Triple][] = [

@@ -29,29 +29,29 @@ function Value({ report, stale }: { report: MassReport; stale: boolean }) {
   return (
     <div class={stale ? 'stale' : ''}>
       <p class="big" role="status" aria-live="polite" data-mass={m ?? report.status}>
-        <span class="symbol">m̄{report.singular_pose && m !== null ? ' ≥' : ''}</span> <b>{big}</b> {report.status === 'immovable' ? '' : 'kg'}
+        <span class="symbol">m̄{report.singular_pose && m !== null ? ' ≥' : ''}</span> <b>{big}</b> {report.status === 'immovable' ? '' : report.unit}
       </p>
       <p class="sub">
         {report.singular_pose ? <span>a bound for all branches · </span> : report.status === 'finite' && error !== null ? (
-          <span title="Upper bound of the error: rounding, closing of the loops, and loops that the file leaves open">± {bound(error)} kg · </span>
+          <span title="Upper bound of the error: rounding, closing of the loops, and loops that the file leaves open">± {bound(error)} {report.unit} · </span>
         ) : null}
         at <b>{place}</b>{named ? `: ${contact.link} against ${other}` : ` against ${other}`}
         {named?.brought_to_touch ? <span class="tag">at touch</span> : null}
         {named && named.gap !== null && !named.brought_to_touch ? <span> · gap {fixed(named.gap * 1000, 1)} mm</span> : null}
       </p>
-      <Difference m={m} />
+      <Difference m={m} unit={report.unit} />
     </div>
   );
 }
 
-function Difference({ m }: { m: number | null }) {
+function Difference({ m, unit }: { m: number | null; unit: string }) {
   const variant = store.variants.at(-1);
   if (!variant || variant.mass === null || m === null) return null;
   const by = m - variant.mass;
   const decimals = Math.max(0, 3 - Math.floor(Math.log10(Math.max(Math.abs(m), 1e-9))));
   return (
     <p class="difference">
-      {signed(by, decimals)} kg ({signed((100 * by) / variant.mass, 2)} %) against variant {variant.name} with {digits(variant.mass)} kg
+      {signed(by, decimals)} {unit} ({signed((100 * by) / variant.mass, 2)} %) against variant {variant.name} with {digits(variant.mass)} {unit}
     </p>
   );
 }
@@ -115,7 +115,7 @@ function Explained({ report }: { report: MassReport }) {
     );
   }
   if (report.singular_pose) {
-    const limits = report.branch_limits.map((m) => (m === null ? 'immovable' : `${digits(m)} kg`));
+    const limits = report.branch_limits.map((m) => (m === null ? 'immovable' : `${digits(m)} ${report.unit}`));
     return (
       <div class="box warn">
         <p>

@@ -34,7 +34,7 @@ export function Contributions() {
               <th scope="row" title={name}>{name}</th>
               <td class="bar"><span style={{ width: `${(100 * share) / most}%`, background: `#${rampColour(share / most).getHexString()}` }} /></td>
               <td class="n">{fixed(100 * share, 1)} %</td>
-              <td class="n soft">{digits(share * report.effective_mass!, 3)} kg</td>
+              <td class="n soft">{digits(share * report.effective_mass!, 3)} {report.unit}</td>
             </tr>
           ))}
         </tbody>
@@ -249,12 +249,12 @@ export function Findings() {
 }
 
 export function CurveTable() {
-  const { curve, driver } = useStore();
+  const { curve, driver, posed } = useStore();
   if (!driver || !curve || !('ok' in curve)) return null;
   return (
     <Details title="Curve as a table" content={() => (
       <table class="plain curve-table">
-        <thead><tr><th>{driver.label}, {driver.unit.name}</th><th>m̄, kg</th></tr></thead>
+        <thead><tr><th>{driver.label}, {driver.unit.name}</th><th>m̄, {posed?.report.unit ?? 'kg'}</th></tr></thead>
         <tbody>
           {curve.ok.rows.map((row, i) => (
             <tr key={i}><td class="n">{fixed(row.at * driver.unit.perSi, 2)}</td><td class="n" title={row.why ?? ''}>{row.mass === null ? row.status : digits(row.mass, 6)}</td></tr>

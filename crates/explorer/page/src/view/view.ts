@@ -276,8 +276,8 @@ export class View {
   private value(): string {
     const { report } = store.posed!;
     if (report.status === 'immovable') return 'm̄ = ∞';
-    if (report.status === 'massless') return 'm̄ = 0 kg';
-    return `m̄ ${report.singular_pose ? '≥ ' : ''}${mass(report.effective_mass!, report.effective_mass_error)} kg`;
+    if (report.status === 'massless') return `m̄ = 0 ${report.unit}`;
+    return `m̄ ${report.singular_pose ? '≥ ' : ''}${mass(report.effective_mass!, report.effective_mass_error)} ${report.unit}`;
   }
 
   private marks(): Mark[] {
