@@ -162,6 +162,10 @@ CASES: dict[str, Call] = {
         {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0], "against": "forearm", "toward": None, "normal_frame": "link",
          "turning": False, "cable": False},
     ),
+    "Contact.about_axis": Call(
+        lambda **given: POSE.respond(percuss.Contact.about_axis(**given)),
+        {"link": "tool", "axis": [0, 0, 1], "against": "forearm", "axis_frame": "link"},
+    ),
     "Model.changed": Call(ARM.changed, {"link_mass": {"tool": 1.0}, "link_com": {"tool": [0, 0, 0]}, "link_inertia": {"tool": [1e-3, 1e-3, 1e-3]}, "move": {}}),
     "Model.to_urdf": Call(ARM.to_urdf, {}),
     "Model.to_mjcf": Call(ARM.to_mjcf, {}),

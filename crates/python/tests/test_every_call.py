@@ -123,6 +123,8 @@ CASES: dict[str, Callable[[], Any]] = {
     "Damping": lambda: percuss.Damping(0.5, 1e5).law,
     "Design": lambda: percuss.Design("a", ARM, TOOL).name,
     "Contact": lambda: percuss.Contact("tool", [0, 0, 0], [0, 0, 1]).point,
+    "Contact.about_axis": lambda: percuss.Contact.about_axis("tool", [0, 0, 1]).axis,
+    "Contact.axis": lambda: TOOL.axis,
     "Contact.link": lambda: TOOL.link,
     "Contact.against": lambda: TOOL.against,
     "Contact.point": lambda: TOOL.point,

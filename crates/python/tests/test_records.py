@@ -42,7 +42,7 @@ CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
     "damp": (lambda: percuss.damp(2.0, DAMPING), "DampingReport", "peak_force: "),
     "damp a contact": (lambda: percuss.damp_contact(CORNER, "bump_stop", DAMPING), "DampingReport", " N"),
     "damp a stop": (lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper"), "DampingReport", " N"),
-    "explain": (lambda: percuss.explain(CORNER, "bump_stop"), "Explanation", "kg"),
+    "explain": (lambda: percuss.explain(CORNER, "bump_stop"), "Explanation", "links"),
     "tolerate": (lambda: percuss.tolerate(CORNER, "bump_stop", "mass=2%,point=0.5mm", samples=10), "ToleranceReport", "worst_case"),
     "compare": (lambda: percuss.compare(DESIGNS, vary=TRAVEL), "ComparisonReport", "designs: 2"),
     "impact": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, **MORE, **AT_ONCE), "ImpactReport", "impulse: 5."),
