@@ -52,6 +52,8 @@ fi
 for program in "$percuss" "$programs/percuss-probe" "$programs/percuss-reference"; do
   [ -x "$program" ] || { echo "$program is missing: the tests of the workspace build it"; exit 1; }
 done
+# Before OMP_NUM_THREADS is set, which `nproc` would report.
+processors=$(nproc)
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 output=$(mktemp -d)
 trap 'rm -rf "$output"' EXIT
@@ -63,7 +65,7 @@ check() {
   shift
   names+=("$name")
   # Polled: `wait -n` would miss a check that ends just before it.
-  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do sleep 0.5; done
+  while [ "$(jobs -pr | wc -l)" -ge "$processors" ]; do sleep 0.5; done
   {
     local start=$SECONDS code=0
     "$@" > "$output/$name" 2>&1 || code=$?
