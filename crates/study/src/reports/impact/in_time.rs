@@ -19,7 +19,7 @@ use percuss_impact::{
 use percuss_spatial::Vector3;
 use serde::Serialize;
 
-/// Additional samples within each step of the integration, for smooth curves and for maxima with a relative error below 1e-4.
+/// Further samples within each step of the integration, for smooth curves and for maxima between the steps.
 const SAMPLES_WITHIN_STEPS: usize = 9;
 
 /// Force in one bearing over the time of an impact.
