@@ -23,9 +23,15 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     };
     let text = &*tolerant_text(text);
     match xml::root_name(text) {
-        Some("mujoco") => mjcf::load::load_text(source, text, options, report),
         Some("sdf") => sdf::load::load_text(source, text, options, report),
-        _ => urdf::load::load_text(&source.name, text, options, report),
+        Some("mujoco") => {
+            source.refuse_model("an MJCF", &mut report);
+            mjcf::load::load_text(source, text, options, report)
+        }
+        _ => {
+            source.refuse_model("a URDF", &mut report);
+            urdf::load::load_text(&source.name, text, options, report)
+        }
     }
 }
 

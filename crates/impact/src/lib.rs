@@ -60,7 +60,7 @@ pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::impact_in_time::{
-    ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time, peak_over_time,
-};
+pub use time::conditions::{JointSpring, TimeConditions};
+pub use time::history::{ImpactInTime, ImpactSample, peak_over_time};
+pub use time::impact_in_time::impact_in_time;
 pub use time::motion_forces::forces_of_motion;

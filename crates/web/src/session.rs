@@ -327,8 +327,9 @@ fn source(path: &str, text: String, files: BTreeMap<String, String>) -> Result<S
         let bytes = bytes.map_err(|error| Refusal::of_message(format!("{name}: invalid base64: {error}")))?;
         store.push((name, bytes));
     }
-    // The path of a model in an SDFormat file is FILE#MODEL.
-    let file = path.rsplit_once('#').map_or(path, |(file, _)| file);
+    // The path of a model in an SDFormat file is FILE#MODEL. In `robot#2.urdf` the # belongs to the name: no ending comes before it.
+    let split = path.rsplit_once('#').filter(|(file, _)| Path::new(file).extension().is_some());
+    let file = split.map_or(path, |(file, _)| file);
     store.push((file.to_owned(), text.clone().into_bytes()));
     Ok(Source { files: MemoryFiles::new(store).into(), ..Source::from_text(path, text) })
 }

@@ -2,7 +2,7 @@
 
 use crate::LoadError;
 use crate::reading::files::{FileKind, FileStore, SharedFiles};
-use crate::reading::report::{Place, Report};
+use crate::reading::report::{Place, Report, shortened};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -26,8 +26,8 @@ impl Source {
         Source { name: name.into(), bytes, files: SharedFiles::default() }
     }
 
-    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes. `FILE#MODEL` reads the file; the name keeps the
-    /// model.
+    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes. `FILE#MODEL` reads the file, and `-#MODEL` the
+    /// standard input; the name keeps the model.
     ///
     /// # Errors
     /// [`LoadError`] if the file does not exist, cannot be read, is a directory, or is too large.
@@ -40,11 +40,12 @@ impl Source {
     /// # Errors
     /// As for [`read`](Self::read).
     pub fn read_from(files: &SharedFiles, path: &str, max_size: u64) -> Result<Source, LoadError> {
-        let name = if path == "-" { "<stdin>" } else { path };
-        let bytes = if path == "-" {
-            read_bounded(io::stdin().lock(), max_size)
-        } else {
-            read_file(&**files, Path::new(without_model(&**files, path)), max_size)
+        let stdin_model = path.strip_prefix('-').filter(|rest| rest.is_empty() || rest.starts_with('#'));
+        let stdin_name = stdin_model.map(|model| format!("<stdin>{model}"));
+        let name = stdin_name.as_deref().unwrap_or(path);
+        let bytes = match stdin_model {
+            Some(_) => read_bounded(io::stdin().lock(), max_size),
+            None => read_file(&**files, Path::new(split_model(&**files, path).0), max_size),
         };
         let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
         match bytes {
@@ -68,7 +69,26 @@ impl Source {
 
     /// File of the name: without the model of `FILE#MODEL`.
     pub fn file(&self) -> &str {
-        without_model(&*self.files, &self.name)
+        split_model(&*self.files, &self.name).0
+    }
+
+    /// Model of `FILE#MODEL`; also of a text in memory with such a name.
+    pub fn model(&self) -> Option<&str> {
+        split_model(&*self.files, &self.name).1
+    }
+
+    /// Reports an error if the name selects a model of a file in a format with one model per file. The name of a text in memory is free.
+    pub(crate) fn refuse_model(&self, format: &str, report: &mut Report) {
+        let is_input = self.file() == "<stdin>" || self.files.is_file(Path::new(self.file()));
+        if let Some(model) = self.model().filter(|_| is_input) {
+            report.error("unknown-model", Place::File, || {
+                format!(
+                    "\"#{}\" selects one of several models of an SDFormat file; {format} holds one model: give the name of the file \
+                     without it",
+                    shortened(model)
+                )
+            });
+        }
     }
 
     /// Creates a source from text.
@@ -119,11 +139,11 @@ impl Source {
     }
 }
 
-/// File of `FILE#MODEL`. A file whose own name has a `#` is taken as it is.
-fn without_model<'a>(files: &dyn FileStore, path: &'a str) -> &'a str {
-    match path.rsplit_once('#') {
-        Some((file, _)) if !files.is_file(Path::new(path)) && files.is_file(Path::new(file)) => file,
-        _ => path,
+/// File and model of `FILE#MODEL`. A file whose own name has a `#` is taken as it is.
+fn split_model<'a>(files: &dyn FileStore, name: &'a str) -> (&'a str, Option<&'a str>) {
+    match name.rsplit_once('#') {
+        Some((file, model)) if !model.is_empty() && !files.is_file(Path::new(name)) => (file, Some(model)),
+        _ => (name, None),
     }
 }
 

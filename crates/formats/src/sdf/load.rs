@@ -12,7 +12,7 @@ use crate::sdf::tree::assembly::assemble;
 use crate::sdf::tree::parts::Parts;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
-use crate::{FileStore, LoadError, Source};
+use crate::{LoadError, Source};
 use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let (file, wanted) = split_name(&*source.files, &source.name);
+    let (file, wanted) = (source.file(), source.model());
     let Files { tree, reports } = read_files(&source.files, file, text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
@@ -39,14 +39,6 @@ pub(crate) fn load_text(
             Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
-    }
-}
-
-/// File and model of `FILE#MODEL`. A file whose own name has a `#` keeps it.
-fn split_name<'a>(files: &dyn FileStore, name: &'a str) -> (&'a str, Option<&'a str>) {
-    match name.rsplit_once('#') {
-        Some((file, model)) if !model.is_empty() && !files.is_file(Path::new(name)) => (file, Some(model)),
-        _ => (name, None),
     }
 }
 

@@ -151,6 +151,20 @@ fn bad_includes_are_refused_where_they_are() {
     let folder = Folder::new("scenery", &[("world.sdf", world)]);
     assert_eq!(codes(&folder.load("world.sdf")), [(Severity::Warning, "no-such-file")]);
     assert!(folder.load("world.sdf#sun").is_err());
+    // The other formats hold one model per file, whose own name may have a #.
+    let urdf = "<robot name=\"r\"><link name=\"a\"/></robot>".to_owned();
+    let mjcf = "<mujoco><worldbody><body><geom size=\"1\"/></body></worldbody></mujoco>".to_owned();
+    let folder = Folder::new("others", &[("r.urdf", urdf.clone()), ("m.xml", mjcf), ("r#2.urdf", urdf)]);
+    for (name, format) in [("r.urdf", "a URDF"), ("m.xml", "an MJCF")] {
+        assert!(folder.load(name).is_ok(), "{name}");
+        let refused = folder.load(&format!("{name}#arm"));
+        let first = told(&refused).iter().find(|found| found.severity == Severity::Error).expect("an error");
+        assert_eq!(first.code, "unknown-model");
+        let expected =
+            format!("\"#arm\" selects one of several models of an SDFormat file; {format} holds one model");
+        assert!(first.message.starts_with(&expected), "{first}");
+    }
+    assert!(folder.load("r#2.urdf").is_ok());
     // A value of an included file is reported there.
     let body = link("body", "");
     let whole = include("bad.sdf").replace("<include>", &format!("{body}<include>"));

@@ -8,7 +8,9 @@ use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
 use crate::reactions::tree_frames::SpringAtJoint;
+use crate::time::conditions::{TimeConditions, springs_at_joints};
 use crate::time::equations::{MotionEquations, rates_of};
+use crate::time::history::{ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
     CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
     WORK_INTERVALS,
@@ -17,82 +19,11 @@ use nalgebra::Vector3;
 use percuss_dynamics::{
     ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
-use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
 use std::cell::{Cell, RefCell};
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
-
-/// Spring and damper of a joint with one velocity during an impact in time: the force or moment −k (q − q₀) − d q̇ on the joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JointSpring {
-    /// The joint.
-    pub joint: JointId,
-    /// Stiffness k, N·m/rad or N/m.
-    pub stiffness: f64,
-    /// Damping d, N·m·s/rad or N·s/m.
-    pub damping: f64,
-    /// Position without force q₀, rad or m; `None`: the position at the touch, so that only the change of the spring force acts.
-    pub free_position: Option<f64>,
-}
-
-/// Conditions of an impact in time.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TimeConditions {
-    /// Gravity in world axes, m/s².
-    pub gravity: Vector3<f64>,
-    /// Mass of a free body on the other side of the contact, kg. `None`: the other side is a link or the ground.
-    pub other_mass: Option<f64>,
-    /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
-    pub ends_without_force: bool,
-    /// Springs and dampers of joints.
-    pub springs: Vec<JointSpring>,
-    /// Number of additional samples within each step of the integration, for smooth curves and for maxima between the steps.
-    pub samples_within_steps: usize,
-}
-
-/// State of an impact at one time.
-#[derive(Clone, Debug)]
-pub struct ImpactSample {
-    /// Time since the touch, s.
-    pub time: f64,
-    /// Penetration δ: integral of the closing speed, m.
-    pub penetration: f64,
-    /// Closing speed δ̇, m/s.
-    pub rate: f64,
-    /// Force of the contact, N: −F n̂ acts on the contact link.
-    pub force: f64,
-    /// m̄ of the contact at this pose, kg; `None` if it is not finite.
-    pub effective_mass: Option<f64>,
-    /// Largest gap of the loops, m: error of the integration.
-    pub loop_gap: f64,
-    /// Positions of all joints (layout of [`Pose::positions`]), rad and m.
-    pub positions: Vec<f64>,
-    /// X_wr: pose of the root link in the world.
-    pub base: Transform<f64>,
-    /// Rates of all joints.
-    pub rates: JointRates,
-    /// Forces (N) and moments (N·m) in all joints and loops.
-    pub reactions: Reactions,
-}
-
-/// Impact in time, from the touch to the separation.
-#[derive(Clone, Debug)]
-pub struct ImpactInTime {
-    /// Separation speed divided by closing speed.
-    pub restitution: f64,
-    /// Duration of the contact, s.
-    pub duration: f64,
-    /// Largest penetration, m.
-    pub max_penetration: f64,
-    /// Largest force, N.
-    pub peak_force: f64,
-    /// m̄ at the largest penetration, kg; `None` if it is not finite.
-    pub mass_at_max_penetration: Option<f64>,
-    /// Samples at the steps of the integration; the last one is the end of the contact.
-    pub samples: Vec<ImpactSample>,
-}
 
 /// Impact of any mechanism in time: equations of motion with the force F(δ, δ̇) of a compliant contact, δ̇ = j u.
 ///
@@ -128,25 +59,6 @@ pub fn impact_in_time(
     let mass = conditions.other_mass.map_or(mass, |other| mass * other / (mass + other));
     let depth = stopping_depth(force, 0.5 * mass * closing_speed * closing_speed)?;
     Motion::new(pose, contact, closing_speed, before, force, conditions, depth, springs).run()
-}
-
-/// Springs with their free positions; refuses values out of range and joints without exactly one velocity.
-fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringAtJoint>, ImpactError> {
-    let at_joint = |spring: &JointSpring| {
-        let JointSpring { joint, stiffness, damping, free_position } = *spring;
-        let declared = pose.mechanism().joint(joint);
-        if declared.kind().dofs() != 1 {
-            return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
-        }
-        let free_position = free_position.unwrap_or_else(|| pose.joint(joint)[0]);
-        let is_valid = |x: f64| x.is_finite() && x >= 0.0;
-        if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite()) {
-            let joint = declared.name().to_owned();
-            return Err(ImpactError::Spring { joint, stiffness, damping, free_position });
-        }
-        Ok(SpringAtJoint { joint, stiffness, damping, free_position })
-    };
-    springs.iter().map(at_joint).collect()
 }
 
 /// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
@@ -197,11 +109,18 @@ struct Motion<'a> {
     lengths: Vec<f64>,
     /// State at the touch.
     initial: Vec<f64>,
-    /// Pose and equations of the last evaluation.
-    evaluation: RefCell<(Pose, MotionEquations)>,
+    evaluation: RefCell<Evaluation>,
     /// True if the last evaluation is beyond the end of the contact.
     is_over: Cell<bool>,
     springs: Vec<SpringAtJoint>,
+}
+
+/// Last evaluation of the derivative.
+struct Evaluation {
+    pose: Pose,
+    equations: MotionEquations,
+    /// `None` if the contact did not exist.
+    instant: Option<Instant>,
 }
 
 /// Contact, rates and contact force at one state (SI units).
@@ -234,7 +153,8 @@ impl<'a> Motion<'a> {
         let mut initial = vec![0.0; start.positions().len() + BASE];
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
         initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
-        let evaluation = RefCell::new((start.clone(), MotionEquations::new(start, springs.clone())));
+        let equations = MotionEquations::new(start, springs.clone());
+        let evaluation = RefCell::new(Evaluation { pose: start.clone(), equations, instant: None });
         Self {
             start,
             contact,
@@ -287,7 +207,8 @@ impl<'a> Motion<'a> {
 
     fn try_derivative(&self, y: &[f64], out: &mut [f64]) -> Option<()> {
         let mut evaluation = self.evaluation.borrow_mut();
-        let (pose, equations) = &mut *evaluation;
+        evaluation.instant = None;
+        let Evaluation { pose, equations, instant } = &mut *evaluation;
         let at = self.instant(y, pose)?;
         self.is_over.set(self.is_end(&at));
         let time = self.depth / self.speed;
@@ -309,7 +230,15 @@ impl<'a> Motion<'a> {
         out[n + BASE + m] = at.closing * time / self.depth;
         out[n + BASE + m + 1] =
             self.conditions.other_mass.map_or(0.0, |mass| -at.force / mass * time / self.speed);
+        *instant = Some(at);
         Some(())
+    }
+
+    /// Values at the state of the last derivative. Exchanges `pose` for the pose there.
+    fn take_instant(&self, pose: &mut Pose) -> Option<Instant> {
+        let mut evaluation = self.evaluation.borrow_mut();
+        std::mem::swap(&mut evaluation.pose, pose);
+        evaluation.instant.take()
     }
 
     /// Quantity that falls through zero at the end of the contact, of order one.
@@ -328,7 +257,7 @@ impl<'a> Motion<'a> {
         let mut sampler = Sampler::new(self);
         let mut rate = vec![0.0; y.len()];
         f(&y, &mut rate);
-        let at = self.instant(&y, &mut sampler.pose).ok_or_else(lost)?;
+        let at = self.take_instant(&mut sampler.pose).ok_or_else(lost)?;
         sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
         let mut closing = at.closing;
@@ -355,7 +284,8 @@ impl<'a> Motion<'a> {
                 sampler.add_within(self, time, end.2, states);
                 return self.finish(sampler, time, end, deepest);
             };
-            let then = self.instant(&next, &mut sampler.pose).filter(|at| at.closing.is_finite());
+            // The integrator evaluates the derivative at the next state last.
+            let then = self.take_instant(&mut sampler.pose).filter(|at| at.closing.is_finite());
             let then = then.ok_or_else(lost)?;
             let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
             let dense = |h: f64| integrator.state_before(&y, h);
@@ -481,6 +411,8 @@ struct Sampler {
     map: ReactionMap,
     buffers: ReactionBuffers,
     masses: Workspace,
+    /// v* of all joints.
+    velocities: Vec<f64>,
     samples: Vec<ImpactSample>,
 }
 
@@ -488,7 +420,8 @@ impl Sampler {
     fn new(motion: &Motion) -> Self {
         let pose = motion.start.clone();
         let (map, masses) = (ReactionMap::new(&pose), pose.assembly().workspace());
-        Self { pose, map, buffers: ReactionBuffers::default(), masses, samples: Vec::new() }
+        let (buffers, velocities) = (ReactionBuffers::default(), Vec::new());
+        Self { pose, map, buffers, masses, velocities, samples: Vec::new() }
     }
 
     /// Adds a sample at the current pose. `time`: scaled time; `rate`: derivative of the scaled state by scaled time.
@@ -556,12 +489,9 @@ impl Sampler {
 
     /// m̄ at the pose; `None` if it is not finite.
     fn effective_mass(&mut self, contact: &Contact) -> Option<f64> {
-        let masses = &mut self.masses;
-        let is_set =
-            masses.set_positions(self.pose.positions()).is_ok() && masses.set_base(self.pose.base()).is_ok();
-        match masses.effective_mass(contact) {
-            Ok(mass) if is_set => mass.kilograms(),
-            _ => finite_mass(&self.pose, contact),
+        match self.masses.respond_at(&self.pose, contact, &mut self.velocities) {
+            Ok(found) => found.effective_mass.kilograms(),
+            Err(_) => finite_mass(&self.pose, contact),
         }
     }
 }
@@ -578,23 +508,4 @@ fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
     q.iter_mut().for_each(|x| *x /= norm);
     let slide = Vector3::new(scaled[0], scaled[1], scaled[2]) * size;
     Transform::new(rotation_from_quaternion(q), slide)
-}
-
-/// Largest value of a smooth quantity and its time: vertex of the parabola through the largest sample and its neighbours.
-/// `None` without samples.
-///
-/// # Panics
-/// If there are fewer times than values.
-pub fn peak_over_time(times: &[f64], values: &[f64]) -> Option<(f64, f64)> {
-    let best = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
-    let (time, largest) = (times[best], values[best]);
-    if best == 0 || best + 1 >= values.len() {
-        return Some((largest, time));
-    }
-    let point = |k: usize| (times[k] - time, values[k] - largest);
-    let ((a, fa), (b, fb)) = (point(best - 1), point(best + 1));
-    // f = s t + c t² through both neighbours.
-    let c = (fa / a - fb / b) / (a - b);
-    let s = fa / a - c * a;
-    Some(if c < 0.0 { (largest - s * s / (4.0 * c), time - s / (2.0 * c)) } else { (largest, time) })
 }

@@ -167,7 +167,7 @@ fn further_files(model: &Model) -> Result<BTreeMap<String, String>, Failure> {
         let path = &*input.path;
         let too_large = |error: LoadError| match &error.diagnostics[..] {
             [found] if found.code == "too-large-file" => Failure::bad_input(format!(
-                "{path}: the files that the model reads have more than {} MB in total, the limit of a page; give the bodies an \
+                "{path}: the files that the model reads have more than {} MiB in total, the limit of a page; give the bodies an \
                  <inertial> element, so that their inertias need no meshes",
                 LARGEST_FILES >> 20
             )),
@@ -199,7 +199,7 @@ fn shapes(model: &Model, strict: bool) -> Result<Vec<Option<String>>, Failure> {
         let size = shape.as_ref().map_or(0, String::len);
         if size > left {
             note(&format!(
-                "link \"{}\" is drawn without its shape of {} MB: the limit for all shapes of a page is {} MB",
+                "link \"{}\" is drawn without its shape of {} MiB: the limit for all shapes of a page is {} MiB",
                 link.name(),
                 size >> 20,
                 LARGEST_SHAPES >> 20

@@ -176,7 +176,7 @@ export class Store {
     this.set({ folder: undefined });
     const { model, left } = await filesOfModel(chosen, files);
     await this.open(model);
-    if (left.length) this.set({ notice: `${left.length} files are left out, because the page reads at most 64 MB: ${left.slice(0, 3).join(', ')}${left.length > 3 ? ' …' : ''}` });
+    if (left.length) this.set({ notice: `${left.length === 1 ? '1 file is' : `${left.length} files are`} left out (the page reads at most 64 MiB): ${left.slice(0, 3).join(', ')}${left.length > 3 ? ' …' : ''}` });
   }
 
   async open({ name, text, files, shapes }: ModelFiles, given?: Partial<Study>, driver?: string) {
