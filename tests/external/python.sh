@@ -3,14 +3,17 @@
 # module by stubtest; those of all pages and notebooks), its examples, executed notebooks among them; then the peers' matrices, if run.sh has created their
 # environments: Pinocchio and MuJoCo, Drake, and the converters of positions; arrays of PyTorch and JAX. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
 # time, the network.
-#   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with its build
-#   results
+#   python.sh [--prepare | --tested] [PYTEST OPTION...]
+#     --prepare: only creates the environment
+#     --tested: in the profile of `cargo test --workspace`, with its build results
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
 . "$here/environment.sh"
-build=()
-if [ "${1-}" = --tested ]; then
+build=() prepare_only=''
+if [ "${1-}" = --prepare ]; then
+  prepare_only=1
+elif [ "${1-}" = --tested ]; then
   shift
   build=(CARGO="$here/cargo.sh" MATURIN_PEP517_ARGS=--profile=dev)
 fi
@@ -18,6 +21,7 @@ root=$PWD
 work=$root/target/external/python
 package=crates/python
 environment "$work/venv" "$here/requirements-python.txt" "$(first python3.11 python3.12 python3.13)"
+[ -z "$prepare_only" ] || exit 0
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0

@@ -381,7 +381,7 @@ fn every_mechanism_is_answered_as_by_a_workspace() {
 #[test]
 fn linkages_in_lanes_agree_with_poses() {
     let (mut seen, mut linkages, mut open) = (Seen::default(), 0, 0);
-    for (k, subject) in of_linkages(43, 48).into_iter().enumerate() {
+    for (k, subject) in of_linkages(43, 24).into_iter().enumerate() {
         let Subject { name, pose, contact, .. } = &subject;
         let mut batch = pose.assembly().batch(contact).expect("a contact that fits");
         if !batch.has_lanes() {
@@ -437,7 +437,7 @@ fn linkages_in_lanes_agree_with_poses() {
         }
     }
     println!("{linkages} linkages: {seen:?}, {open} doubted because they are open");
-    assert!(linkages > 150 && seen.by_lanes * 10 > seen.answers * 4, "{linkages} linkages: {seen:?}");
+    assert!(linkages > 75 && seen.by_lanes * 10 > seen.answers * 4, "{linkages} linkages: {seen:?}");
     assert!(open > linkages, "{open} doubted");
 }
 

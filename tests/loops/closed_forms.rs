@@ -190,7 +190,7 @@ fn long_travels_keep_their_branch() {
     for (linkage, open) in [(linkage::parallelogram(), true), (linkage::antiparallelogram(), false)] {
         let rig = Rig::new(linkage);
         let start = rig.closed();
-        for i in 0..300 {
+        for i in 0..150 {
             // Some rows pass a crossing at arbitrary distances from their last step.
             let theta = (f64::from(i) * 0.618_033_988_75).fract() * 40.0 - 20.0;
             let theta = if i % 10 == 0 { (theta / PI).round() * PI + 1e-4 } else { theta };

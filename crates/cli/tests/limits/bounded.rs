@@ -348,8 +348,8 @@ fn many_loops_and_mimics() {
         format!("<robot name=\"r\"><link name=\"base\"/>{}{}{two}{loops}</robot>", link("a"), link("b"))
     };
     for (name, text, link) in [
-        ("pins", pins(99_000), "a"),
-        ("mimics", chain(60_000, true), "l60000"),
+        ("pins", pins(33_000), "a"),
+        ("mimics", chain(20_000, true), "l20000"),
         ("tree", chain(60_000, false), "l60000"),
     ] {
         let model = folder.write(&format!("{name}.urdf"), &text);
