@@ -48,7 +48,9 @@ pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, locked_body_masses, reflected_inertia,
 };
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
-pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
+pub use reactions::reaction::{
+    Component, DriveImpulse, JointConstraint, JointConstraintReaction, JointReaction, Reaction, Reactions,
+};
 pub use reactions::reaction_map::{ReactionError, ReactionMap};
 pub use reactions::unit_impulse::reactions_to_unit_impulse;
 pub use rigid::impact::{

@@ -4,13 +4,14 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    Component, DriverRate, FrictionLaw, JointRates, PercussionError, RatesError, RestitutionLaw, RigidImpact,
-    centre_of_percussion, centre_of_percussion_in_plane, closing_speed, greatest_closing_speed,
-    greatest_closing_speed_of_gears, held_point_mass, locked_body_masses, rates_from_drivers,
-    reactions_to_unit_impulse, reflected_inertia, worst_reaction_within,
+    Component, DriverRate, FrictionLaw, JointConstraint, JointRates, PercussionError, RatesError,
+    RestitutionLaw, RigidImpact, centre_of_percussion, centre_of_percussion_in_plane, closing_speed,
+    greatest_closing_speed, greatest_closing_speed_of_gears, held_point_mass, locked_body_masses,
+    rates_from_drivers, reactions_to_unit_impulse, reflected_inertia, worst_reaction_within,
 };
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
+    RelationDescription,
 };
 use percuss_spatial::{Transform, Twist};
 use std::sync::Arc;
@@ -262,9 +263,8 @@ fn a_gear_receives_the_armature_times_the_jump() {
     assert!((most - 2.0 * 1.2 / jump.abs()).abs() < ROUNDING && by == elbow);
 }
 
-#[test]
-fn a_lock_receives_the_impulse_of_the_joint() {
-    // A rod on a rod, the second hinge locked: together one rod of twice the length.
+/// Two uniform rods of 1 kg and 1 m in a row, with the hinges `shoulder` and `elbow`.
+fn two_rods() -> MechanismBuilder {
     let mut builder = MechanismBuilder::new("rods");
     let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
     let about_com = Matrix3::from_diagonal(&Vector3::new(0.0, 1.0, 1.0)) / 12.0;
@@ -278,7 +278,13 @@ fn a_lock_receives_the_impulse_of_the_joint() {
         hinge.origin = Transform::from_translation(Vector3::new(at, 0.0, 0.0));
         builder = builder.joint(hinge);
     }
-    let rods = Arc::new(builder.build().expect("a mechanism").mechanism);
+    builder
+}
+
+#[test]
+fn a_lock_receives_the_impulse_of_the_joint() {
+    // The elbow is locked: together one rod of twice the length.
+    let rods = Arc::new(two_rods().build().expect("a mechanism").mechanism);
     let pose = pose_of(&rods, &Conditions::new().lock("elbow"), &[]);
     let contact = Contact::new(rods.find_link("outer").expect("a link"), Vector3::x(), Vector3::y());
     let response = pose.respond(&contact).expect("a response");
@@ -289,6 +295,66 @@ fn a_lock_receives_the_impulse_of_the_joint() {
     assert!((value(elbow.reaction.force[1]) + 0.125).abs() < ROUNDING, "{elbow:?}");
     assert!((value(elbow.drives[0].constraint) - 0.375).abs() < ROUNDING, "{elbow:?}");
     assert!((value(elbow.reaction.moment[2]) - 0.375).abs() < ROUNDING, "{elbow:?}");
+    let [lock] = &reactions.joint_constraints[..] else { panic!("{reactions:?}") };
+    assert_eq!(lock.constraint, JointConstraint::Lock(elbow.joint));
+    assert!((value(lock.impulses[0].2) - 0.375).abs() < ROUNDING, "{lock:?}");
+}
+
+/// The elbow turns as much as the shoulder, by a coupling or as a mimic. The contact at the tip is immovable if one of both is locked; the
+/// impulse −1 N·s at 2 m and 1 m gives the sums 2 and 1 N·m·s at the hinges. With the elbow locked, only the coupling acts on the
+/// shoulder: −2 on the elbow, so that the lock has 3. With the shoulder locked too, only the sums are determinate.
+#[test]
+fn a_lock_and_a_coupling_of_one_joint_are_separate() {
+    let names = |mechanism: &Mechanism| {
+        ["shoulder", "elbow"].map(|name| mechanism.find_joint(name).expect("a joint"))
+    };
+    let terms = vec![("elbow".to_owned(), 1.0), ("shoulder".to_owned(), -1.0)];
+    let relation =
+        RelationDescription { name: "belt".into(), terms: terms.clone(), constant: 0.0, curve: None };
+    let coupled = two_rods().relation(relation.clone()).build().expect("a mechanism").mechanism;
+    let twice = two_rods()
+        .relation(relation.clone())
+        .relation(RelationDescription { name: "gears".into(), ..relation });
+    let twice = Arc::new(twice.build().expect("a mechanism").mechanism);
+    let (links, mut joints) = percuss_oracle::alter::describe(&coupled);
+    joints[1].mimic = Some(MimicDescription { joint: "shoulder".into(), multiplier: 1.0, offset: 0.0 });
+    let mimic = Arc::new(percuss_oracle::alter::build("mimic", links, joints));
+    let at_tip = |mechanism: &Arc<Mechanism>, locks: &[&str]| {
+        let conditions = locks.iter().fold(Conditions::new(), |conditions, lock| conditions.lock(*lock));
+        let pose = pose_of(mechanism, &conditions, &[]);
+        let contact = Contact::new(mechanism.find_link("outer").expect("a link"), Vector3::x(), Vector3::y());
+        let response = pose.respond(&contact).expect("a response");
+        reactions_to_unit_impulse(&pose, &response).expect("reactions")
+    };
+    for mechanism in [Arc::new(coupled), mimic] {
+        let [shoulder, elbow] = names(&mechanism);
+        let single = at_tip(&mechanism, &["elbow"]);
+        let [lock, belt] = &single.joint_constraints[..] else { panic!("{single:?}") };
+        assert_eq!(lock.constraint, JointConstraint::Lock(elbow));
+        assert!((value(lock.impulses[0].2) - 3.0).abs() < ROUNDING, "{lock:?}");
+        for (joint, expected) in [(elbow, -2.0), (shoulder, 2.0)] {
+            let own = belt.impulses.iter().find(|(known, ..)| *known == joint).expect("the joint");
+            assert!((value(own.2) - expected).abs() < ROUNDING, "{belt:?}");
+        }
+        let both = at_tip(&mechanism, &["elbow", "shoulder"]);
+        assert_eq!(both.joint_constraints.len(), 3, "{both:?}");
+        for constraint in &both.joint_constraints {
+            assert!(constraint.impulses.iter().all(|(.., v)| v.value().is_none()), "{constraint:?}");
+            assert!(!constraint.open_by.is_empty(), "{constraint:?}");
+        }
+        for reactions in [&single, &both] {
+            for (joint, expected) in reactions.joints.iter().zip([2.0, 1.0]) {
+                assert!((value(joint.drives[0].constraint) - expected).abs() < ROUNDING, "{joint:?}");
+                assert!((value(joint.reaction.moment[2]) - expected).abs() < ROUNDING, "{joint:?}");
+            }
+        }
+    }
+    // A belt and gears in parallel share the impulse by their stiffness.
+    let parallel = at_tip(&twice, &[]);
+    let [belt, gears] = &parallel.joint_constraints[..] else { panic!("{parallel:?}") };
+    assert!(belt.open_by == ["belt", "gears"] && gears.open_by == belt.open_by, "{parallel:?}");
+    assert!(belt.impulses.iter().chain(&gears.impulses).all(|(.., v)| v.value().is_none()));
+    assert!(parallel.joints.iter().all(|joint| joint.drives[0].constraint.value().is_some()));
 }
 
 #[test]

@@ -110,7 +110,7 @@ pub enum Fault {
         /// Reason.
         message: String,
     },
-    /// Requested result that is not defined for the stop of a joint.
+    /// Requested result that requires a contact point.
     #[error("{contact} has no {result}: it has no contact point; give a contact by link, point and normal")]
     NoContactPoint {
         /// Kind of the contact.
@@ -239,13 +239,17 @@ pub enum Fault {
         /// Kind of the joint.
         kind: JointKind,
     },
-    /// Joint stop among sticking contact points.
+    /// Stop of a joint that several driving joints move.
     #[error(
-        "the stop of joint \"{joint}\" has no contact point that can stick; leave it out, or give the stop as a point with its normal"
+        "the position of joint \"{joint}\" follows from the loops, and several driving joints move it to its stop: {}; set all of \
+         them except one",
+        drivers.join(", ")
     )]
-    StickingStop {
-        /// Joint.
+    StopOfDrivers {
+        /// Joint of the stop.
         joint: String,
+        /// Driving joints that are not set.
+        drivers: Vec<String>,
     },
     /// Joint without limits.
     #[error(

@@ -75,10 +75,12 @@ pub struct ImpactTable {
     /// All laws are printed side by side. Newton's law and its algebraic form can create energy.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "friction", help_heading = IMPACT))]
     pub restitution_law: Option<RestitutionLawName>,
-    /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a cable, or JOINT:upper.
+    /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a moment, a cable, or JOINT:upper.
     ///
-    /// A contact of the model; a point (link's frame) against the ground with its normal (out of the link, world axes); a cable
-    /// LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. Adds the laws of Newton, Poisson and the energetic law for all contacts, without friction, and the Delassus matrix.
+    /// A contact of the model; a point (link's frame) with its normal (out of the link, world axes); a moment LINK:about:X,Y,Z about an
+    /// axis (link's frame); a cable LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. Points and moments
+    /// are against the ground, or against another link: =OTHER at the end. Adds the laws of Newton, Poisson and the energetic law for all
+    /// contacts, without friction, and the Delassus matrix.
     #[cfg_attr(feature = "flags", arg(long, value_name = "CONTACT", help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
