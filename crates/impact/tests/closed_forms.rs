@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    Component, DriverRate, FrictionLaw, JointConstraint, JointRates, PercussionError, RatesError,
+    Bearing, Component, DriverRate, FrictionLaw, JointConstraint, JointRates, PercussionError, RatesError,
     RestitutionLaw, RigidImpact, centre_of_percussion, centre_of_percussion_in_plane, closing_speed,
     greatest_closing_speed, greatest_closing_speed_of_gears, held_point_mass, locked_body_masses,
     rates_from_drivers, reactions_to_unit_impulse, reflected_inertia, worst_reaction_within,
@@ -93,6 +93,38 @@ fn a_door_stop_at_two_thirds_leaves_the_hinge_without_impulse() {
 }
 
 /// A contact on the hinge line, or with the normal along the rod, is immovable: no impact occurs there, so no centre of percussion exists.
+/// Centres of percussion of a closure and of the ground: no point of a grid has a smaller impulse, and the remaining impulse is that of a
+/// rigid impact at the found point.
+#[test]
+fn closures_and_the_ground_have_centres_of_percussion() {
+    let mechanism = model("four_bar");
+    let pose = pose_of(&mechanism, &Conditions::new(), &[("crank_hinge", 0.4)]);
+    let link = mechanism.find_link("coupler").expect("the coupler");
+    let contact = Contact::new(link, Vector3::new(0.35, 0.1, 0.0), Vector3::y());
+    for bearing in [
+        Bearing::Closure(0),
+        Bearing::Ground,
+        Bearing::Joint(mechanism.find_joint("crank_pin").expect("a joint")),
+    ] {
+        let force_at = |point: Vector3<f64>| {
+            let response = pose.respond(&Contact { point, ..contact }).expect("a response");
+            let reactions = reactions_to_unit_impulse(&pose, &response).expect("reactions");
+            let force = bearing.reaction(&reactions).expect("a reaction").force;
+            force.iter().filter_map(|c| c.value()).map(|x| x * x).sum::<f64>().sqrt()
+        };
+        let best = centre_of_percussion(&pose, &contact, bearing, Vector3::x()).expect("a centre");
+        assert!((force_at(best.point) - best.remaining_reaction).abs() < 1e-10, "{best:?}");
+        assert!((force_at(contact.point) - best.given_reaction).abs() < 1e-10, "{best:?}");
+        for k in -40..=40 {
+            let point = contact.point + Vector3::x() * (f64::from(k) / 40.0);
+            assert!(force_at(point) >= best.remaining_reaction - 1e-12, "{bearing:?} {k}");
+        }
+    }
+    let floating = pose_of(&mechanism, &Conditions::new().base(Base::Floating), &[("crank_hinge", 0.4)]);
+    let refused = centre_of_percussion(&floating, &contact, Bearing::Ground, Vector3::x());
+    assert!(matches!(refused, Err(PercussionError::NoReaction { .. })), "{refused:?}");
+}
+
 #[test]
 fn an_immovable_contact_has_no_centre_of_percussion() {
     let door = hinged_rod(3.0, 0.9);
@@ -101,8 +133,11 @@ fn an_immovable_contact_has_no_centre_of_percussion() {
     let hinge = door.find_joint("hinge").expect("the hinge");
     for (at, normal) in [(Vector3::zeros(), Vector3::y()), (Vector3::x() * 0.6, Vector3::x())] {
         let contact = Contact::new(link, at, normal);
-        let expected =
-            PercussionError::Immovable { joint: "hinge".to_owned(), point: at.into(), is_best: false };
+        let expected = PercussionError::Immovable {
+            bearing: "joint \"hinge\"".to_owned(),
+            point: at.into(),
+            is_best: false,
+        };
         let along = centre_of_percussion(&pose, &contact, hinge, Vector3::x());
         assert_eq!(along.expect_err("no centre along the line"), expected);
         let plane = centre_of_percussion_in_plane(&pose, &contact, hinge);

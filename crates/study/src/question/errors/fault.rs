@@ -126,6 +126,19 @@ pub enum Fault {
         /// The closure.
         closure: String,
     },
+    /// Bearing that does not exist.
+    #[error("no joint or closure is named \"{name}\"; expected one of {}", names.join(", "))]
+    UnknownBearing {
+        /// The name.
+        name: String,
+        /// Similar names, or the first names of all bearings.
+        names: Vec<String>,
+    },
+    /// Peak force of a bearing without a contact law.
+    #[error(
+        "the peak force of a bearing depends on the contact law: give its stiffness, the restitution and the closing speed"
+    )]
+    PeakWithoutLaw,
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),
@@ -241,8 +254,7 @@ pub enum Fault {
     },
     /// Stop of a joint that several driving joints move.
     #[error(
-        "the position of joint \"{joint}\" follows from the loops, and several driving joints move it to its stop: {}; set all of \
-         them except one",
+        "joint \"{joint}\" follows from the loops; several driving joints move it to its stop: {}; set all of them except one",
         drivers.join(", ")
     )]
     StopOfDrivers {

@@ -291,11 +291,12 @@ pub(crate) fn unit_finding(
             Field::StiffnessRatio.hint(names)
         ));
     }
-    // The expansion of Poisson's law follows from the impulses of compression, of which redundant contacts leave the distribution open.
+    // The expansion of Poisson's law follows from the impulses of compression, of which redundant contacts leave the distribution open. With
+    // one coefficient of restitution it depends on their determinate sum W p only.
     let is_open =
         record.laws.iter().any(|law| law.impulses.iter().any(Option::is_none) && law.refusal.is_none());
-    let expands = question.restitution > 0.0 || question.also_restitution.iter().any(|e| *e > 0.0);
-    if is_open && expands {
+    let differ = question.also_restitution.iter().any(|e| *e != question.restitution);
+    if is_open && differ {
         reasons.push(format!(
             "Poisson's law distributes the impulses of redundant contacts by their least sum of squares: leave out a redundant contact{}",
             Field::Also.hint(names)
