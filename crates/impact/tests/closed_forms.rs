@@ -4,27 +4,26 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    Bearing, Component, DriverRate, FrictionLaw, JointConstraint, JointRates, PercussionError, RatesError,
+    Component, DriverRate, FrictionLaw, JointConstraint, JointRates, PercussionError, RatesError,
     RestitutionLaw, RigidImpact, centre_of_percussion, centre_of_percussion_in_plane, closing_speed,
     greatest_closing_speed, greatest_closing_speed_of_gears, held_point_mass, locked_body_masses,
     rates_from_drivers, reactions_to_unit_impulse, reflected_inertia, worst_reaction_within,
 };
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
-    RelationDescription,
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
 };
 use percuss_spatial::{Transform, Twist};
 use std::sync::Arc;
 
 /// Rounding of sums of a few terms of order one.
-const ROUNDING: f64 = 1e-13;
+pub const ROUNDING: f64 = 1e-13;
 
-fn model(name: &str) -> Arc<Mechanism> {
+pub fn model(name: &str) -> Arc<Mechanism> {
     let path = format!("{}/../../models/{name}.urdf", env!("CARGO_MANIFEST_DIR"));
     Arc::new(load_file(&path).expect("a model").mechanism)
 }
 
-fn pose_of(mechanism: &Arc<Mechanism>, conditions: &Conditions, set: &[(&str, f64)]) -> Pose {
+pub fn pose_of(mechanism: &Arc<Mechanism>, conditions: &Conditions, set: &[(&str, f64)]) -> Pose {
     let system = System::new(Arc::clone(mechanism), conditions).expect("a system");
     let mut configuration = system.configuration();
     for (joint, value) in set {
@@ -34,7 +33,7 @@ fn pose_of(mechanism: &Arc<Mechanism>, conditions: &Conditions, set: &[(&str, f6
 }
 
 /// Uniform rod of mass `mass` and length `length` along x, hinged at its end about z.
-fn hinged_rod(mass: f64, length: f64) -> Arc<Mechanism> {
+pub fn hinged_rod(mass: f64, length: f64) -> Arc<Mechanism> {
     let about_com = Matrix3::from_diagonal(&Vector3::new(0.0, 1.0, 1.0)) * (mass * length * length / 12.0);
     let mut builder = MechanismBuilder::new("rod");
     let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
@@ -54,7 +53,7 @@ fn finite(mass: EffectiveMass) -> f64 {
     }
 }
 
-fn value(component: Component) -> f64 {
+pub fn value(component: Component) -> f64 {
     component.value().expect("a determinate component")
 }
 
@@ -89,61 +88,6 @@ fn a_door_stop_at_two_thirds_leaves_the_hinge_without_impulse() {
         // In the tangent plane, points displaced along the hinge change the moments only.
         let best = centre_of_percussion_in_plane(&pose, &contact, hinge).expect("a centre");
         assert!((best.point - Vector3::new(2.0 * length / 3.0, 0.0, 0.0)).norm() < ROUNDING, "{best:?}");
-    }
-}
-
-/// A contact on the hinge line, or with the normal along the rod, is immovable: no impact occurs there, so no centre of percussion exists.
-/// Centres of percussion of a closure and of the ground: no point of a grid has a smaller impulse, and the remaining impulse is that of a
-/// rigid impact at the found point.
-#[test]
-fn closures_and_the_ground_have_centres_of_percussion() {
-    let mechanism = model("four_bar");
-    let pose = pose_of(&mechanism, &Conditions::new(), &[("crank_hinge", 0.4)]);
-    let link = mechanism.find_link("coupler").expect("the coupler");
-    let contact = Contact::new(link, Vector3::new(0.35, 0.1, 0.0), Vector3::y());
-    for bearing in [
-        Bearing::Closure(0),
-        Bearing::Ground,
-        Bearing::Joint(mechanism.find_joint("crank_pin").expect("a joint")),
-    ] {
-        let force_at = |point: Vector3<f64>| {
-            let response = pose.respond(&Contact { point, ..contact }).expect("a response");
-            let reactions = reactions_to_unit_impulse(&pose, &response).expect("reactions");
-            let force = bearing.reaction(&reactions).expect("a reaction").force;
-            force.iter().filter_map(|c| c.value()).map(|x| x * x).sum::<f64>().sqrt()
-        };
-        let best = centre_of_percussion(&pose, &contact, bearing, Vector3::x()).expect("a centre");
-        assert!((force_at(best.point) - best.remaining_reaction).abs() < 1e-10, "{best:?}");
-        assert!((force_at(contact.point) - best.given_reaction).abs() < 1e-10, "{best:?}");
-        for k in -40..=40 {
-            let point = contact.point + Vector3::x() * (f64::from(k) / 40.0);
-            assert!(force_at(point) >= best.remaining_reaction - 1e-12, "{bearing:?} {k}");
-        }
-    }
-    let floating = pose_of(&mechanism, &Conditions::new().base(Base::Floating), &[("crank_hinge", 0.4)]);
-    let refused = centre_of_percussion(&floating, &contact, Bearing::Ground, Vector3::x());
-    assert!(matches!(refused, Err(PercussionError::NoReaction { .. })), "{refused:?}");
-}
-
-#[test]
-fn an_immovable_contact_has_no_centre_of_percussion() {
-    let door = hinged_rod(3.0, 0.9);
-    let pose = pose_of(&door, &Conditions::new(), &[]);
-    let link = door.find_link("rod").expect("the rod");
-    let hinge = door.find_joint("hinge").expect("the hinge");
-    for (at, normal) in [(Vector3::zeros(), Vector3::y()), (Vector3::x() * 0.6, Vector3::x())] {
-        let contact = Contact::new(link, at, normal);
-        let expected = PercussionError::Immovable {
-            bearing: "joint \"hinge\"".to_owned(),
-            point: at.into(),
-            is_best: false,
-        };
-        let along = centre_of_percussion(&pose, &contact, hinge, Vector3::x());
-        assert_eq!(along.expect_err("no centre along the line"), expected);
-        let plane = centre_of_percussion_in_plane(&pose, &contact, hinge);
-        assert_eq!(plane.expect_err("no centre in the plane"), expected);
-        let worst = worst_reaction_within(&pose, &contact, hinge, 0.01);
-        assert_eq!(worst.expect_err("no reaction"), expected);
     }
 }
 
@@ -299,7 +243,7 @@ fn a_gear_receives_the_armature_times_the_jump() {
 }
 
 /// Two uniform rods of 1 kg and 1 m in a row, with the hinges `shoulder` and `elbow`.
-fn two_rods() -> MechanismBuilder {
+pub fn two_rods() -> MechanismBuilder {
     let mut builder = MechanismBuilder::new("rods");
     let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
     let about_com = Matrix3::from_diagonal(&Vector3::new(0.0, 1.0, 1.0)) / 12.0;
@@ -333,63 +277,6 @@ fn a_lock_receives_the_impulse_of_the_joint() {
     let [lock] = &reactions.joint_constraints[..] else { panic!("{reactions:?}") };
     assert_eq!(lock.constraint, JointConstraint::Lock(elbow.joint));
     assert!((value(lock.impulses[0].2) - 0.375).abs() < ROUNDING, "{lock:?}");
-}
-
-/// The elbow turns as much as the shoulder, by a coupling or as a mimic. The contact at the tip is immovable if one of both is locked; the
-/// impulse −1 N·s at 2 m and 1 m gives the sums 2 and 1 N·m·s at the hinges. With the elbow locked, only the coupling acts on the
-/// shoulder: −2 on the elbow, so that the lock has 3. With the shoulder locked too, only the sums are determinate.
-#[test]
-fn a_lock_and_a_coupling_of_one_joint_are_separate() {
-    let names = |mechanism: &Mechanism| {
-        ["shoulder", "elbow"].map(|name| mechanism.find_joint(name).expect("a joint"))
-    };
-    let terms = vec![("elbow".to_owned(), 1.0), ("shoulder".to_owned(), -1.0)];
-    let relation =
-        RelationDescription { name: "belt".into(), terms: terms.clone(), constant: 0.0, curve: None };
-    let coupled = two_rods().relation(relation.clone()).build().expect("a mechanism").mechanism;
-    let twice = two_rods()
-        .relation(relation.clone())
-        .relation(RelationDescription { name: "gears".into(), ..relation });
-    let twice = Arc::new(twice.build().expect("a mechanism").mechanism);
-    let (links, mut joints) = percuss_oracle::alter::describe(&coupled);
-    joints[1].mimic = Some(MimicDescription { joint: "shoulder".into(), multiplier: 1.0, offset: 0.0 });
-    let mimic = Arc::new(percuss_oracle::alter::build("mimic", links, joints));
-    let at_tip = |mechanism: &Arc<Mechanism>, locks: &[&str]| {
-        let conditions = locks.iter().fold(Conditions::new(), |conditions, lock| conditions.lock(*lock));
-        let pose = pose_of(mechanism, &conditions, &[]);
-        let contact = Contact::new(mechanism.find_link("outer").expect("a link"), Vector3::x(), Vector3::y());
-        let response = pose.respond(&contact).expect("a response");
-        reactions_to_unit_impulse(&pose, &response).expect("reactions")
-    };
-    for mechanism in [Arc::new(coupled), mimic] {
-        let [shoulder, elbow] = names(&mechanism);
-        let single = at_tip(&mechanism, &["elbow"]);
-        let [lock, belt] = &single.joint_constraints[..] else { panic!("{single:?}") };
-        assert_eq!(lock.constraint, JointConstraint::Lock(elbow));
-        assert!((value(lock.impulses[0].2) - 3.0).abs() < ROUNDING, "{lock:?}");
-        for (joint, expected) in [(elbow, -2.0), (shoulder, 2.0)] {
-            let own = belt.impulses.iter().find(|(known, ..)| *known == joint).expect("the joint");
-            assert!((value(own.2) - expected).abs() < ROUNDING, "{belt:?}");
-        }
-        let both = at_tip(&mechanism, &["elbow", "shoulder"]);
-        assert_eq!(both.joint_constraints.len(), 3, "{both:?}");
-        for constraint in &both.joint_constraints {
-            assert!(constraint.impulses.iter().all(|(.., v)| v.value().is_none()), "{constraint:?}");
-            assert!(!constraint.open_by.is_empty(), "{constraint:?}");
-        }
-        for reactions in [&single, &both] {
-            for (joint, expected) in reactions.joints.iter().zip([2.0, 1.0]) {
-                assert!((value(joint.drives[0].constraint) - expected).abs() < ROUNDING, "{joint:?}");
-                assert!((value(joint.reaction.moment[2]) - expected).abs() < ROUNDING, "{joint:?}");
-            }
-        }
-    }
-    // A belt and gears in parallel share the impulse by their stiffness.
-    let parallel = at_tip(&twice, &[]);
-    let [belt, gears] = &parallel.joint_constraints[..] else { panic!("{parallel:?}") };
-    assert!(belt.open_by == ["belt", "gears"] && gears.open_by == belt.open_by, "{parallel:?}");
-    assert!(belt.impulses.iter().chain(&gears.impulses).all(|(.., v)| v.value().is_none()));
-    assert!(parallel.joints.iter().all(|joint| joint.drives[0].constraint.value().is_some()));
 }
 
 #[test]

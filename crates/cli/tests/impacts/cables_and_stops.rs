@@ -186,13 +186,15 @@ fn units_of_forces_and_moments_have_no_silent_effect() {
     // Forces only.
     let forces = base.replace("--also elbow:upper", "--also outer:0.2,0,0:1,0,0");
     assert!(!percuss(&forces).stderr.contains("depend on the units N and N·m"));
-    // Redundant: the moment about the axis of the hinge and the stop of the hinge. With one coefficient of restitution, the speeds do not
-    // depend on the distribution of the impulses.
-    let twice = "--also outer:about:0,0,1=inner --stiffness-ratio 1,0.3,0.3";
-    assert!(!has(twice));
-    assert!(has(&format!("{twice} --also-restitution 0.4,0.1")));
-    let text = percuss(&format!("{base} {twice} --also-restitution 0.4,0.1")).stderr;
+    // Redundant: the stop of the hinge and a force between its links. With one coefficient of restitution, the speeds do not depend on the
+    // distribution of the impulses; nor does the distribution among moments depend on the units.
+    let lower = base.replace("elbow:upper", "elbow:lower").replace("elbow=0.5", "elbow=-0.3");
+    let twice = format!("{lower} --also outer:0.4,0,0:0.64,-0.77,0=inner --stiffness-ratio 1,0.3,0.3");
+    assert!(!percuss(&twice).stderr.contains("depend on the units N and N·m"));
+    let text = percuss(&format!("{twice} --also-restitution 0.4,0.1")).stderr;
     assert!(text.contains("leave out a redundant contact"), "{text}");
+    let moments = twice.replace("outer:0.4,0,0:0.64,-0.77,0=inner", "outer:about:0,0,-1=inner");
+    assert!(!percuss(&format!("{moments} --also-restitution 0.4,0.1")).stderr.contains("redundant contact"));
 }
 
 /// Stop of a hinge whose position follows from the loop: the driving hinge moves it there, on the branch of the drawing. The pose is that

@@ -103,7 +103,7 @@ impl JointConstraints {
         Self { locks, mimics, couplings }
     }
 
-    /// Overwrites `reactions` with the impulses of all locks, mimics and couplings, times `scale`. `loads`: sum of these impulses on each
+    /// Overwrites `reactions` with the impulses of all locks, mimics and couplings, times `scale`, and reuses its memory. `loads`: sum of these impulses on each
     /// velocity of all joints; changed to S. `multipliers`: of all groups.
     pub fn write_reactions(
         &self,
@@ -112,42 +112,42 @@ impl JointConstraints {
         scale: f64,
         reactions: &mut Vec<JointConstraintReaction>,
     ) {
-        reactions.clear();
         for coupling in &self.couplings {
             for (_, velocity, factor) in &coupling.joints {
                 loads[*velocity] -= factor * multipliers[coupling.row_of_all];
             }
         }
-        for Lock { joint, impulses } in &self.locks {
+        let empty = || JointConstraintReaction {
+            constraint: JointConstraint::Coupling(0),
+            impulses: Vec::new(),
+            open_by: Vec::new(),
+        };
+        reactions.resize_with(self.locks.len() + self.mimics.len() + self.couplings.len(), empty);
+        let (of_locks, others) = reactions.split_at_mut(self.locks.len());
+        let (of_mimics, of_couplings) = others.split_at_mut(self.mimics.len());
+        for (Lock { joint, impulses }, to) in self.locks.iter().zip(of_locks) {
+            to.constraint = JointConstraint::Lock(*joint);
+            to.impulses.clear();
             let value = |(k, impulse): (usize, &Impulse)| (*joint, k, impulse.value(loads, scale));
-            reactions.push(JointConstraintReaction {
-                constraint: JointConstraint::Lock(*joint),
-                impulses: impulses.iter().enumerate().map(value).collect(),
-                open_by: unique(impulses.iter().flat_map(|impulse| &impulse.open_by)),
-            });
+            to.impulses.extend(impulses.iter().enumerate().map(value));
+            to.open_by = unique(impulses.iter().flat_map(|impulse| &impulse.open_by));
         }
-        for Mimic { follower, master, multiplier, impulse } in &self.mimics {
+        for (Mimic { follower, master, multiplier, impulse }, to) in self.mimics.iter().zip(of_mimics) {
             let value = impulse.value(loads, scale);
-            reactions.push(JointConstraintReaction {
-                constraint: JointConstraint::Mimic(*follower),
-                impulses: vec![(*follower, 0, value), (*master, 0, value.scaled(-multiplier))],
-                open_by: impulse.open_by.clone(),
-            });
+            to.constraint = JointConstraint::Mimic(*follower);
+            to.impulses.clear();
+            to.impulses.extend([(*follower, 0, value), (*master, 0, value.scaled(-multiplier))]);
+            to.open_by.clone_from(&impulse.open_by);
         }
-        for coupling in &self.couplings {
+        for (coupling, to) in self.couplings.iter().zip(of_couplings) {
             let value = |factor: f64| match coupling.open_by.is_empty() || factor == 0.0 {
                 true => Component::Determinate(scale * factor * multipliers[coupling.row_of_all]),
                 false => Component::Indeterminate,
             };
-            reactions.push(JointConstraintReaction {
-                constraint: JointConstraint::Coupling(coupling.coupling),
-                impulses: coupling
-                    .joints
-                    .iter()
-                    .map(|&(joint, _, factor)| (joint, 0, value(factor)))
-                    .collect(),
-                open_by: coupling.open_by.clone(),
-            });
+            to.constraint = JointConstraint::Coupling(coupling.coupling);
+            to.impulses.clear();
+            to.impulses.extend(coupling.joints.iter().map(|&(joint, _, factor)| (joint, 0, value(factor))));
+            to.open_by.clone_from(&coupling.open_by);
         }
     }
 }

@@ -477,7 +477,7 @@ fn place(record: &ReactionRecord) -> String {
 
 /// Impulses of gears; `None` without any.
 pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
-    let mut table = Table::new(["drive", "gear N·m·s, N·s"]);
+    let mut table = Table::new(["drive", "impulse in the gear (N·m·s, N·s)"]);
     let scale = drive_scale(report);
     for record in report.reactions.iter().filter(|record| record.gear.iter().any(|gear| *gear != 0.0)) {
         let gear: Vec<String> = record.gear.iter().map(|v| component(Some(*v), scale)).collect();
@@ -488,7 +488,7 @@ pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
 
 /// Impulses of locks, mimics and couplings on their joints; `None` without any.
 pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
-    let mut table = Table::new(["constraint of joints", "impulses N·m·s, N·s"]);
+    let mut table = Table::new(["constraint of joints", "impulses (N·m·s, N·s)"]);
     let scale = drive_scale(report);
     let is_loaded = |v: &Option<f64>| v.is_none_or(|v| rounded(v, scale) != 0.0);
     for record in report.joint_constraints.iter().filter(|record| record.impulses.iter().any(is_loaded)) {

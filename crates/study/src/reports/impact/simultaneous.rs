@@ -293,10 +293,16 @@ pub(crate) fn unit_finding(
     }
     // The expansion of Poisson's law follows from the impulses of compression, of which redundant contacts leave the distribution open. With
     // one coefficient of restitution it depends on their determinate sum W p only.
-    let is_open =
-        record.laws.iter().any(|law| law.impulses.iter().any(Option::is_none) && law.refusal.is_none());
+    // Impulses of one unit are distributed in the same way in all units.
+    let is_open = |is_moment: bool| {
+        let of_kind = |law: &SimultaneousLawRecord| {
+            let mut impulses = record.contacts.iter().zip(&law.impulses);
+            impulses.any(|(contact, impulse)| contact.is_moment == is_moment && impulse.is_none())
+        };
+        record.laws.iter().filter(|law| law.refusal.is_none()).any(of_kind)
+    };
     let differ = question.also_restitution.iter().any(|e| *e != question.restitution);
-    if is_open && differ {
+    if is_open(true) && is_open(false) && differ {
         reasons.push(format!(
             "Poisson's law distributes the impulses of redundant contacts by their least sum of squares: leave out a redundant contact{}",
             Field::Also.hint(names)
