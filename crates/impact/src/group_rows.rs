@@ -104,6 +104,12 @@ impl GroupRows {
         (0..parts.len()).filter(|&i| parts[i] > INVOLVED * largest).collect()
     }
 
+    /// Names of the [`open_constraints`](Self::open_constraints).
+    pub fn open_names(&self, sensitivity: &[f64], unit: f64) -> Vec<String> {
+        let open = self.open_constraints(sensitivity, unit);
+        open.into_iter().map(|index| self.group.constraints[index].name.clone()).collect()
+    }
+
     /// Basis of ker A as columns of (coordinate of the model, entry), orthonormal over coordinates scaled by `lengths`
     /// (one length per coordinate of the model).
     pub fn kernel(&self, lengths: &[f64]) -> Vec<Vec<(usize, f64)>> {

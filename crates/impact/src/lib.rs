@@ -39,8 +39,8 @@ pub use percussion::{
     worst_reaction_within,
 };
 pub use ranges::extreme_question::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, SearchedContact,
-    SearchedPoses, SearchedQuantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, PeakForceLaw,
+    SearchedContact, SearchedPoses, SearchedQuantity,
 };
 pub use ranges::extremes::{extreme_along_path, extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
@@ -48,7 +48,10 @@ pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, locked_body_masses, reflected_inertia,
 };
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
-pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
+pub use reactions::bearing::Bearing;
+pub use reactions::reaction::{
+    Component, DriveImpulse, JointConstraint, JointConstraintReaction, JointReaction, Reaction, Reactions,
+};
 pub use reactions::reaction_map::{ReactionError, ReactionMap};
 pub use reactions::unit_impulse::reactions_to_unit_impulse;
 pub use rigid::impact::{

@@ -1,10 +1,10 @@
-//! Centre of percussion: the contact point with the least reaction at a joint.
+//! Centre of percussion: the contact point with the least reaction in a bearing.
 
+use crate::reactions::bearing::Bearing;
 use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use crate::tolerances::{CIRCLE_ANGLES, CIRCLE_ITERATIONS, NO_INFLUENCE};
 use nalgebra::{Matrix2, Vector2, Vector3};
 use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, Pose, ResponseError};
-use percuss_mechanism::JointId;
 use percuss_spatial::plane_basis;
 
 /// Error of a centre of percussion.
@@ -17,23 +17,29 @@ pub enum PercussionError {
     /// The reactions cannot be computed.
     #[error(transparent)]
     Reactions(#[from] ReactionError),
-    /// Redundant constraints leave the reaction at the joint open.
-    #[error("joint \"{joint}\": redundant loops leave components of its reaction open ({})", loops.join(", "))]
+    /// Redundant constraints leave the reaction open.
+    #[error("{bearing}: redundant loops leave components of its reaction open ({})", loops.join(", "))]
     Indeterminate {
-        /// The joint.
-        joint: String,
+        /// Kind and name of the bearing.
+        bearing: String,
         /// Loops that leave the components open.
         loops: Vec<String>,
     },
+    /// The bearing has no reaction: the ground of a floating base.
+    #[error("{bearing}: no reaction, because the base floats; expected a joint or a closure")]
+    NoReaction {
+        /// Kind and name of the bearing.
+        bearing: String,
+    },
     /// No motion closes the gap at the contact point, so that no impact occurs there.
     #[error(
-        "joint \"{joint}\": no centre of percussion, because the {} [{}, {}, {}] m (frame of the contact link) is immovable along the normal; \
+        "{bearing}: no centre of percussion, because the {} [{}, {}, {}] m (frame of the contact link) is immovable along the normal; \
          expected a point that the mechanism can move along it",
         if *is_best { "point of the least reaction" } else { "contact point" }, rounded(point[0]), rounded(point[1]), rounded(point[2])
     )]
     Immovable {
-        /// The joint.
-        joint: String,
+        /// Kind and name of the bearing.
+        bearing: String,
         /// The point, frame of the contact link, m.
         point: [f64; 3],
         /// True for the point of the least reaction, false for the given contact point.
@@ -41,11 +47,11 @@ pub enum PercussionError {
     },
     /// The contact is a moment about an axis.
     #[error(
-        "joint \"{joint}\": no centre of percussion, because the contact is a moment about an axis; expected a contact point with a normal"
+        "{bearing}: no centre of percussion, because the contact is a moment about an axis; expected a contact point with a normal"
     )]
     Moment {
-        /// The joint.
-        joint: String,
+        /// Kind and name of the bearing.
+        bearing: String,
     },
     /// The direction of the line is too short or not finite.
     #[error("the direction of the line is {direction:?}; expected a vector of length above zero")]
@@ -60,10 +66,10 @@ pub enum PercussionError {
         radius: f64,
     },
     /// The reaction does not depend on the position of the contact point.
-    #[error("joint \"{joint}\": its reaction does not depend on the position of the contact point")]
+    #[error("{bearing}: its reaction does not depend on the position of the contact point")]
     NoInfluence {
-        /// The joint.
-        joint: String,
+        /// Kind and name of the bearing.
+        bearing: String,
     },
 }
 
@@ -73,7 +79,7 @@ fn rounded(coordinate: f64) -> f64 {
     (coordinate * PER_METRE).round() / PER_METRE + 0.0
 }
 
-/// Contact point with the least impulse at a joint, at unit impulse at the contact. Components that redundant constraints
+/// Contact point with the least impulse in a bearing, at unit impulse at the contact. Components that redundant constraints
 /// leave open do not count: the least value is that of the determinate components.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PercussionCentre {
@@ -81,21 +87,21 @@ pub struct PercussionCentre {
     pub point: Vector3<f64>,
     /// Displacement from the given contact point, m, in the axes of the contact link.
     pub displacement: Vector3<f64>,
-    /// Impulse at the joint for the given point, per unit impulse at the contact: its determinate components.
+    /// Impulse in the bearing for the given point, per unit impulse at the contact: its determinate components.
     pub given_reaction: f64,
-    /// Remaining impulse at the joint for the best point, per unit impulse at the contact: its determinate components.
+    /// Remaining impulse in the bearing for the best point, per unit impulse at the contact: its determinate components.
     pub remaining_reaction: f64,
-    /// True for each component of the impulse, along two transverse directions and the axis of the joint, that redundant
+    /// True for each component of the impulse, along two transverse directions and the axis, that redundant
     /// constraints leave open.
     pub is_open: [bool; 3],
     /// Loops that leave these components open; empty if all are determinate.
     pub loops: Vec<String>,
 }
 
-/// Point along a line through the contact point (direction in the axes of the contact link) with the least impulse at a
-/// joint.
+/// Point along a line through the contact point (direction in the axes of the contact link) with the least impulse in a
+/// bearing.
 ///
-/// With a fixed normal, the impulse R at the joint is an affine function of the point, R(s) = R₀ + s R₁. The best point
+/// With a fixed normal, the impulse R in the bearing is an affine function of the point, R(s) = R₀ + s R₁. The best point
 /// is s = −R₀·R₁/|R₁|². The remaining impulse is zero in general only for planar bodies. R has the determinate components
 /// only, and [`PercussionCentre::is_open`] names the others; an impulse without a determinate component is refused.
 ///
@@ -104,7 +110,7 @@ pub struct PercussionCentre {
 pub fn centre_of_percussion(
     pose: &Pose,
     contact: &Contact,
-    joint: JointId,
+    bearing: impl Into<Bearing>,
     direction: Vector3<f64>,
 ) -> Result<PercussionCentre, PercussionError> {
     let length = direction.norm();
@@ -112,7 +118,7 @@ pub fn centre_of_percussion(
         return Err(PercussionError::Direction { direction: direction.into() });
     }
     let line = direction / length;
-    let affine = AffineReaction::new(pose, contact, joint, &[line])?;
+    let affine = AffineReaction::new(pose, contact, bearing.into(), &[line])?;
     let r1 = affine.derivatives[0];
     if r1.norm() * affine.size <= NO_INFLUENCE * affine.given.norm().max(1.0) {
         return Err(affine.no_influence(pose));
@@ -121,7 +127,7 @@ pub fn centre_of_percussion(
     affine.centre(pose, contact, line * s, affine.given + r1 * s)
 }
 
-/// Point of the tangent plane with the least impulse at a joint. See [`centre_of_percussion`]. If a line of points has
+/// Point of the tangent plane with the least impulse in a bearing. See [`centre_of_percussion`]. If a line of points has
 /// the least impulse, the point nearest to the given contact point.
 ///
 /// # Errors
@@ -129,11 +135,11 @@ pub fn centre_of_percussion(
 pub fn centre_of_percussion_in_plane(
     pose: &Pose,
     contact: &Contact,
-    joint: JointId,
+    bearing: impl Into<Bearing>,
 ) -> Result<PercussionCentre, PercussionError> {
     let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
     let (t1, t2) = plane_basis(&normal);
-    let affine = AffineReaction::new(pose, contact, joint, &[t1, t2])?;
+    let affine = AffineReaction::new(pose, contact, bearing.into(), &[t1, t2])?;
     let [r1, r2] = [affine.derivatives[0], affine.derivatives[1]];
     let gram = Matrix2::new(r1.norm_squared(), r1.dot(&r2), r1.dot(&r2), r2.norm_squared());
     let right = -Vector2::new(r1.dot(&affine.given), r2.dot(&affine.given));
@@ -153,25 +159,25 @@ pub fn centre_of_percussion_in_plane(
     affine.centre(pose, contact, t1 * x[0] + t2 * x[1], affine.given + r1 * x[0] + r2 * x[1])
 }
 
-/// Largest impulse at a joint for contact points near the given one.
+/// Largest impulse in a bearing for contact points near the given one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorstReaction {
     /// Contact point with the largest impulse, in the frame of the contact link, m.
     pub point: Vector3<f64>,
     /// Displacement from the given contact point, m, in the axes of the contact link.
     pub displacement: Vector3<f64>,
-    /// Magnitude of the impulse at the joint for the given point, per impulse at the contact.
+    /// Magnitude of the impulse in the bearing for the given point, per impulse at the contact.
     pub given_reaction: f64,
     /// Largest magnitude, at [`point`](Self::point).
     pub worst_reaction: f64,
-    /// True for each component of the impulse (two transverse directions, the axis of the joint) that redundant loops leave open.
+    /// True for each component of the impulse (two transverse directions, the axis) that redundant loops leave open.
     /// The magnitudes omit these components.
     pub is_open: [bool; 3],
     /// Loops that leave these components open.
     pub loops: Vec<String>,
 }
 
-/// Largest impulse at a joint, per impulse at the contact, if the contact point is displaced in the tangent plane by at most `radius`
+/// Largest impulse in a bearing, per impulse at the contact, if the contact point is displaced in the tangent plane by at most `radius`
 /// (m).
 ///
 /// The impulse is an affine function of the point, R = R₀ + x R₁ + y R₂, so its magnitude is largest on the circle. |R|² over the angle
@@ -182,7 +188,7 @@ pub struct WorstReaction {
 pub fn worst_reaction_within(
     pose: &Pose,
     contact: &Contact,
-    joint: JointId,
+    bearing: impl Into<Bearing>,
     radius: f64,
 ) -> Result<WorstReaction, PercussionError> {
     if !(radius.is_finite() && radius >= 0.0) {
@@ -190,7 +196,7 @@ pub fn worst_reaction_within(
     }
     let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
     let (t1, t2) = plane_basis(&normal);
-    let affine = AffineReaction::new(pose, contact, joint, &[t1, t2])?;
+    let affine = AffineReaction::new(pose, contact, bearing.into(), &[t1, t2])?;
     let [r1, r2] = [affine.derivatives[0] * radius, affine.derivatives[1] * radius];
     let at = |angle: f64| affine.given + r1 * angle.cos() + r2 * angle.sin();
     let step = std::f64::consts::TAU / f64::from(CIRCLE_ANGLES);
@@ -216,9 +222,9 @@ pub fn worst_reaction_within(
     })
 }
 
-/// Impulse at a joint as an affine function of the contact point.
+/// Impulse in a bearing as an affine function of the contact point.
 struct AffineReaction {
-    joint: JointId,
+    bearing: Bearing,
     /// Normal at the given contact point, axes of the contact link.
     normal: Vector3<f64>,
     given: Vector3<f64>,
@@ -235,7 +241,7 @@ impl AffineReaction {
     fn new(
         pose: &Pose,
         contact: &Contact,
-        joint: JointId,
+        bearing: Bearing,
         directions: &[Vector3<f64>],
     ) -> Result<Self, PercussionError> {
         // The normal stays fixed while the point moves, also for normals along a line.
@@ -247,8 +253,9 @@ impl AffineReaction {
             normal: Direction::Along(normal, Frame::Link),
             ..*contact
         };
-        let at = |displacement: Vector3<f64>| impulse_at_joint(pose, &map, &displaced(displacement), joint);
-        require_movable(pose, contact, joint, false)?;
+        let at =
+            |displacement: Vector3<f64>| impulse_in_bearing(pose, &map, &displaced(displacement), bearing);
+        require_movable(pose, contact, bearing, false)?;
         let first = at(Vector3::zeros())?;
         let mut is_open = first.is_open;
         let mut derivatives = Vec::new();
@@ -260,7 +267,7 @@ impl AffineReaction {
         // A component that is open at one of the points does not count at any.
         let determinate = |v: Vector3<f64>| Vector3::from_fn(|k, _| if is_open[k] { 0.0 } else { v[k] });
         Ok(Self {
-            joint,
+            bearing,
             normal,
             given: determinate(first.values),
             derivatives: derivatives.into_iter().map(determinate).collect(),
@@ -280,7 +287,7 @@ impl AffineReaction {
     ) -> Result<PercussionCentre, PercussionError> {
         let normal = Direction::Along(self.normal, Frame::Link);
         let best = Contact { point: contact.point + displacement, normal, ..*contact };
-        require_movable(pose, &best, self.joint, true)?;
+        require_movable(pose, &best, self.bearing, true)?;
         Ok(PercussionCentre {
             point: best.point,
             displacement,
@@ -292,7 +299,7 @@ impl AffineReaction {
     }
 
     fn no_influence(&self, pose: &Pose) -> PercussionError {
-        PercussionError::NoInfluence { joint: pose.mechanism().joint(self.joint).name().to_owned() }
+        PercussionError::NoInfluence { bearing: self.bearing.describe(pose.mechanism()) }
     }
 }
 
@@ -300,45 +307,47 @@ impl AffineReaction {
 fn require_movable(
     pose: &Pose,
     contact: &Contact,
-    joint: JointId,
+    bearing: Bearing,
     is_best: bool,
 ) -> Result<(), PercussionError> {
     let immovable = pose.respond(contact)?.effective_mass == EffectiveMass::Immovable;
     if !immovable && !contact.normal.is_moment() {
         return Ok(());
     }
-    let joint = pose.mechanism().joint(joint).name().to_owned();
+    let bearing = bearing.describe(pose.mechanism());
     if contact.normal.is_moment() {
-        return Err(PercussionError::Moment { joint });
+        return Err(PercussionError::Moment { bearing });
     }
-    Err(PercussionError::Immovable { joint, point: contact.point.into(), is_best })
+    Err(PercussionError::Immovable { bearing, point: contact.point.into(), is_best })
 }
 
-/// Impulse at a joint to a unit impulse at the contact.
-struct JointImpulse {
+/// Impulse in a bearing to a unit impulse at the contact.
+struct BearingImpulse {
     /// Components; 0 for open ones.
     values: Vector3<f64>,
     is_open: [bool; 3],
     loops: Vec<String>,
 }
 
-/// Impulse at a joint.
-fn impulse_at_joint(
+/// Impulse in a bearing.
+fn impulse_in_bearing(
     pose: &Pose,
     map: &ReactionMap,
     contact: &Contact,
-    joint: JointId,
-) -> Result<JointImpulse, PercussionError> {
-    let mut reactions = map.reactions(&pose.respond(contact)?, 1.0)?;
-    let reaction = reactions.joints.swap_remove(joint.index()).reaction;
+    bearing: Bearing,
+) -> Result<BearingImpulse, PercussionError> {
+    let reactions = map.reactions(&pose.respond(contact)?, 1.0)?;
+    let describe = || bearing.describe(pose.mechanism());
+    let reaction =
+        bearing.reaction(&reactions).ok_or_else(|| PercussionError::NoReaction { bearing: describe() })?;
     let values = reaction.force.map(|component| component.value());
     if values.iter().all(Option::is_none) {
-        let joint = pose.mechanism().joint(joint).name().to_owned();
-        return Err(PercussionError::Indeterminate { joint, loops: reaction.loops });
+        let loops = reaction.loops.clone();
+        return Err(PercussionError::Indeterminate { bearing: describe(), loops });
     }
-    Ok(JointImpulse {
+    Ok(BearingImpulse {
         values: Vector3::from(values.map(Option::unwrap_or_default)),
         is_open: values.map(|value| value.is_none()),
-        loops: if values.iter().any(Option::is_none) { reaction.loops } else { Vec::new() },
+        loops: if values.iter().any(Option::is_none) { reaction.loops.clone() } else { Vec::new() },
     })
 }

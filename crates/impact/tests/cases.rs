@@ -21,8 +21,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Case with conditions by the bits of `variant`: 1 a floating base, 2 a lock, 4 an armature, 8 a held contact.
-    /// `None` if the loops do not close at `positions`.
+    /// Case with conditions by the bits of `variant`: 1 a floating base, 2 a lock, 4 an armature, 8 a held contact, 16 locks of one to
+    /// three joints of mimics and couplings, if any. `None` if the loops do not close at `positions`.
     pub fn new(
         name: String,
         mechanism: &Arc<Mechanism>,
@@ -41,6 +41,16 @@ impl Case {
             let id = any(rng);
             conditions = conditions.lock(mechanism.joint(id).name());
             locked.push(id);
+        }
+        let coupled = coupled_joints(mechanism);
+        if variant & 16 > 0 && !coupled.is_empty() {
+            for _ in 0..rng.random_range(1..=3) {
+                let id = coupled[rng.random_range(0..coupled.len())];
+                if !locked.contains(&id) {
+                    conditions = conditions.lock(mechanism.joint(id).name());
+                    locked.push(id);
+                }
+            }
         }
         if variant & 4 > 0 {
             let id = any(rng);
@@ -84,6 +94,37 @@ impl Case {
             )
         }
     }
+}
+
+/// Mimics, their masters, and the joints of couplings.
+fn coupled_joints(mechanism: &Mechanism) -> Vec<JointId> {
+    let mimics = mechanism.joint_ids().filter_map(|id| Some([id, mechanism.joint(id).mimic()?.master]));
+    let terms = mechanism.couplings().iter().flat_map(|coupling| coupling.terms());
+    mimics.flatten().chain(terms.map(|(joint, _)| *joint)).collect()
+}
+
+/// Random linkages and trees with relations of joint positions, mimics, and locks of the joints that they move.
+pub fn coupled(count: u64) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for seed in 0..count {
+        let mut rng = StdRng::seed_from_u64(77_000 + seed);
+        let (bodies, closures, relations) = (5 + seed as usize % 7, seed as usize % 3, 1 + seed as usize % 4);
+        let (mechanism, positions) = random::coupled_linkage(&mut rng, bodies, closures, relations);
+        let name = format!("coupled linkage {seed}");
+        cases.extend(Case::new(name, &Arc::new(mechanism), &positions, 16 | (seed % 16), &mut rng));
+    }
+    for variant in [16, 17, 22, 25] {
+        for (number, one) in linkage::all().into_iter().enumerate() {
+            if coupled_joints(&one.mechanism).is_empty() {
+                continue;
+            }
+            let mut rng = StdRng::seed_from_u64(9_500 + 16 * number as u64 + variant);
+            let name = format!("{}, variant {variant}", one.name);
+            let positions = one.closed_start();
+            cases.extend(Case::new(name, &Arc::new(one.mechanism), &positions, variant, &mut rng));
+        }
+    }
+    cases
 }
 
 /// Random linkages with closures of all kinds, random trees, all specimens of linkages, and planar linkages with three

@@ -427,7 +427,7 @@ fn invalid_kept_points_and_paths_are_refused() {
     // At the stretched arm along the normal the contact is immovable, and the impulse in the bearing is unbounded.
     let half = std::f64::consts::FRAC_PI_2;
     let path = DriverPath { joints: &joints, rows: &[vec![half, -0.5], vec![half, 0.4]] };
-    let quantity = SearchedQuantity::BearingImpulse { joint: joints[0] };
+    let quantity = SearchedQuantity::BearingImpulse { bearing: joints[0].into() };
     let most = extreme_along_path(&system, &start, (&contact).into(), quantity, &path, ExtremeKind::Most);
     let most = most.expect("an extreme");
     assert_eq!(most.extreme.effective_mass, EffectiveMass::Immovable, "{most:?}");

@@ -1,5 +1,6 @@
 //! Tests of rigid impacts: against maximal coordinates, closed forms, and properties.
 
+mod bearings_and_locks;
 mod cases;
 mod closed_forms;
 mod friction;

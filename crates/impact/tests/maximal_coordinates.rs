@@ -1,10 +1,11 @@
 //! Reactions and changes of the rates compared with multipliers of all rows in maximal coordinates.
 
-use crate::cases::{Case, all};
-use nalgebra::{Matrix3, Vector3};
-use percuss_dynamics::{Direction, EffectiveMass};
-use percuss_impact::{Component, Reaction, Reactions, reactions_to_unit_impulse};
-use percuss_oracle::maximal::{ImpactReactions, PlaceReaction, reactions};
+use crate::cases::{Case, all, coupled};
+use nalgebra::{DVector, Matrix3, Vector3};
+use percuss_dynamics::{Direction, EffectiveMass, Pose};
+use percuss_impact::{Component, JointConstraint, Reaction, Reactions, reactions_to_unit_impulse};
+use percuss_mechanism::{Coupling, JointId};
+use percuss_oracle::maximal::{ImpactReactions, PlaceReaction, RowReaction, reactions};
 
 /// Numbers of compared values.
 #[derive(Debug, Default)]
@@ -13,6 +14,10 @@ struct Count {
     redundant: usize,
     determinate: usize,
     indeterminate: usize,
+    /// Impulses of locks, mimics and couplings, and the sums on the joints: determinate and open.
+    drives: [usize; 2],
+    /// Determinate sums of open impulses.
+    sums: usize,
     skipped: usize,
     worst: f64,
 }
@@ -77,12 +82,110 @@ fn compare_all(case: &Case, found: &Reactions, oracle: &ImpactReactions, count: 
     }
 }
 
+/// Entries of the row of a coupling at a pose: joint and entry.
+fn coupling_entries(coupling: &Coupling, pose: &Pose) -> Vec<(JointId, f64)> {
+    let curve = coupling.curve();
+    let of_curve: Vec<(JointId, f64)> = curve.map_or(Vec::new(), |curve| curve.terms().to_vec());
+    let positions = of_curve.iter().map(|(joint, g)| g * pose.joint(*joint)[0]);
+    let s = curve.map_or(0.0, |curve| curve.offset()) + positions.sum::<f64>();
+    let [a2, a3, a4] = curve.map_or([0.0; 3], |curve| curve.coefficients());
+    let slope = s * (2.0 * a2 + s * (3.0 * a3 + s * 4.0 * a4));
+    let entry = |&(joint, f): &(JointId, f64)| {
+        let g = of_curve.iter().filter(|(own, _)| *own == joint).map(|(_, g)| g).sum::<f64>();
+        (joint, f - slope * g)
+    };
+    coupling.terms().iter().map(entry).collect()
+}
+
+/// Compares the impulses of all locks, mimics and couplings, and their sum on every joint velocity.
+fn compare_drives(case: &Case, found: &Reactions, oracle: &ImpactReactions, count: &mut Count) {
+    let mechanism = &case.mechanism;
+    let wrenches = oracle.joints.iter().map(|place| place.wrench.norm());
+    let rows = oracle.locks.iter().flatten().chain(oracle.mimics.iter().flatten()).chain(&oracle.couplings);
+    let size = mechanism.characteristic_length().max(1.0);
+    let largest = wrenches.chain(rows.map(|row| row.value.abs())).fold(size, f64::max);
+    let mut compare = |what: String, component: Component, expected: &RowReaction, is_named: bool| {
+        let open = expected.open.norm();
+        let label = format!("{}: {what}: {component:?}", case.name);
+        match component {
+            Component::Determinate(value) => {
+                let error = (value - expected.value).abs() / largest;
+                count.worst = count.worst.max(error);
+                assert!(error < CLOSE, "{label}, oracle {}, error {error:e}", expected.value);
+                assert!(open < OPEN * size, "{label}: the oracle finds it open, {open:e}");
+                count.drives[0] += 1;
+            }
+            Component::Indeterminate => {
+                assert!(open > OPEN, "{label}: the oracle finds it determinate, {open:e}");
+                assert!(is_named, "{label}: no constraint is named");
+                count.drives[1] += 1;
+            }
+        }
+    };
+    // Parts of the sum on each velocity of a joint.
+    let mut parts: Vec<Vec<Vec<RowReaction>>> =
+        mechanism.joints().iter().map(|joint| vec![Vec::new(); joint.kind().dofs()]).collect();
+    let times =
+        |row: &RowReaction, factor: f64| RowReaction { value: factor * row.value, open: &row.open * factor };
+    for found in &found.joint_constraints {
+        let expected: Vec<(JointId, usize, RowReaction)> = match found.constraint {
+            JointConstraint::Lock(joint) => {
+                let rows = oracle.locks[joint.index()].iter().enumerate();
+                rows.map(|(k, row)| (joint, k, row.clone())).collect()
+            }
+            JointConstraint::Mimic(follower) => {
+                let mimic = mechanism.joint(follower).mimic().expect("a mimic");
+                let row = oracle.mimics[follower.index()].as_ref().expect("a row");
+                vec![(follower, 0, times(row, 1.0)), (mimic.master, 0, times(row, -mimic.multiplier))]
+            }
+            JointConstraint::Coupling(i) => {
+                let entries = coupling_entries(&mechanism.couplings()[i], &case.pose);
+                let of_joint = |(joint, entry)| (joint, 0, times(&oracle.couplings[i], entry));
+                entries.into_iter().map(of_joint).collect()
+            }
+        };
+        assert_eq!(found.impulses.len(), expected.len(), "{}: {found:?}", case.name);
+        for (&(joint, k, value), (of_joint, of_k, expected)) in found.impulses.iter().zip(expected) {
+            assert_eq!((joint, k), (of_joint, of_k), "{}: {found:?}", case.name);
+            compare(format!("{:?}", found.constraint), value, &expected, !found.open_by.is_empty());
+            parts[joint.index()][k].push(expected);
+        }
+    }
+    let locks = oracle.locks.iter().filter(|rows| !rows.is_empty()).count();
+    let rows = locks + oracle.mimics.iter().flatten().count() + oracle.couplings.len();
+    assert_eq!(found.joint_constraints.len(), rows, "{}", case.name);
+    for joint in &found.joints {
+        for (k, drive) in joint.drives.iter().enumerate() {
+            let own = &parts[joint.joint.index()][k];
+            let zero = RowReaction { value: 0.0, open: DVector::zeros(oracle.redundant) };
+            let sum = own.iter().fold(zero, |sum, part| RowReaction {
+                value: sum.value + part.value,
+                open: sum.open + &part.open,
+            });
+            let name = mechanism.joint(joint.joint).name();
+            compare(format!("sum {k} on {name}"), drive.constraint, &sum, true);
+            let is_open = own.iter().any(|part| part.open.norm() > OPEN);
+            count.sums += usize::from(is_open && drive.constraint.value().is_some());
+        }
+    }
+}
+
 #[test]
 fn reactions_are_those_of_maximal_coordinates() {
     let count = compare_cases(all(400));
     println!("{count:?}");
     assert!(count.cases >= 1_000 && count.redundant > 400, "{count:?}");
     assert!(count.determinate > 10_000 && count.indeterminate > 1_000, "{count:?}");
+}
+
+/// Locks of joints that mimics and couplings move, and couplings that close loops among themselves: the sum of the constraints on a joint
+/// can be determinate while its parts are open.
+#[test]
+fn reactions_of_locked_couplings_are_those_of_maximal_coordinates() {
+    let count = compare_cases(coupled(600));
+    println!("{count:?}");
+    assert!(count.cases >= 300 && count.redundant > 100, "{count:?}");
+    assert!(count.drives[0] > 2_000 && count.drives[1] > 200 && count.sums > 100, "{count:?}");
 }
 
 /// As above, for moments about an axis.
@@ -126,6 +229,7 @@ fn compare_cases(cases: Vec<Case>) -> Count {
         count.cases += 1;
         count.redundant += usize::from(oracle.redundant > 0);
         compare_all(&case, &found, &oracle, &mut count);
+        compare_drives(&case, &found, &oracle, &mut count);
     }
     count
 }

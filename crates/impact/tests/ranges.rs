@@ -1,11 +1,12 @@
 //! Extremes and reflected inertias over ranges of positions.
 
 use nalgebra::{Matrix3, Vector3};
-use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, System};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, RigidImpact, SearchedContact,
-    SearchedQuantity, extreme_effective_mass, extreme_quantity, reflected_inertia_over,
+    Bearing, ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, PeakForceLaw, RigidImpact,
+    SearchedContact, SearchedQuantity, extreme_effective_mass, extreme_quantity, reactions_to_unit_impulse,
+    reflected_inertia_over,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -273,7 +274,7 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
     let scan: Vec<f64> = (0..=600).map(|k| impulse(lower + (upper - lower) * f64::from(k) / 600.0)).collect();
     let ranges = [JointRange { joint: joint("crank_hinge"), lower, upper }];
     for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
-        let quantity = SearchedQuantity::BearingImpulse { joint: bearing };
+        let quantity = SearchedQuantity::BearingImpulse { bearing: bearing.into() };
         let start = system.configuration();
         let found = extreme_quantity(&system, &start, (&contact).into(), quantity, &ranges, extreme, 8);
         let found = found.expect("an extreme");
@@ -294,7 +295,7 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
     let of =
         |name: &str, lower, upper| JointRange { joint: arm.find_joint(name).expect("a joint"), lower, upper };
     let wide = [of("shoulder", -1.2, 1.2), of("elbow", 0.3, 2.8)];
-    let quantity = SearchedQuantity::BearingImpulse { joint: wide[0].joint };
+    let quantity = SearchedQuantity::BearingImpulse { bearing: wide[0].joint.into() };
     let found = extreme_quantity(
         &planar,
         &planar.configuration(),
@@ -307,11 +308,139 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
     let found = found.expect("an extreme");
     assert_eq!(found.effective_mass, EffectiveMass::Finite(0.0), "{found:?}");
     assert!(found.agreeing * 100 >= found.starts * 95 && found.residual < 1e-3, "{found:?}");
-    let quantity = SearchedQuantity::BearingImpulse { joint: bearing };
+    let quantity = SearchedQuantity::ReflectedInertia { joint: bearing, held: false };
     let any = SearchedContact { normals: NormalRange::Any, ..(&contact).into() };
     let start = system.configuration();
     let refused = extreme_quantity(&system, &start, any, quantity, &ranges, ExtremeKind::Most, 1);
-    assert!(matches!(refused, Err(ExtremesError::NormalsOfMass)), "{refused:?}");
+    assert!(matches!(refused, Err(ExtremesError::NormalsOfContact)), "{refused:?}");
+}
+
+/// Loads of a joint, a closure and the ground of a four-bar over the crank angle and the normals in the plane, for the impulse and for the
+/// peak forces of contacts with a linear spring and of Hertz: extremes of a grid of rigid impacts.
+#[test]
+fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
+    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
+    let contact = Contact {
+        link: mechanism.find_link("coupler").expect("the coupler"),
+        against: None,
+        point: Vector3::new(0.35, 0.1, 0.0),
+        normal: Direction::Along(Vector3::x(), Frame::World),
+    };
+    let (lower, upper) = (0.2, 0.9);
+    let ranges = [JointRange { joint: joint("crank_hinge"), lower, upper }];
+    let pose = |turn: f64| {
+        let mut configuration = system.configuration();
+        configuration.set("crank_hinge", &[turn]).expect("a position");
+        system.pose(&configuration).expect("a pose")
+    };
+    // Load at a pose and a normal, from one rigid impact; no load if the contact is immovable.
+    let load = |pose: &Pose, normal: Vector3<f64>, bearing: Bearing, law: PeakForceLaw| {
+        let contact = Contact { normal: Direction::Along(normal, Frame::World), ..contact };
+        let response = pose.respond(&contact).expect("a response");
+        let mass = response.effective_mass.kilograms()?;
+        let reactions = reactions_to_unit_impulse(pose, &response).expect("reactions");
+        let force = bearing.reaction(&reactions).expect("a reaction").force;
+        let size = force.iter().filter_map(|c| c.value()).map(|x| x * x).sum::<f64>().sqrt();
+        Some(size * law.force * mass.powf(law.power))
+    };
+    let poses: Vec<Pose> = (0..=20).map(|k| pose(lower + (upper - lower) * f64::from(k) / 20.0)).collect();
+    let bearings = [Bearing::Joint(joint("rocker_hinge")), Bearing::Closure(0), Bearing::Ground];
+    let laws = [(1.0, 1.0), (800.0, 0.5), (800.0, 0.6)].map(|(force, power)| PeakForceLaw { force, power });
+    let direction = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
+    for bearing in bearings {
+        for law in laws {
+            let quantity = match law.power == 1.0 {
+                true => SearchedQuantity::BearingImpulse { bearing },
+                false => SearchedQuantity::BearingPeakForce { bearing, law },
+            };
+            for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
+                let search = |normals| {
+                    let searched = SearchedContact { normals, ..(&contact).into() };
+                    let start = system.configuration();
+                    extreme_quantity(&system, &start, searched, quantity, &ranges, extreme, 2)
+                        .expect("an extreme")
+                };
+                let of_normal: Vec<f64> =
+                    poses.iter().filter_map(|pose| load(pose, Vector3::x(), bearing, law)).collect();
+                let fixed = search(NormalRange::Given);
+                let value = fixed.effective_mass.kilograms().expect("a finite load");
+                assert_extreme_of_scan(extreme, value, &of_normal, 1e-2);
+                // The point of a linkage of one motion is immovable across its path: the largest load has no bound.
+                let found = search(NormalRange::Across(Vector3::z()));
+                match extreme {
+                    ExtremeKind::Most => {
+                        assert_eq!(found.effective_mass, EffectiveMass::Immovable, "{found:?}")
+                    }
+                    ExtremeKind::Least => {
+                        let angles = (0..90).map(|k| std::f64::consts::PI * f64::from(k) / 90.0);
+                        let normals: Vec<Vector3<f64>> = angles.map(direction).collect();
+                        let grid = poses.iter().flat_map(|pose| normals.iter().map(move |n| (pose, *n)));
+                        let values: Vec<f64> =
+                            grid.filter_map(|(pose, normal)| load(pose, normal, bearing, law)).collect();
+                        let value = found.effective_mass.kilograms().expect("a finite load");
+                        assert_extreme_of_scan(extreme, value, &values, 1e-2);
+                        let normal = found.normal_world.expect("a normal");
+                        let there = load(&pose(found.positions[0]), normal, bearing, law).expect("a load");
+                        assert!((there / value - 1.0).abs() < 1e-9, "{there} {value}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Loads of both hinges of an arm over positions and all normals in the plane: the largest values are bounded.
+#[test]
+fn the_largest_bearing_load_over_normals_of_an_arm_is_that_of_a_grid() {
+    let arm = arm(3.0, 2.0);
+    let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
+    let contact = Contact {
+        link: arm.find_link("outer").expect("the outer link"),
+        against: None,
+        point: Vector3::x(),
+        normal: Direction::Along(Vector3::y(), Frame::World),
+    };
+    let joint = |name: &str| arm.find_joint(name).expect("a joint");
+    let (lower, upper) = (0.4, 2.4);
+    let ranges = [JointRange { joint: joint("elbow"), lower, upper }];
+    let law = PeakForceLaw { force: 300.0, power: 0.5 };
+    for name in ["shoulder", "elbow"] {
+        let bearing = Bearing::Joint(joint(name));
+        for quantity in [
+            SearchedQuantity::BearingImpulse { bearing },
+            SearchedQuantity::BearingPeakForce { bearing, law },
+        ] {
+            let law = match quantity {
+                SearchedQuantity::BearingPeakForce { law, .. } => law,
+                _ => PeakForceLaw { force: 1.0, power: 1.0 },
+            };
+            let mut grid = Vec::new();
+            for k in 0..=40 {
+                let mut configuration = system.configuration();
+                let turn = lower + (upper - lower) * f64::from(k) / 40.0;
+                configuration.set("elbow", &[turn]).expect("a position");
+                let pose = system.pose(&configuration).expect("a pose");
+                for angle in (0..180).map(|degrees| f64::from(degrees).to_radians()) {
+                    let normal = Direction::Along(Vector3::new(angle.cos(), angle.sin(), 0.0), Frame::World);
+                    let response = pose.respond(&Contact { normal, ..contact }).expect("a response");
+                    let reactions = reactions_to_unit_impulse(&pose, &response).expect("reactions");
+                    let force = bearing.reaction(&reactions).expect("a reaction").force;
+                    let size = force.iter().filter_map(|c| c.value()).map(|x| x * x).sum::<f64>().sqrt();
+                    let mass = response.effective_mass.kilograms().expect("a mass");
+                    grid.push(size * law.force * mass.powf(law.power));
+                }
+            }
+            let searched =
+                SearchedContact { normals: NormalRange::Across(Vector3::z()), ..(&contact).into() };
+            let start = system.configuration();
+            let found = extreme_quantity(&system, &start, searched, quantity, &ranges, ExtremeKind::Most, 3);
+            let value = found.expect("an extreme").effective_mass.kilograms().expect("a finite load");
+            assert_extreme_of_scan(ExtremeKind::Most, value, &grid, 2e-3);
+        }
+    }
 }
 
 /// Towards the stretched arm along the normal the mass of the tip has no bound, and both hinges take the whole impulse. A range without
@@ -332,7 +461,7 @@ fn a_bearing_impulse_towards_an_immovable_pose_is_unbounded() {
             JointRange { joint: joint("shoulder"), lower: -3.0, upper: 3.0 },
             JointRange { joint: joint("elbow"), lower, upper },
         ];
-        let quantity = SearchedQuantity::BearingImpulse { joint: joint(bearing) };
+        let quantity = SearchedQuantity::BearingImpulse { bearing: joint(bearing).into() };
         let start = system.configuration();
         extreme_quantity(&system, &start, (&contact).into(), quantity, &ranges, ExtremeKind::Most, 16)
             .expect("an extreme")

@@ -1,12 +1,12 @@
 //! Random mechanisms, positions and contacts. The caller provides the generator (`StdRng::seed_from_u64`).
 
-use crate::alter::{build, build_with_loops, describe};
+use crate::alter::{CouplingForm, build, build_with_loops, describe, describe_loops};
 use crate::closures::{admissible_relative_pose, complete_closure};
 pub use crate::positions::{follow, zero_positions};
 use nalgebra::{Rotation3, Vector3};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId,
-    Mechanism, MimicDescription,
+    Mechanism, MimicDescription, RelationDescription,
 };
 use percuss_spatial::{Matrix3, Transform};
 use rand::Rng;
@@ -85,6 +85,50 @@ pub fn linkage<R: Rng + ?Sized>(rng: &mut R, bodies: usize, closures: usize) -> 
     }
     let (links, joints) = describe(&tree);
     (build_with_loops("random linkage", links, joints, made, Vec::new()), positions)
+}
+
+/// Random linkage as by [`linkage`], with `relations` linear relations of two or three joints in addition, which hold at the returned
+/// position. About one relation in three is a combination of the two before it, so that the relations close a loop among themselves.
+/// Without relations if the linkage has fewer than three joints with one degree of freedom.
+pub fn coupled_linkage<R: Rng + ?Sized>(
+    rng: &mut R,
+    bodies: usize,
+    closures: usize,
+    relations: usize,
+) -> (Mechanism, Vec<Vec<f64>>) {
+    let (plain, positions) = linkage(rng, bodies, closures);
+    let single: Vec<JointId> =
+        plain.joint_ids().filter(|joint| plain.joint(*joint).kind().dofs() == 1).collect();
+    if single.len() < 3 {
+        return (plain, positions);
+    }
+    let mut made: Vec<Vec<(JointId, f64)>> = Vec::new();
+    for i in 0..relations {
+        let mut terms: Vec<(JointId, f64)> = Vec::new();
+        if i >= 2 && rng.random_bool(0.5) {
+            let weights = [0; 2].map(|_| rng.random_range(0.4..1.5));
+            let of_relation = |(relation, weight): (&Vec<(JointId, f64)>, f64)| {
+                relation.iter().map(|&(joint, factor)| (joint, weight * factor)).collect::<Vec<_>>()
+            };
+            terms.extend(made[i - 2..i].iter().zip(weights).flat_map(of_relation));
+        } else {
+            for _ in 0..rng.random_range(2..=3) {
+                let sign = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+                terms.push((single[rng.random_range(0..single.len())], sign * rng.random_range(0.3..2.0)));
+            }
+        }
+        made.push(terms);
+    }
+    let relation = |(i, terms): (usize, Vec<(JointId, f64)>)| {
+        let constant = terms.iter().map(|(joint, factor)| factor * positions[joint.index()][0]).sum();
+        let named = |(joint, factor): (JointId, f64)| (plain.joint(joint).name().to_owned(), factor);
+        let terms = terms.into_iter().map(named).collect();
+        let name = format!("relation_{i}");
+        CouplingForm::Relation(RelationDescription { name, terms, constant, curve: None })
+    };
+    let couplings = made.into_iter().enumerate().map(relation).collect();
+    let ((links, joints), (closures, _)) = (describe(&plain), describe_loops(&plain));
+    (build_with_loops("random coupled linkage", links, joints, closures, couplings), positions)
 }
 
 /// Random positions of all joints: angles within ±π, lengths within ±0.5 m, unit quaternions; mimics follow.

@@ -125,7 +125,7 @@ CASES: dict[str, Call] = {
     "extremes": Call(
         percuss.extremes,
         {"model": ARM, "contact": TOOL, "conditions": None, "ranges": {"elbow": (-1.0, 1.0)}, "normals": "given", "starts": 2,
-         "quantity": "mass", "keep": [], "vary": None, "input": None, "ignore": []},
+         "quantity": "mass", "contact_law": None, "keep": [], "vary": None, "input": None, "ignore": []},
     ),
     "safe_speed": Call(
         percuss.safe_speed, {"model": ARM, "contact": TOOL, "region": "chest", "conditions": None, **LIMITS, **ROWS}

@@ -288,6 +288,11 @@ def test_extremes() -> None:
     assert path.ranges == [] and path.path is not None and path.path["rows"] == 5
     assert path.least["effective_mass"] == pytest.approx(report.least["effective_mass"], rel=1e-9)
     assert path.most["effective_mass"] == pytest.approx(report.most["effective_mass"], rel=1e-9)
+    law = percuss.Damping(0.3, 2e5, speed=2.0)
+    peak = percuss.extremes(model, contact, ranges={"elbow": (0.3, 2.5)}, quantity="peak:ground", contact_law=law)
+    assert peak.unit == "N" and 0.0 < peak.least["value"] < peak.most["value"]
+    with pytest.raises(percuss.InputError, match="contact law"):
+        percuss.extremes(model, contact, ranges={"elbow": (0.3, 2.5)}, quantity="peak:ground")
     with pytest.raises(percuss.InputError, match="neither ranges nor kept points"):
         percuss.extremes(model, contact, ranges=ranges, vary=("elbow", 0.3, 2.5, 5))
 

@@ -99,7 +99,9 @@ pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
-pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
+pub use reports::impact::reactions::{
+    JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,
+};
 pub use reports::impact::report::{
     BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
 };

@@ -4,6 +4,8 @@ use std::ops::RangeInclusive;
 
 // Limits of queries.
 
+/// Distance of a joint from its stop, rad or m, up to which it is at the stop: positions typed with six digits.
+pub(crate) const RESTING_DISTANCE: f64 = 1e-6;
 /// Turns of a continuous joint above which a set number without a unit is taken for degrees. A second turn changes nothing.
 pub(crate) const MOST_TURNS_SET: f64 = 1.0;
 /// The same for the ends of a range, which may follow a path over more than a turn.

@@ -1,6 +1,6 @@
 //! Cables and joint stops as contacts, alone and beside others.
 
-use crate::support::{json, percuss};
+use crate::support::{Scratch, json, percuss, root};
 use serde_json::Value;
 
 /// Rounding of some ten operations on values of order 1.
@@ -107,9 +107,171 @@ fn cables_and_stops_are_further_contacts() {
         ("elbows:upper", "elbow"),
         ("outer:0.2,0,0=nowhere:0,0,0", "nowhere"),
         ("outer:0.2,0,0=ground:0,0,0:1,0,0", "cable"),
-        ("elbow:upper --sticking", "can stick"),
+        ("elbow:upper --sticking", "sticking contact point"),
     ] {
         let outcome = percuss(&format!("impact {ARM} --normal 0,1,0 {rates} --also {also}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{also}: {}", outcome.stderr);
     }
+}
+
+/// Points against another link and moments are further contacts, with the values of the same contacts given by flags. The moment about
+/// the axis of a hinge, against its parent, is the stop of this hinge.
+#[test]
+fn points_between_links_and_moments_are_further_contacts() {
+    let rates = "--restitution 0.3 --rates shoulder=0.4 --rates elbow=0.5";
+    let also = "--also outer:0.4,0,0:0.6,0.8,0=inner --also outer:about:0,0,1=inner --also outer:about:0,0,2";
+    let report = json(&format!("impact {ARM} --normal 0,1,0 {rates} {also} --format json"));
+    let contacts = report["simultaneous"]["contacts"].as_array().expect("contacts");
+    let flags = [
+        "--point 0.4,0,0 --normal 0.6,0.8,0 --normal-frame world --against inner",
+        "--about-axis 0,0,1 --against inner",
+        "--about-axis 0,0,1",
+    ];
+    let names = ["outer against inner", "moment on outer against inner", "moment on outer"];
+    for ((contact, flags), name) in contacts[1..].iter().zip(flags).zip(names) {
+        let alone =
+            json(&format!("mass models/planar_2r.urdf --link outer --set elbow=40deg {flags} --format json"));
+        let ratio = number(&contact["effective_mass"]) / number(&alone["effective_mass"]);
+        assert!((ratio - 1.0).abs() < ROUNDING, "{name}: {ratio}");
+        assert_eq!((&contact["name"], &contact["is_moment"]), (&name.into(), &alone["contact"]["is_moment"]));
+    }
+    // The closing speed of the moment between the links is the rate of the hinge, that against the ground the sum of both rates.
+    assert!((number(&contacts[2]["closing_speed"]) - 0.5).abs() < ROUNDING, "{report}");
+    assert!((number(&contacts[3]["closing_speed"]) - 0.9).abs() < ROUNDING, "{report}");
+    // The same texts describe the first contact.
+    for (text, flags) in also.split(" --also ").map(|text| text.trim_start_matches("--also ")).zip(flags) {
+        let set = "models/planar_2r.urdf --set elbow=40deg";
+        let at = json(&format!("mass {set} --at {text} --format json"));
+        let given = json(&format!("mass {set} --link outer {flags} --format json"));
+        let ratio = number(&at["effective_mass"]) / number(&given["effective_mass"]);
+        assert!((ratio - 1.0).abs() < ROUNDING && at["unit"] == given["unit"], "{text}: {ratio}");
+    }
+    for (also, words) in [
+        ("outer:0.4,0,0:0,1,0=nowhere", "nowhere"),
+        ("outer:0.4,0,0:0,1,0=", "other side"),
+        ("outer:about:0,0,1=inner:0,0,0", "other side"),
+        ("outer:about:0,0", "LINK:about:X,Y,Z"),
+        ("outer:about:0,0,0", "--also"),
+        ("outer:about:0,0,1 --sticking", "a moment about an axis"),
+        ("outer:0.2,0,0=ground:0.6,-1,0 --sticking", "a cable"),
+    ] {
+        let outcome = percuss(&format!("impact {ARM} --normal 0,1,0 {rates} --also {also}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{also}: {}", outcome.stderr);
+    }
+}
+
+/// A joint that is not at the stop of a further contact: the warning states the distance and the position to set.
+#[test]
+fn a_stop_that_is_not_reached_is_a_warning() {
+    let robot = "impact models/six_r_arm.urdf --link tool --point 0,0,0 --normal 1,0,0 --restitution 0.2 --speed 1 --also elbow:upper";
+    let codes = |flags: &str| percuss(&format!("{robot} {flags}")).stderr;
+    let open = codes("--set elbow=1");
+    for words in ["1.6 rad short of its upper stop at 2.6 rad", "set elbow=2.6 (--set)"] {
+        assert!(open.contains(words), "{words}: {open}");
+    }
+    assert!(!codes("--set elbow=2.6").contains("its upper stop"));
+}
+
+/// Forces and moments at once: a change of the unit of length scales the rows of W. The results of Newton's and Poisson's laws do not
+/// change; that of the energetic law does, unless the stiffness ratio is given in the same units. Only then there is a warning.
+#[test]
+fn units_of_forces_and_moments_have_no_silent_effect() {
+    let base = format!(
+        "impact {ARM} --normal 0,1,0 --restitution 0.4 --rates shoulder=0.4 --rates elbow=0.5 --also elbow:upper"
+    );
+    let has =
+        |flags: &str| percuss(&format!("{base} {flags}")).stderr.contains("depend on the units N and N·m");
+    assert!(has(""));
+    assert!(!has("--stiffness-ratio 1,0.3"));
+    // Forces only.
+    let forces = base.replace("--also elbow:upper", "--also outer:0.2,0,0:1,0,0");
+    assert!(!percuss(&forces).stderr.contains("depend on the units N and N·m"));
+    // Redundant: the stop of the hinge and a force between its links. With one coefficient of restitution, the speeds do not depend on the
+    // distribution of the impulses; nor does the distribution among moments depend on the units.
+    let lower = base.replace("elbow:upper", "elbow:lower").replace("elbow=0.5", "elbow=-0.3");
+    let twice = format!("{lower} --also outer:0.4,0,0:0.64,-0.77,0=inner --stiffness-ratio 1,0.3,0.3");
+    assert!(!percuss(&twice).stderr.contains("depend on the units N and N·m"));
+    let text = percuss(&format!("{twice} --also-restitution 0.4,0.1")).stderr;
+    assert!(text.contains("leave out a redundant contact"), "{text}");
+    let moments = twice.replace("outer:0.4,0,0:0.64,-0.77,0=inner", "outer:about:0,0,-1=inner");
+    assert!(!percuss(&format!("{moments} --also-restitution 0.4,0.1")).stderr.contains("redundant contact"));
+}
+
+/// Stop of a hinge whose position follows from the loop: the driving hinge moves it there, on the branch of the drawing. The pose is that
+/// of the driver found by bisection of the positions at given drivers.
+#[test]
+fn the_stop_of_a_dependent_joint_is_reached_by_the_driver() {
+    let folder = Scratch::new("dependent-stop");
+    let text = std::fs::read_to_string(root().join("models/four_bar.urdf")).expect("a model");
+    let limited = |upper: f64| {
+        let (before, after) = text.split_once("<joint name=\"rocker_hinge\"").expect("the joint");
+        let limit = format!("<limit lower=\"-0.1\" upper=\"{upper}\" effort=\"1\" velocity=\"1\"/></joint>");
+        let after = after.replacen("</joint>", &limit, 1).replacen("continuous", "revolute", 1);
+        folder.write("limited.urdf", &format!("{before}<joint name=\"rocker_hinge\"{after}"))
+    };
+    let file = limited(0.3);
+    let position = |report: &Value, joint: &str| report["pose"][joint][0].as_f64().expect("a position");
+    for (end, limit) in [("upper", 0.3), ("lower", -0.1)] {
+        let stop = json(&format!("mass {file} --at rocker_hinge:{end} --format json"));
+        assert!((position(&stop, "rocker_hinge") - limit).abs() < 1e-10, "{stop}");
+        let at = |crank: f64| {
+            json(&format!(
+                "mass {file} --link coupler --point 0.35,0.1,0 --normal 0,1,0 --set crank_hinge={crank} --format json"
+            ))
+        };
+        let (mut low, mut high) = if limit > 0.0 { (0.0, 1.2) } else { (0.0, -0.4) };
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            let is_beyond = position(&at(middle), "rocker_hinge").abs() > f64::abs(limit);
+            if is_beyond { high = middle } else { low = middle }
+        }
+        assert!((position(&stop, "crank_hinge") - low).abs() < 1e-9, "{end}: {low} {stop}");
+        let set = json(&format!("mass {file} --at rocker_hinge:{end} --set crank_hinge={low} --format json"));
+        let ratio = number(&set["effective_mass"]) / number(&stop["effective_mass"]);
+        assert!(
+            (ratio - 1.0).abs() < 1e-8 && !set["diagnostics"].to_string().contains("stop-not-reached"),
+            "{ratio}"
+        );
+        let impact =
+            json(&format!("impact {file} --at rocker_hinge:{end} --restitution 0.2 --speed 2 --format json"));
+        assert_eq!(impact["mass"]["effective_mass"], stop["effective_mass"]);
+    }
+    let elsewhere =
+        percuss(&format!("mass {file} --at rocker_hinge:upper --set crank_hinge=0.1 --format json"));
+    assert!(elsewhere.stdout.contains("stop-not-reached"), "{}", elsewhere.stdout);
+    let beyond = limited(2.9);
+    let outcome = percuss(&format!("mass {beyond} --at rocker_hinge:upper"));
+    assert!(
+        outcome.code == 1 && outcome.stderr.contains("does not reach its stop at 2.9 rad"),
+        "{}",
+        outcome.stderr
+    );
+    assert!(outcome.stderr.contains("crank_hinge"), "{}", outcome.stderr);
+    // A coupling has one driver, the cage of a differential two.
+    let rover = json("mass models/rocker_bogie.urdf --at right_rocker:upper --format json");
+    let [left, right] = ["left_rocker", "right_rocker"].map(|joint| position(&rover, joint));
+    assert!(right > 0.0 && (left + right).abs() < 1e-10, "{left} {right}");
+    let link = |name: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" \
+             iyz=\"0\"/></inertial></link><joint name=\"{name}_hinge\" type=\"revolute\" independent=\"{}\"><parent link=\"ground\"/>\
+             <child link=\"{name}\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/></joint>",
+            name != "cage"
+        )
+    };
+    let links = ["left", "cage", "right"].map(link).concat();
+    let relation = "<relation name=\"differential\"><joint name=\"left_hinge\" factor=\"0.5\"/>\
+                    <joint name=\"cage_hinge\" factor=\"-1\"/><joint name=\"right_hinge\" factor=\"0.5\"/></relation>";
+    let file = folder.write(
+        "differential.urdf",
+        &format!("<robot name=\"r\"><link name=\"ground\"/>{links}{relation}</robot>"),
+    );
+    let open = percuss(&format!("mass {file} --at cage_hinge:upper"));
+    assert!(
+        open.code == 2 && open.stderr.contains("left_hinge, right_hinge; set all of them except one"),
+        "{}",
+        open.stderr
+    );
+    let one = json(&format!("mass {file} --at cage_hinge:upper --set left_hinge=0.2 --format json"));
+    assert!((position(&one, "right_hinge") - 0.8).abs() < 1e-10, "{one}");
 }

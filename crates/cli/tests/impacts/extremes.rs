@@ -127,10 +127,68 @@ fn extremes_of_other_quantities() {
     for (more, words) in [
         ("--quantity held:nothing", "--quantity"),
         ("--quantity weight", "bearing:JOINT"),
-        ("--quantity held:shoulder --normals any", "effective masses only"),
+        ("--quantity held:shoulder --normals any", "does not depend on the contact"),
+        ("--quantity peak:shoulder", "stiffness"),
+        ("--quantity peak:shoulder --stiffness 1e5", "speed"),
+        ("--stiffness 1e5 --restitution 0.2 --speed 1", "peak:JOINT"),
+        ("--quantity peak:shoulder --stiffness 1e5 --restitution 0.2 --speed 1rad/s", "m/s"),
+        ("--quantity bearing:nothing", "nothing"),
     ] {
         let outcome = percuss(&format!("extremes {contact} --range elbow=20deg:160deg {more}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
+/// Peak force in a joint, a closure and the ground: at the reported positions, the peak of the command `impact` has this value, and impacts
+/// over the range have no larger or smaller ones.
+#[test]
+fn extremes_of_peak_forces_are_those_of_impacts() {
+    let contact =
+        "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 1,0,0 --normal-frame world";
+    let law = "--stiffness 2e5 --restitution 0.3 --speed 2";
+    let norm = |values: &Value| {
+        let values = values.as_array().expect("a force").iter().filter_map(Value::as_f64);
+        values.map(|x| x * x).sum::<f64>().sqrt()
+    };
+    let peak_at = |crank: f64, bearing: &str| {
+        let impact = json(&format!("impact {contact} --set crank_hinge={crank} {law} --format json"));
+        let reactions = impact["reactions"].as_array().expect("reactions");
+        let place = if bearing == "ground" { "place" } else { "name" };
+        norm(&reactions.iter().find(|r| r[place] == bearing).expect("the bearing")["peak_force"])
+    };
+    for bearing in ["rocker_hinge", "rocker_pin", "ground"] {
+        let report = json(&format!(
+            "extremes {contact} --range crank_hinge=0.2:0.9 --quantity peak:{bearing} {law} --format json"
+        ));
+        assert_eq!((&report["unit"], &report["quantity"]), (&"N".into(), &"bearing_peak_force".into()));
+        let [least, most] = ["least", "most"].map(|end| {
+            let value = report[end]["value"].as_f64().expect("a value");
+            let crank = report[end]["positions"][0]["position"].as_f64().expect("a position");
+            let there = peak_at(crank, bearing);
+            assert!((there / value - 1.0).abs() < 1e-9, "{bearing} {end}: {value} {there}");
+            value
+        });
+        for k in 0..=14 {
+            let peak = peak_at(0.2 + 0.05 * f64::from(k), bearing);
+            assert!(peak > least * (1.0 - 1e-9) && peak < most * (1.0 + 1e-9), "{bearing} {k}: {peak}");
+        }
+    }
+    let text =
+        percuss(&format!("extremes {contact} --range crank_hinge=0.2:0.9 --quantity peak:rocker_pin {law}"));
+    assert!(text.stdout.contains("N (peak force in rocker_pin)"), "{}", text.stdout);
+    // Centres of percussion of the closure and of the ground: the impulse at the point is the remaining one.
+    for bearing in ["rocker_pin", "ground"] {
+        let flags = format!(
+            "impact {contact} --set crank_hinge=0.5 --restitution 0 --speed 1 --percussion {bearing}"
+        );
+        let found = json(&format!("{flags} --format json"))["percussion"][0].clone();
+        let point: Vec<String> =
+            found["point_link"].as_array().expect("a point").iter().map(Value::to_string).collect();
+        let moved = flags.replace("--point 0.35,0.1,0", &format!("--point {}", point.join(",")));
+        let there = json(&format!("{moved} --format json"))["percussion"][0].clone();
+        let [remaining, given] =
+            [&found["remaining_ratio"], &there["given_ratio"]].map(|x| x.as_f64().expect("a ratio"));
+        assert!((remaining - given).abs() < 1e-9, "{bearing}: {found} {there}");
     }
 }
 

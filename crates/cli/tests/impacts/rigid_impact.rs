@@ -453,6 +453,30 @@ fn a_displaced_point_has_the_worst_impulse() {
     assert!((found / ratio - 1.0).abs() < 1e-9, "{found} {ratio}");
 }
 
+/// Rover with locked rockers: the differential and the locks are redundant, so that only the sum on each rocker is determinate. With one
+/// lock the impulses are determinate, and those of the differential have the ratio 1.
+#[test]
+fn locks_and_couplings_of_one_joint_are_separate() {
+    let wheel = "impact models/rocker_bogie.urdf --base floating --link left_front --point 0,0,-0.1 --normal 0,0,-1 --restitution 0 --speed 1";
+    let constraints =
+        |flags: &str| json(&format!("{wheel} {flags} --format json"))["joint_constraints"].clone();
+    let one = constraints("--lock left_rocker");
+    let of = |record: &Value, k: usize| record["impulses"][k].as_f64();
+    assert_eq!((&one[0]["kind"], &one[0]["name"]), (&"lock".into(), &"left_rocker".into()));
+    assert_eq!((&one[1]["kind"], &one[1]["name"]), (&"coupling".into(), &"differential".into()));
+    assert!(of(&one[0], 0).is_some_and(|lock| lock.abs() > 1e-3), "{one}");
+    let [left, right] = [0, 1].map(|k| of(&one[1], k).expect("an impulse"));
+    assert!((left / right - 1.0).abs() < 1e-12, "{one}");
+    let both = constraints("--lock left_rocker --lock right_rocker");
+    assert_eq!(both.as_array().map(Vec::len), Some(3), "{both}");
+    for record in both.as_array().expect("a list") {
+        assert!(record["impulses"].as_array().is_some_and(|all| all.iter().all(Value::is_null)), "{record}");
+    }
+    let text = percuss(&format!("{wheel} --lock left_rocker --lock right_rocker")).stdout;
+    assert!(text.contains("coupling differential  right_rocker ?, left_rocker ?"), "{text}");
+    assert!(text.contains("redundant constraints leave the impulse open: differential"), "{text}");
+}
+
 /// A limit of a joint that the impact does not move is named, and two springs of a joint are refused.
 #[test]
 fn values_without_effect_are_named() {

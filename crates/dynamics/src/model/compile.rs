@@ -32,6 +32,7 @@ impl Model {
             link_frames: vec![ground; mechanism.links().len()],
             velocity_coordinates: Vec::new(),
             locked,
+            own_locks: requested,
             joint_q,
             body_of_joint: vec![None; mechanism.joints().len()],
             positions,

@@ -130,6 +130,14 @@ impl Configuration {
         Ok(self)
     }
 
+    /// Removes the setting of a joint: its position is zero, or follows from loops. A joint that is not set does not change.
+    pub fn release(&mut self, joint: JointId) -> &mut Self {
+        if self.mechanism.has_joint(joint) && std::mem::take(&mut self.given[joint.index()]) {
+            self.values[joint.index()] = zero_position(self.mechanism.joint(joint).kind());
+        }
+        self
+    }
+
     /// Resets every joint to zero and removes all settings and guesses.
     pub fn reset(&mut self) -> &mut Self {
         *self = Self::zero(&self.mechanism);

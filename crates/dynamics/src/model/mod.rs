@@ -36,8 +36,10 @@ pub(crate) struct Model {
     pub link_frames: Vec<LinkFrame>,
     /// Coordinate of every tree velocity; always `Some` after the compilation.
     pub velocity_coordinates: Vec<Option<VelocityCoordinate>>,
-    /// Lock flag of every joint.
+    /// Lock flag of every joint; also true for mimics and masters of locked joints.
     pub locked: Vec<bool>,
+    /// For every joint: true if the conditions lock it.
+    pub own_locks: Vec<bool>,
     /// Range of positions of every joint.
     pub joint_q: Vec<Range<usize>>,
     /// Body of every joint; `None` for a fixed joint inside a body.

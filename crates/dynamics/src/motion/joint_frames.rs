@@ -67,6 +67,12 @@ impl Pose {
         self.mechanism().has_joint(joint) && self.assembly.model().locked[joint.index()]
     }
 
+    /// True if the conditions of the pose lock this joint; false for a joint that is at rest only because it is a mimic or master of a
+    /// locked joint, and for a joint of another mechanism.
+    pub fn has_lock(&self, joint: JointId) -> bool {
+        self.mechanism().has_joint(joint) && self.assembly.model().own_locks[joint.index()]
+    }
+
     /// Joint and velocity index of each coordinate; the joint is `None` for the floating base. See
     /// [`System::coordinate_joints`](crate::System::coordinate_joints).
     pub fn coordinate_joints(&self) -> Vec<(Option<JointId>, usize)> {

@@ -6,10 +6,10 @@ use crate::kinematics::rows::GroupRows;
 use crate::loops::assembling::AssemblyError;
 use crate::loops::closing::Directions;
 use crate::mobility::Singularity;
-use crate::model::Model;
 use crate::model::configuration::Configuration;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::joint_motion::turns;
+use crate::model::{Model, VelocityCoordinate};
 use crate::motion::gap::{Gap, speed_along};
 use crate::motion::travel_search::{Scale, Search, SearchError, TravelPoint, VisitError};
 use crate::tolerances::{
@@ -20,10 +20,11 @@ use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
-/// Displacement of a point of a link relative to a given pose, along a direction or towards a stop.
+/// Displacement of a point of a link relative to a given pose, along a direction or towards a stop, or motion of a joint.
 ///
 /// Along a direction n: s = n · (p_w − p_w at that pose), m. Towards a stop: s = g at that pose − g, m, with the gap g
-/// of [`Gap`]. ds/dq is that of the motion u with A u = 0, where u is 1 for the driver and 0 for the other drivers.
+/// of [`Gap`]. Of a joint with the position q: s = ± ℓ (q − q at that pose), m, with the characteristic length ℓ of the mechanism if the
+/// joint turns, and ℓ = 1 if it slides. ds/dq is that of the motion u with A u = 0, where u is 1 for the driver and 0 for the other drivers.
 #[derive(Clone, Debug)]
 pub struct Travel {
     link: LinkId,
@@ -47,6 +48,14 @@ enum Measure {
     TowardStop {
         gap: Gap,
         /// Gap at the start, m.
+        start: f64,
+    },
+    /// Motion of a joint.
+    OfJoint {
+        joint: JointId,
+        /// ± ℓ, m/rad or 1.
+        scale: f64,
+        /// Position at the start, rad or m.
         start: f64,
     },
 }
@@ -175,6 +184,18 @@ impl Travel {
         Self { link: gap.link(), point: *gap.point(), measure: Measure::TowardStop { gap, start } }
     }
 
+    /// Motion of a joint with one position, relative to a pose: positive if its position increases, or decreases unless `is_upper`.
+    /// `None` for a joint of another mechanism, or with no or several positions.
+    pub fn of_joint(pose: &Pose, joint: JointId, is_upper: bool) -> Option<Self> {
+        let mechanism = pose.mechanism();
+        let declared = mechanism.joints().get(joint.index()).filter(|_| mechanism.has_joint(joint))?;
+        let [start] = *pose.joint(joint) else { return None };
+        let length = mechanism.characteristic_length() / unit(mechanism, joint);
+        let scale = if is_upper { length } else { -length };
+        let measure = Measure::OfJoint { joint, scale, start };
+        Some(Self { link: declared.child(), point: Vector3::zeros(), measure })
+    }
+
     /// Link of the point.
     pub fn link(&self) -> LinkId {
         self.link
@@ -185,11 +206,11 @@ impl Travel {
         &self.point
     }
 
-    /// Unit vector of the direction, in world axes; `None` for a travel towards a stop.
+    /// Unit vector of the direction, in world axes; `None` for a travel towards a stop or of a joint.
     pub fn direction(&self) -> Option<&Vector3<f64>> {
         match &self.measure {
             Measure::Along { direction, .. } => Some(direction),
-            Measure::TowardStop { .. } => None,
+            Measure::TowardStop { .. } | Measure::OfJoint { .. } => None,
         }
     }
 
@@ -198,6 +219,7 @@ impl Travel {
         let (direction, base, origin) = match &self.measure {
             Measure::Along { direction, base, origin } => (direction, base, origin),
             Measure::TowardStop { gap, start } => return start - gap.at(pose),
+            Measure::OfJoint { joint, scale, start } => return scale * (pose.joint(*joint)[0] - start),
         };
         let at = pose.kinematics.link_frame(pose.assembly.pose_model(), self.link).point(&self.point);
         let mut moved = pose.base.vector(&(at - origin));
@@ -404,6 +426,10 @@ impl Travel {
                 speed_along(pose.assembly.pose_model(), pose, (self.link, &self.point), &along, u)
             }
             Measure::TowardStop { gap, .. } => gap.closing_speed(pose, u),
+            Measure::OfJoint { joint, scale, .. } => {
+                let rate = velocity_coordinate(pose.assembly.pose_model(), *joint);
+                rate.map_or(0.0, |follows| scale * follows.multiplier * u[follows.index])
+            }
         }
     }
 
@@ -471,8 +497,13 @@ fn is_independent_at(pose: &Pose, joint: JointId) -> bool {
 
 /// Coordinate of the first velocity of a joint.
 fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
+    velocity_coordinate(model, joint).map(|follows| follows.index)
+}
+
+/// Coordinate of the first velocity of a joint, with its multiplier.
+fn velocity_coordinate(model: &Model, joint: JointId) -> Option<VelocityCoordinate> {
     let body = &model.bodies[model.body_of_joint[joint.index()]?];
-    model.velocity_coordinates[body.v.clone().next()?].map(|follows| follows.index)
+    model.velocity_coordinates[body.v.clone().next()?]
 }
 
 /// Candidate that moves the point most relative to all motion, and fast enough to drive the point.

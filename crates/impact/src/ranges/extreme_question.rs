@@ -1,5 +1,6 @@
 //! Input and result of a search for extremes.
 
+use crate::reactions::bearing::Bearing;
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, EffectiveMass, LowestPoint};
 use percuss_mechanism::{JointId, LinkId};
@@ -81,8 +82,8 @@ pub struct DriverPath<'a> {
 pub enum ExtremeKind {
     /// Smallest value.
     Least,
-    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. A bearing
-    /// impulse is `Immovable` if it grows without bound towards a pose with an immovable contact.
+    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. A load of a
+    /// bearing is `Immovable` if it grows without bound towards a pose with an immovable contact.
     Most,
 }
 
@@ -112,12 +113,42 @@ pub enum SearchedQuantity {
         held: bool,
     },
     /// Impulse in a bearing per closing speed of a plastic impact at the contact (e = 0): m̄ |R|, kg. R has the determinate components of
-    /// the reaction force in the joint per impulse at the contact, without its moment. An impact with the closing speed c and the
-    /// coefficient of restitution e has (1+e) c times this impulse; a contact of stiffness k has about the peak force m̄ |R| c √(k/m̄).
+    /// the reaction force in the bearing per impulse at the contact, without its moment. An impact with the closing speed c and the
+    /// coefficient of restitution e has (1+e) c times this impulse.
     BearingImpulse {
-        /// The joint.
-        joint: JointId,
+        /// The bearing.
+        bearing: Bearing,
     },
+    /// Peak force in a bearing at a compliant contact, N: |R| times the peak force of the contact.
+    BearingPeakForce {
+        /// The bearing.
+        bearing: Bearing,
+        /// Peak force of the contact.
+        law: PeakForceLaw,
+    },
+}
+
+/// Peak force of a compliant contact as a function of the effective mass: force · m̄^power.
+///
+/// A contact law with the stiffness k, the exponent p, a given restitution and closing speed c has the peak force C kᵃ (m̄ c²)ᵇ with
+/// a = 1/(p+1) and b = p/(p+1), because k, c and m̄ define all units of the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeakForceLaw {
+    /// Peak force at m̄ = 1 kg, N.
+    pub force: f64,
+    /// Power of the mass; p/(p+1).
+    pub power: f64,
+}
+
+impl SearchedQuantity {
+    /// Bearing, and the load of the contact as a function of the effective mass; `None` for a mass or an inertia.
+    pub(crate) fn bearing_load(self) -> Option<(Bearing, PeakForceLaw)> {
+        match self {
+            Self::EffectiveMass | Self::ReflectedInertia { .. } => None,
+            Self::BearingImpulse { bearing } => Some((bearing, PeakForceLaw { force: 1.0, power: 1.0 })),
+            Self::BearingPeakForce { bearing, law } => Some((bearing, law)),
+        }
+    }
 }
 
 /// Contact of a search for extremes.
@@ -140,8 +171,8 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
 /// Extreme of an effective mass, or of another quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Value of the quantity at the extreme, kg or kg·m². `Immovable` is a valid largest value of a mass or an inertia. For a bearing
-    /// impulse, `Immovable` means unbounded; the positions are those of the immovable contact.
+    /// Value of the quantity at the extreme, kg, kg·m² or N. `Immovable` is a valid largest value of a mass or an inertia. For a load of a
+    /// bearing, `Immovable` means unbounded; the positions are those of the immovable contact.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
@@ -151,7 +182,7 @@ pub struct ExtremeMass {
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient, times its range, relative to the value; 0 at an exact stationary point
     /// of the constrained problem, and for an immovable contact. The value is 1/m̄ or the reciprocal inertia; for a bearing, the squared
-    /// impulse. If the squared impulse is rounding of zero, the residual is relative to the largest squared impulse of the search.
+    /// load. If the squared load is rounding of zero, the residual is relative to the largest squared load of the search.
     pub residual: f64,
     /// Largest error of a coordinate of a kept point, m; 0 without kept points.
     pub kept_error: f64,

@@ -9,8 +9,9 @@ use crate::ranges::kept_points::KeptRows;
 use crate::ranges::path::{PathEnd, PathSearch};
 use crate::ranges::quasi_newton::Point;
 use crate::ranges::search::{IMMOVABLE, Search, Variable};
+use crate::reactions::bearing::Bearing;
 use nalgebra::Vector3;
-use percuss_dynamics::{Configuration, ConstraintSource, EffectiveMass, System};
+use percuss_dynamics::{Base, Configuration, ConstraintSource, EffectiveMass, System};
 use percuss_mechanism::JointId;
 
 /// Relative difference of values up to which two searches agree.
@@ -47,7 +48,7 @@ pub fn extreme_effective_mass<'a>(
 ///
 /// The gradient of an effective mass has a closed form. The gradients of the other quantities, and of an effective mass with held
 /// contacts, are difference quotients of fourth order with a relative error of about 1e-12. A reflected inertia does not depend on the
-/// contact. A range of normals applies to effective masses only.
+/// contact.
 ///
 /// # Errors
 /// [`ExtremesError`].
@@ -81,9 +82,9 @@ pub fn extreme_quantity<'a>(
             return Err(ExtremesError::NoSelfMotion { joints: ranges.iter().map(name).collect() });
         }
     }
-    if let SearchedQuantity::BearingImpulse { joint } = quantity
+    if let Some((bearing, _)) = quantity.bearing_load()
         && extreme == ExtremeKind::Most
-        && let Some(unbounded) = search.unbounded_impulse(joint, starts)?
+        && let Some(unbounded) = search.unbounded_load(bearing, starts)?
     {
         return Ok(unbounded);
     }
@@ -123,14 +124,14 @@ pub fn extreme_along_path(
     let search = prepare(system, configuration, contact, quantity, extreme)?;
     check_varied(system, configuration, joints.iter().copied())?;
     let path = PathSearch::new(search, path);
-    if let SearchedQuantity::BearingImpulse { joint } = quantity
+    if let Some((bearing, _)) = quantity.bearing_load()
         && extreme == ExtremeKind::Most
     {
         let masses = path.of_masses();
         let (ends, largest) = masses.run()?;
         let unbounded: Vec<&PathEnd> = ends
             .iter()
-            .filter(|end| path.segment(end.segment).is_unbounded(&end.point, largest, joint))
+            .filter(|end| path.segment(end.segment).is_unbounded(&end.point, largest, bearing))
             .collect();
         if let Some(end) = unbounded.first() {
             let search = path.segment(end.segment);
@@ -168,11 +169,14 @@ fn prepare<'a>(
     quantity: SearchedQuantity,
     extreme: ExtremeKind,
 ) -> Result<Search<'a>, ExtremesError> {
-    let of_mass = quantity == SearchedQuantity::EffectiveMass;
-    if !of_mass && contact.normals != NormalRange::Given {
-        return Err(ExtremesError::NormalsOfMass);
+    let is_reflected = matches!(quantity, SearchedQuantity::ReflectedInertia { .. });
+    if is_reflected && contact.normals != NormalRange::Given {
+        return Err(ExtremesError::NormalsOfContact);
     }
     let start = system.pose(configuration).ok();
+    if let (Some((Bearing::Ground, _)), Base::Floating) = (quantity.bearing_load(), system.base()) {
+        return Err(ExtremesError::FloatingBase);
+    }
     if let SearchedQuantity::ReflectedInertia { joint, .. } = quantity
         && system.mechanism().joint(joint).kind().dofs() != 1
     {
@@ -233,16 +237,16 @@ fn checked_kept(kept: &[KeptPoint]) -> Result<&[KeptPoint], ExtremesError> {
 fn conclude(search: &Search, best: &Point, found: &[Point], largest: f64, starts: usize) -> ExtremeMass {
     // A smallest value that is immovable: the contact is immovable at every pose of the search.
     let is_immovable = search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
-    // A squared impulse that is rounding of zero has no relative accuracy: its residual is relative to the largest squared impulse.
+    // A squared load that is rounding of zero has no relative accuracy: its residual is relative to the largest squared load.
     let vanishes = !search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
     let size = best.inverse_mass.max(IMMOVABLE * largest);
     let close =
         if search.is_reciprocal() { SAME_VALUE * size } else { (SAME_VALUE * size).max(IMMOVABLE * largest) };
     let same = |point: &&Point| (point.inverse_mass - best.inverse_mass).abs() <= close;
-    let is_zero = match search.quantity {
-        SearchedQuantity::BearingImpulse { joint } => search.transmits_nothing(&best.unit, joint),
-        _ => false,
-    };
+    let is_zero = search
+        .quantity
+        .bearing_load()
+        .is_some_and(|(bearing, _)| search.transmits_nothing(&best.unit, bearing));
     ExtremeMass {
         effective_mass: if is_immovable {
             EffectiveMass::Immovable

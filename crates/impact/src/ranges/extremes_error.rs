@@ -21,9 +21,12 @@ pub enum ExtremesError {
     /// The axis of a range of normals has no direction.
     #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
     NoAxis,
-    /// A range of normals for a quantity other than an effective mass.
-    #[error("a range of normals applies to effective masses only; expected the normal of the contact")]
-    NormalsOfMass,
+    /// A range of normals for a reflected inertia.
+    #[error("a reflected inertia does not depend on the contact; expected no range of normals")]
+    NormalsOfContact,
+    /// The ground as the bearing of a floating base.
+    #[error("the base floats, so that the ground has no reaction; expected a joint or a closure")]
+    FloatingBase,
     /// The normal of a kept point has no direction.
     #[error(
         "the normal of kept point number {number} (from 1) has no direction; expected a finite vector other than 0,0,0"

@@ -1,5 +1,6 @@
 //! Results over ranges of joint positions and paths: extreme effective masses, reflected inertia of a driver.
 
+pub(crate) mod bearing_load;
 pub(crate) mod extreme_question;
 pub(crate) mod extremes;
 pub(crate) mod extremes_error;

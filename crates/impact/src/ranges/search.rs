@@ -2,17 +2,17 @@
 
 use crate::mobility::delassus::Delassus;
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
+use crate::ranges::bearing_load::{best_normal, determinate_force};
 use crate::ranges::extreme_question::{ExtremeKind, ExtremeMass, JointRange, NormalRange, SearchedQuantity};
 use crate::ranges::extremes_error::{ExtremesError, no_driver};
 use crate::ranges::kept_points::KeptRows;
 use crate::ranges::quasi_newton::{AT_LIMIT, Point, identity, update};
 use crate::ranges::reflected::{driving_velocities, reflected_inertia};
+use crate::reactions::bearing::Bearing;
 use crate::reactions::reaction_map::ReactionMap;
 use crate::tolerances::DIFFERENCE_STEP;
 use nalgebra::{Matrix3xX, Vector3};
-use percuss_dynamics::{
-    Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, System,
-};
+use percuss_dynamics::{Configuration, Contact, Direction, EffectiveMass, Frame, LowestPoint, Pose, System};
 use percuss_mechanism::JointId;
 use percuss_spatial::{Twist, plane_basis};
 
@@ -116,22 +116,22 @@ impl<'a> Search<'a> {
         Search { quantity: SearchedQuantity::EffectiveMass, ..self.clone() }
     }
 
-    /// Result for an unbounded bearing impulse: m̄ |R| grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if
+    /// Result for an unbounded load of a bearing: it grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if
     /// no start finds such a pose.
-    pub fn unbounded_impulse(
+    pub fn unbounded_load(
         &self,
-        joint: JointId,
+        bearing: Bearing,
         starts: usize,
     ) -> Result<Option<ExtremeMass>, ExtremesError> {
         let masses = self.of_masses();
         let (found, largest) = masses.run_all(starts)?;
         let largest = largest.max(masses.typical()?);
         let unbounded: Vec<&Point> =
-            found.iter().filter(|point| self.is_unbounded(point, largest, joint)).collect();
+            found.iter().filter(|point| self.is_unbounded(point, largest, bearing)).collect();
         Ok(unbounded.first().map(|point| ExtremeMass {
             effective_mass: EffectiveMass::Immovable,
             positions: self.positions(&point.unit),
-            normal_world: None,
+            normal_world: point.normal_world,
             active_limits: self.active_limits(&point.unit),
             residual: 0.0,
             kept_error: self.kept_error(&point.unit),
@@ -140,23 +140,23 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// True if the impulse in the bearing `joint` grows without bound towards a point of a search for the mass: an immovable contact
-    /// with a reaction. `largest`: the largest 1/m̄ of this search.
-    pub fn is_unbounded(&self, point: &Point, largest: f64, joint: JointId) -> bool {
+    /// True if the load of a bearing grows without bound towards a point of a search for the mass: an immovable contact with a reaction.
+    /// `largest`: the largest 1/m̄ of this search.
+    pub fn is_unbounded(&self, point: &Point, largest: f64, bearing: Bearing) -> bool {
         point.inverse_mass <= IMMOVABLE * largest
-            && self.reaction(&point.unit, joint).is_some_and(|r| r > NO_REACTION)
+            && self.of_masses().reaction(&point.unit, bearing).is_some_and(|r| r > NO_REACTION)
     }
 
-    /// Magnitude of the determinate components of the reaction force in a joint, per impulse at the contact; `None` if all are open.
-    fn reaction(&self, unit: &[f64], joint: JointId) -> Option<f64> {
+    /// Magnitude of the determinate components of the reaction force in a bearing, per impulse at the contact; `None` if all are open.
+    fn reaction(&self, unit: &[f64], bearing: Bearing) -> Option<f64> {
         let pose = self.pose(unit, None).ok()?;
         let response = pose.respond(&self.contact_at(&pose)?.0).ok()?;
-        Some(squared_force(&pose, &response, joint, 1.0)?.sqrt())
+        Some(determinate_force(&ReactionMap::new(&pose), &response, bearing, 1.0)?.norm())
     }
 
-    /// True if the joint transmits no force beyond rounding.
-    pub fn transmits_nothing(&self, unit: &[f64], joint: JointId) -> bool {
-        self.reaction(unit, joint).is_some_and(|reaction| reaction <= NO_REACTION)
+    /// True if the bearing transmits no force beyond rounding.
+    pub fn transmits_nothing(&self, unit: &[f64], bearing: Bearing) -> bool {
+        self.reaction(unit, bearing).is_some_and(|reaction| reaction <= NO_REACTION)
     }
 
     /// Joints at a limit of their range, true for the upper one. A variable that moves several joints has no limits.
@@ -176,11 +176,11 @@ impl<'a> Search<'a> {
 
     /// True if the search uses the reciprocal of the quantity, which is smooth where a mass or an inertia is infinite.
     pub fn is_reciprocal(&self) -> bool {
-        !matches!(self.quantity, SearchedQuantity::BearingImpulse { .. })
+        self.quantity.bearing_load().is_none()
     }
 
-    /// Reciprocal of a mass or an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth
-    /// where the impulse vanishes.
+    /// Reciprocal of a mass or an inertia, or square of a load of a bearing, at a pose; `None` if it is not finite. The square is smooth
+    /// where the load vanishes.
     pub fn measure(&self, pose: &Pose) -> Option<f64> {
         match self.quantity {
             SearchedQuantity::EffectiveMass => {
@@ -190,10 +190,12 @@ impl<'a> Search<'a> {
                 let found = reflected_inertia(pose, joint, 0).ok()?;
                 reciprocal(if held { found.held? } else { found.free })
             }
-            SearchedQuantity::BearingImpulse { joint } => {
+            SearchedQuantity::BearingImpulse { .. } | SearchedQuantity::BearingPeakForce { .. } => {
+                let (bearing, law) = self.quantity.bearing_load()?;
                 let response = pose.respond(&self.contact_at(pose)?.0).ok()?;
-                let mass = response.effective_mass.kilograms()?;
-                squared_force(pose, &response, joint, mass)
+                let load = law.force * response.effective_mass.kilograms()?.powf(law.power);
+                let force = determinate_force(&ReactionMap::new(pose), &response, bearing, load)?;
+                Some(force.norm_squared())
             }
         }
     }
@@ -213,8 +215,10 @@ impl<'a> Search<'a> {
             Some((8.0 * (at(k, h)? - at(k, -h)?) - (at(k, 2.0 * h)? - at(k, -2.0 * h)?)) / (12.0 * h))
         };
         let slopes = (0..unit.len()).map(slope).collect::<Option<Vec<f64>>>()?;
-        let of_mass = self.quantity == SearchedQuantity::EffectiveMass;
-        let normal_world = if of_mass { self.contact_at(&pose)?.1 } else { None };
+        let normal_world = match self.normals {
+            NormalRange::Given => None,
+            NormalRange::Any | NormalRange::Across(_) => self.contact_at(&pose)?.1,
+        };
         Some((Point::new(unit, inverse_mass, sign, &slopes, normal_world), pose))
     }
 
@@ -255,12 +259,18 @@ impl<'a> Search<'a> {
         let mobility = Delassus::new(pose, &[pose.locate(&contact).ok()?]).ok()?;
         let axes = mobility.axes(0);
         let block = directions.transpose() * (axes * mobility.block(0) * axes.transpose()) * &directions;
-        let eigen = block.symmetric_eigen();
-        let best = match self.extreme {
-            ExtremeKind::Least => eigen.eigenvalues.imax(),
-            ExtremeKind::Most => eigen.eigenvalues.imin(),
+        let normal = match self.quantity.bearing_load() {
+            Some(load) => best_normal(pose, &contact, &directions, &block, load, self.extreme)?,
+            None => {
+                let eigen = block.symmetric_eigen();
+                let best = match self.extreme {
+                    ExtremeKind::Least => eigen.eigenvalues.imax(),
+                    ExtremeKind::Most => eigen.eigenvalues.imin(),
+                };
+                &directions * eigen.eigenvectors.column(best)
+            }
         };
-        let normal: Vector3<f64> = base.vector(&(&directions * eigen.eigenvectors.column(best)));
+        let normal: Vector3<f64> = base.vector(&normal);
         let normal = normal * normal[normal.iamax()].signum();
         let direction = match contact.normal.is_moment() {
             true => Direction::About(normal, Frame::World),
@@ -400,14 +410,6 @@ impl<'a> Search<'a> {
         }
         Ok(Some((at, at_start)))
     }
-}
-
-/// Square of the determinate part of the reaction force in a joint; `None` if all components are open.
-fn squared_force(pose: &Pose, response: &ContactResponse, joint: JointId, impulse: f64) -> Option<f64> {
-    let reactions = ReactionMap::new(pose).reactions(response, impulse).ok()?;
-    let force = reactions.joints[joint.index()].reaction.force;
-    let known: Vec<f64> = force.iter().filter_map(|component| component.value()).collect();
-    (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum())
 }
 
 /// Reciprocal of a mass or an inertia; `None` for a massless motion.

@@ -87,8 +87,31 @@ pub struct DriveImpulse {
     /// Impulse in the gear between rotor and joint: armature · Δq̇, N·m·s or N·s. The rotor receives it, the joint the
     /// opposite.
     pub gear: f64,
-    /// Impulse of a lock, a mimic or a coupling on the joint, N·m·s or N·s; zero for a free joint.
+    /// Sum of the impulses of the lock, the mimics and the couplings on the joint, N·m·s or N·s; zero for a free joint. It can be
+    /// determinate while its parts are not.
     pub constraint: Component,
+}
+
+/// Lock, mimic or coupling of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointConstraint {
+    /// The locked joint.
+    Lock(JointId),
+    /// The joint that mimics another.
+    Mimic(JointId),
+    /// Index into [`Mechanism::couplings`](percuss_mechanism::Mechanism::couplings).
+    Coupling(usize),
+}
+
+/// Reaction of a lock, a mimic or a coupling.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointConstraintReaction {
+    /// The lock, the mimic or the coupling.
+    pub constraint: JointConstraint,
+    /// Impulse on each velocity of its joints, N·m·s or N·s: joint, index of the velocity within the joint, impulse.
+    pub impulses: Vec<(JointId, usize, Component)>,
+    /// Names of the constraints whose redundancy leaves impulses open; empty if they are determinate.
+    pub open_by: Vec<String>,
 }
 
 /// Reaction in a joint of the tree.
@@ -113,6 +136,8 @@ pub struct Reactions {
     pub closures: Vec<Reaction>,
     /// Reactions at the held contacts, in the order of the conditions.
     pub holds: Vec<Reaction>,
+    /// Reactions of the locks and of the mimics, in joint order, then of the couplings, in the order of the mechanism.
+    pub joint_constraints: Vec<JointConstraintReaction>,
     /// Largest unbalanced generalised impulse over scaled coordinates, relative to the impulse at the contact: the
     /// error of the motion and of the multipliers.
     pub residual: f64,
@@ -121,7 +146,14 @@ pub struct Reactions {
 impl Reactions {
     /// Empty reactions, without allocated memory.
     pub(crate) fn none() -> Self {
-        Self { ground: None, joints: Vec::new(), closures: Vec::new(), holds: Vec::new(), residual: 0.0 }
+        Self {
+            ground: None,
+            joints: Vec::new(),
+            closures: Vec::new(),
+            holds: Vec::new(),
+            joint_constraints: Vec::new(),
+            residual: 0.0,
+        }
     }
 
     /// All reactions times a factor; the relative residual is kept.
@@ -135,11 +167,16 @@ impl Reactions {
                 .map(|d| DriveImpulse { gear: factor * d.gear, constraint: d.constraint.scaled(factor) })
                 .collect(),
         };
+        let constraint = |c: &JointConstraintReaction| JointConstraintReaction {
+            impulses: c.impulses.iter().map(|(joint, k, value)| (*joint, *k, value.scaled(factor))).collect(),
+            ..c.clone()
+        };
         Self {
             ground: self.ground.as_ref().map(|r| r.scaled(factor)),
             joints: self.joints.iter().map(joint).collect(),
             closures: self.closures.iter().map(|r| r.scaled(factor)).collect(),
             holds: self.holds.iter().map(|r| r.scaled(factor)).collect(),
+            joint_constraints: self.joint_constraints.iter().map(constraint).collect(),
             residual: self.residual,
         }
     }

@@ -1,6 +1,7 @@
 //! Reactions at a pose: the parts that depend on the pose only, and the reactions to given loads.
 
 use crate::group_rows::GroupRows;
+use crate::reactions::joint_constraints::JointConstraints;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
@@ -47,6 +48,8 @@ pub struct ReactionMap {
     joints: Vec<ReactionLayout>,
     /// For each velocity of all joints: true if redundant rows leave the constraint impulse of the drive open.
     open_drives: Vec<bool>,
+    /// Locks, mimics and couplings.
+    joint_constraints: JointConstraints,
     closures: Vec<ConstraintLayout>,
     holds: Vec<ConstraintLayout>,
 }
@@ -84,6 +87,8 @@ pub(crate) struct ReactionBuffers {
     multipliers: Vec<f64>,
     /// Scratch of the triangular solution.
     solution: Vec<f64>,
+    /// For each velocity of all joints: sum of its lock, mimics and couplings, then without the couplings.
+    sums: Vec<f64>,
 }
 
 impl ReactionMap {
@@ -98,6 +103,7 @@ impl ReactionMap {
             ground: None,
             joints: Vec::new(),
             open_drives: Vec::new(),
+            joint_constraints: JointConstraints::default(),
             closures: Vec::new(),
             holds: Vec::new(),
         };
@@ -130,6 +136,8 @@ impl ReactionMap {
         // The constraints load the same links at every pose.
         self.sensitivities.iter_mut().flatten().for_each(|(_, wrenches)| wrenches.fill(Wrench::zero()));
         self.collect_sensitivities();
+        self.joint_constraints =
+            JointConstraints::new(pose, &self.tree, &self.groups, &self.first_rows, &self.sensitivities);
         self.lay_out();
     }
 
@@ -186,7 +194,7 @@ impl ReactionMap {
         buffers: &mut ReactionBuffers,
         reactions: &mut Reactions,
     ) {
-        let ReactionBuffers { change, loads, forces, multipliers, solution, .. } = buffers;
+        let ReactionBuffers { change, loads, forces, multipliers, solution, sums, .. } = buffers;
         self.tree.generalised_loads(loads, change, forces);
         let mut residual: f64 = 0.0;
         multipliers.clear();
@@ -213,6 +221,7 @@ impl ReactionMap {
             None => reactions.ground = None,
         }
         let ids = || self.tree.mechanism.joint_ids();
+        sums.clear();
         let empty = |joint| JointReaction { joint, reaction: Reaction::zero(), drives: Vec::new() };
         if reactions.joints.len() != self.joints.len() {
             reactions.joints = ids().map(empty).collect();
@@ -223,6 +232,7 @@ impl ReactionMap {
             let drive = |(k, column): (usize, &Twist<f64>)| {
                 let gear = self.tree.armature[first + k] * change[first + k];
                 let sum = loads[child].power(column) + gear + self.tree.applied(joint, k);
+                sums.push(sum);
                 let constraint = component(scale * sum, self.open_drives[first + k]);
                 DriveImpulse { gear: scale * gear, constraint }
             };
@@ -231,6 +241,7 @@ impl ReactionMap {
             to.drives.extend(self.tree.columns(joint).iter().enumerate().map(drive));
             layout.write_reaction(&loads[child], scale, &mut to.reaction);
         }
+        self.joint_constraints.write_reactions(sums, multipliers, scale, &mut reactions.joint_constraints);
         let all = [(&self.closures, &mut reactions.closures), (&self.holds, &mut reactions.holds)];
         for (constraints, to) in all {
             to.resize_with(constraints.len(), Reaction::zero);

@@ -18,7 +18,7 @@ mod rows;
 pub use close::{NotClosed, close, close_as_far_as_possible, moved};
 pub use pose::poses;
 pub use question::{Answer, Held, Outcome, Question};
-pub use reactions::{ImpactReactions, PlaceReaction, reactions};
+pub use reactions::{ImpactReactions, PlaceReaction, RowReaction, reactions};
 pub use residual::{residual, residuals};
 
 /// Effective mass m̄ = min { vᵀMv : Av = 0, jv = 1 } in maximal coordinates.

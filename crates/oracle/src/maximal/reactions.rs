@@ -21,6 +21,15 @@ pub struct PlaceReaction {
     pub open: DMatrix<f64>,
 }
 
+/// Multiplier of the row of a lock, a mimic or a coupling.
+#[derive(Clone, Debug)]
+pub struct RowReaction {
+    /// Value of the solution of least norm.
+    pub value: f64,
+    /// Changes along an orthonormal basis of the kernel.
+    pub open: DVector<f64>,
+}
+
 /// Response to a unit impulse −n̂ on the contact link and n̂ on the other link.
 #[derive(Clone, Debug)]
 pub struct ImpactReactions {
@@ -37,6 +46,12 @@ pub struct ImpactReactions {
     pub closures: Vec<PlaceReaction>,
     /// Action of the ground on the held link of every held contact, at the held point.
     pub holds: Vec<PlaceReaction>,
+    /// Lock of each velocity of every joint; empty for a joint without a lock.
+    pub locks: Vec<Vec<RowReaction>>,
+    /// Mimic of every joint: its impulse on the joint, and −multiplier times as much on the master.
+    pub mimics: Vec<Option<RowReaction>>,
+    /// Every coupling: its impulse on each joint per unit factor of the joint.
+    pub couplings: Vec<RowReaction>,
     /// Largest unbalanced momentum of a link, relative to the impulse at the contact.
     pub imbalance: f64,
     /// Number of redundant rows.
@@ -53,10 +68,20 @@ struct Place {
     sign: f64,
 }
 
-/// A row, with the places through which its multiplier acts and the part of the row that acts there.
+/// A row, with the places through which its multiplier acts and the part of the row that acts there. `drive`: the lock, mimic or
+/// coupling of the row.
 struct ActingRow {
+    drive: Option<Drive>,
     row: Row,
     parts: Vec<(usize, Row)>,
+}
+
+/// Lock, mimic or coupling of a row.
+#[derive(Clone, Copy, PartialEq)]
+enum Drive {
+    Lock(usize),
+    Mimic(usize),
+    Coupling,
 }
 
 /// Reactions of a contact with a finite effective mass; `None` for other outcomes.
@@ -139,6 +164,19 @@ pub fn reactions(question: &Question) -> Option<ImpactReactions> {
             (part(0) / length, part(3))
         })
         .collect();
+    let of_drive = |drive: Drive| {
+        let own = rows.iter().enumerate().filter(move |(_, row)| row.drive == Some(drive));
+        let reaction = |(r, _): (usize, &ActingRow)| {
+            // A row without entries has no length: its multiplier is open.
+            let norm = if norms[r] > 0.0 { norms[r] } else { 1.0 };
+            let open = DVector::from_fn(rows.len() - rank, |k, _| v[(r, rank + k)] / norm);
+            RowReaction { value: multipliers[r] / norm, open }
+        };
+        own.map(reaction).collect::<Vec<RowReaction>>()
+    };
+    let locks = (0..joints.len()).map(|i| of_drive(Drive::Lock(i))).collect();
+    let mimics = (0..joints.len()).map(|i| of_drive(Drive::Mimic(i)).pop()).collect();
+    let couplings = of_drive(Drive::Coupling);
     let holds = found.split_off(1 + joints.len() + mechanism.closures().len());
     let closures = found.split_off(1 + joints.len());
     let of_joints = found.split_off(1);
@@ -149,6 +187,9 @@ pub fn reactions(question: &Question) -> Option<ImpactReactions> {
         joints: of_joints,
         closures,
         holds,
+        locks,
+        mimics,
+        couplings,
         imbalance: balance.amax(),
         redundant: rows.len() - rank,
     })
@@ -194,33 +235,37 @@ fn places(question: &Question, x_wl: &[Matrix4<f64>]) -> Vec<Place> {
 fn acting_rows(question: &Question, placed: &[JointInWorld], x_wl: &[Matrix4<f64>]) -> Vec<ActingRow> {
     let mechanism = question.mechanism;
     let mut rows = Vec::new();
-    let mut add = |row: Row, parts: Vec<(usize, Row)>| rows.push(ActingRow { row, parts });
+    let mut add = |drive: Option<Drive>, row: Row, parts: Vec<(usize, Row)>| {
+        rows.push(ActingRow { drive, row, parts });
+    };
     if !question.floating_base {
         let root = mechanism.root().index();
         for n in WORLD.map(Vector3::from) {
             for row in [Row(vec![(root, n, Vector3::zeros())]), Row(vec![(root, Vector3::zeros(), n)])] {
-                add(row.clone(), vec![(0, row)]);
+                add(None, row.clone(), vec![(0, row)]);
             }
         }
     }
     for (i, joint) in placed.iter().enumerate() {
-        joint.constraints().into_iter().for_each(|row| add(row.clone(), vec![(1 + i, row)]));
+        joint.constraints().into_iter().for_each(|row| add(None, row.clone(), vec![(1 + i, row)]));
         if question.locked.iter().any(|id| id.index() == i) {
-            joint.rates().into_iter().for_each(|row| add(row.clone(), vec![(1 + i, row)]));
+            let lock = Some(Drive::Lock(i));
+            joint.rates().into_iter().for_each(|row| add(lock, row.clone(), vec![(1 + i, row)]));
         }
         if let Some(mimic) = joint.joint.mimic() {
             let master = mimic.master.index();
             let own = joint.rates().swap_remove(0);
             let of_master =
                 Row::default().add_scaled(-mimic.multiplier, &placed[master].rates().swap_remove(0));
-            add(own.clone().add_scaled(1.0, &of_master), vec![(1 + i, own), (1 + master, of_master)]);
+            let row = own.clone().add_scaled(1.0, &of_master);
+            add(Some(Drive::Mimic(i)), row, vec![(1 + i, own), (1 + master, of_master)]);
         }
     }
     let mut others = loops::rows(question, placed, x_wl).into_iter();
     let first = 1 + placed.len();
     for (i, closure) in mechanism.closures().iter().enumerate() {
         for row in others.by_ref().take(closure.kind().rows()) {
-            add(row.clone(), vec![(first + i, row)]);
+            add(None, row.clone(), vec![(first + i, row)]);
         }
     }
     for coupling in mechanism.couplings() {
@@ -229,12 +274,13 @@ fn acting_rows(question: &Question, placed: &[JointInWorld], x_wl: &[Matrix4<f64
             let rate = placed[joint.index()].rates().swap_remove(0);
             (1 + joint.index(), Row::default().add_scaled(factor, &rate))
         };
-        add(row, coupling_entries(coupling, &question.positions).into_iter().map(part).collect());
+        let parts = coupling_entries(coupling, &question.positions).into_iter().map(part).collect();
+        add(Some(Drive::Coupling), row, parts);
     }
     let first = first + mechanism.closures().len();
     for (i, held) in question.held.iter().enumerate() {
         for row in others.by_ref().take(if held.normal.is_some() { 1 } else { 3 }) {
-            add(row.clone(), vec![(first + i, row)]);
+            add(None, row.clone(), vec![(first + i, row)]);
         }
     }
     rows

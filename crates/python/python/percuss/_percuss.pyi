@@ -874,6 +874,7 @@ def extremes(
     normals: str,
     starts: int,
     keep: Sequence[str],
+    contact_law: Damping | None,
     rows: tuple[
         Sequence[str | tuple[str, float, float, int]] | None,
         tuple[str, Sequence[str]] | None,

@@ -411,10 +411,11 @@ def impact(
     "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
     base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
-    joints whose reflected inertia is added. percussion: joints whose centre of percussion is added, "JOINT" in the
+    joints whose reflected inertia is added. percussion: joints, closures or "ground" whose centre of percussion is added, "JOINT" in the
     tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
-    contacts that touch at the same time, the name of a contact or "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame,
-    normal in world axes); stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
+    contacts that touch at the same time: the name of a contact, "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal in
+    world axes), a moment "LINK:about:X,Y,Z" (axis in the link's frame), both also with "=OTHER" for another link on the other side, a
+    cable "LINK:X,Y,Z=LINK:X,Y,Z", or a stop "JOINT:upper"; stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
     their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
     gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
@@ -443,6 +444,7 @@ def extremes(
     normals: str = "given",
     starts: int = 32,
     quantity: str = "mass",
+    contact_law: Damping | None = None,
     keep: Sequence[str] = (),
     vary: Range | None = None,
     input: str | os.PathLike[str] | None = None,
@@ -450,7 +452,8 @@ def extremes(
 ) -> records.ExtremesReport:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
     limits of all driving joints with limits. quantity: "mass", "reflected:JOINT" or "held:JOINT" (inertia at a joint with the other
-    drivers free or at rest), "bearing:JOINT" (impulse in the joint per closing speed of a plastic impact, kg).
+    drivers free or at rest), "bearing:JOINT" (impulse in a joint, a closure or the "ground" per closing speed of a plastic impact, kg),
+    "peak:JOINT" (peak force there with contact_law, whose speed is the closing speed, N).
     normals: "given", "any", or "across:X,Y,Z" for all normals perpendicular to an axis (world axes): the extremes are those over
     positions and normals. starts: number of starts of the local searches. The report has the positions, the active limits, the
     optimality residual and the number of starts that agree.
@@ -459,7 +462,7 @@ def extremes(
     without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
     return records.ExtremesReport.of(json.loads(_percuss.extremes(
-        model, contact, _asked(conditions), given, quantity, normals, starts, list(keep), _rows(vary, input, ignore, None, 0)
+        model, contact, _asked(conditions), given, quantity, normals, starts, list(keep), contact_law, _rows(vary, input, ignore, None, 0)
     )))
 
 

@@ -122,6 +122,7 @@ pub fn extremes(
     normals: &str,
     starts: usize,
     keep: Vec<String>,
+    contact_law: Option<Damping>,
     rows: PathRows<'_>,
 ) -> PyResult<String> {
     let (vary, input_file, random) = rows;
@@ -137,7 +138,9 @@ pub fn extremes(
         quantity.parse().map_err(|error| input(format_args!("quantity: \"{quantity}\": {error}")))?;
     let normals = normals.parse().map_err(|error| input(format_args!("normals: \"{normals}\": {error}")))?;
     let ranges = ranges.iter().map(range).collect::<PyResult<_>>()?;
-    let requested = ExtremesQuestion { ranges, keep, path, quantity, normals, starts };
+    let law = contact_law.as_ref().map(Damping::question).transpose()?;
+    let dimensions = [None; 2];
+    let requested = ExtremesQuestion { ranges, keep, path, quantity, law, dimensions, normals, starts };
     contact_report(py, model, contact, &conditions, |model, question| {
         study::extremes(model, question, &requested)
     })

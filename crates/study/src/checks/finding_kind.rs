@@ -102,11 +102,13 @@ finding_kinds! {
     SingularPose = "singular-pose", Warning, Pose;
     SmallRows = "small-rows", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
+    StopNotReached = "stop-not-reached", Warning, Report;
     StopPassed = "stop-passed", Warning, Pose;
     UncertainMass = "uncertain-mass", Warning, Pose;
     UnclearRank = "unclear-rank", Warning, Model;
     UnclearRankHere = "unclear-rank-here", Warning, Pose;
     UndeterminedMotion = "undetermined-motion", Note, Pose;
+    UnitOfContacts = "unit-of-contacts", Warning, Report;
     UnknownError = "unknown-error", Warning, Pose;
     UnusedGuess = "unused-guess", Warning, Pose;
     WeaklyConstrained = "weakly-constrained", Warning, Model;

@@ -6,3 +6,4 @@ pub(crate) mod passed_stops;
 pub(crate) mod prepared_question;
 pub(crate) mod random_rows;
 pub(crate) mod status;
+pub(crate) mod stop_not_reached;

@@ -9,9 +9,11 @@ use crate::checks::findings::{
 use crate::checks::held_contact::HeldContact;
 use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
+use crate::evaluation::stop_not_reached::stop_not_reached;
 use crate::model::loading::{Input, Model};
 use crate::model::wheel_points::{RACK, wheel_centres, wheel_of_patch};
 use crate::pose::pose_solver;
+use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
@@ -336,6 +338,12 @@ impl<'a> EvaluatedQuestion<'a> {
         let mut answer = prepared.evaluate(&pose, &contact)?;
         answer.findings.extend(prepared.converted_point_finding(&contact, "at the pose of the answer"));
         answer.findings.extend(prepared.guess_findings(&pose));
+        let mechanism = &model.mechanism;
+        let stop = StopOfJoint::of_question(mechanism, &prepared.question)?;
+        let requested = stop.filter(|stop| stop.is_requested(mechanism, &prepared.question));
+        answer
+            .findings
+            .extend(requested.and_then(|stop| stop_not_reached(&pose, &stop, prepared.question.names)));
         Ok(Self { prepared, pose, contact, result: answer })
     }
 }

@@ -5,6 +5,7 @@ use crate::model::wheel_points::{is_on_wheel, sliding_rack, wheel_centres};
 use crate::pose::driver::Driver;
 use crate::pose::joined_motion::closing_speed;
 use crate::pose::joined_travels::JoinedTravels;
+use crate::pose::touch::Stop;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
@@ -12,9 +13,7 @@ use crate::question::travel::moved::MovedPoint;
 use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_PART, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };
-use percuss_dynamics::{
-    Configuration, Contact, ContactResponse, Gap, PointVelocity, Pose, System, TravelError,
-};
+use percuss_dynamics::{Configuration, Contact, ContactResponse, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
 
 /// Travel of a point from its starting pose.
@@ -118,11 +117,19 @@ impl PointTravel {
     pub fn toward_stop(
         system: &System,
         base: &Configuration,
-        gap: &Gap,
+        stop: &Stop,
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
         let start = system.pose(base)?;
-        let travel = percuss_dynamics::Travel::toward_stop(&start, gap.clone());
+        let travel = match stop {
+            Stop::Contact(gap) => percuss_dynamics::Travel::toward_stop(&start, gap.clone()),
+            Stop::Joint(stop) => {
+                let travel = percuss_dynamics::Travel::of_joint(&start, stop.joint, stop.is_upper);
+                let name = || system.mechanism().joint(stop.joint).name().to_owned();
+                let refuse = || refuse(Field::At, TravelError::NoDriver { joint: name() });
+                travel.ok_or_else(refuse)?
+            }
+        };
         Self::with_driver(system, base, Field::At, (start, travel), is_set)
     }
 

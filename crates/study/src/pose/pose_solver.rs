@@ -4,7 +4,7 @@ use crate::pose::driver::Driver;
 use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::nearest_approach::{ClosingPath, PathEnd};
 use crate::pose::point_travel::PointTravel;
-use crate::pose::touch::touching_stops;
+use crate::pose::touch::{Stop, StopOfJoint, touching_stops};
 use crate::pose::unreachable_range::UnreachedRow;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
@@ -15,8 +15,8 @@ use crate::thresholds::{
     HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, LEAST_PART_OF_LONG_HALVING, LONG_HALVING, LONG_TRAVEL,
     NEAREST_HALVINGS, SAME_START,
 };
-use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
-use percuss_mechanism::{JointId, Mechanism, NamedContact};
+use percuss_dynamics::{AssemblyError, Configuration, Pose, System, Travel, TravelError};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::LengthUnit;
 
 /// Pose of a question.
@@ -32,7 +32,10 @@ pub(crate) fn pose(
     configuration: &Configuration,
     question: &MassQuestion,
 ) -> Result<Pose, StudyError> {
-    let start = system.pose(configuration)?;
+    let start = match system.pose(configuration) {
+        Ok(start) => start,
+        Err(error) => return dependent_stop_pose(system, configuration, question, error),
+    };
     let mechanism = system.mechanism();
     let mut driven: Vec<JointId> =
         question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok()).collect();
@@ -44,7 +47,9 @@ pub(crate) fn pose(
     }
     let stops = touching_stops(mechanism, question, &start)?;
     if let [(stop, _), ..] = &stops[..] {
-        return touch_pose(system, configuration, question, &driven, (stop.name(), &stops), start);
+        let name = stop.name();
+        let stops: Vec<Stop> = stops.into_iter().map(|(_, gap)| Stop::Contact(gap)).collect();
+        return touch_pose(system, configuration, question, &driven, (name, &stops), start);
     }
     let solved = solve_all(&travels, &start, Search::Full { least_part: LEAST_PART }, question.names);
     let motion = question.travel.iter().find_map(|travel| match &travel.moved {
@@ -54,6 +59,59 @@ pub(crate) fn pose(
     solved.map_err(|error| match error {
         StudyError::TravelNotReached { why, nearest, .. } => {
             StudyError::TravelNotReached { why, nearest, motion }
+        }
+        other => other,
+    })
+}
+
+/// Pose at the stop of a joint whose position follows from loops: the only driving joint that moves it, and is not set, drives. If all
+/// are set, the question is about their pose. `error`: the reason for which the joint cannot be set to its limit; returned for all other
+/// questions.
+fn dependent_stop_pose(
+    system: &System,
+    configuration: &Configuration,
+    question: &MassQuestion,
+    error: AssemblyError,
+) -> Result<Pose, StudyError> {
+    let mechanism = system.mechanism();
+    let AssemblyError::Dependent { joint: name, .. } = &error else { return Err(error.into()) };
+    let stop = StopOfJoint::of_question(mechanism, question)?
+        .filter(|stop| mechanism.joint(stop.joint).name() == name && stop.is_requested(mechanism, question));
+    let Some(stop) = stop else { return Err(error.into()) };
+    let mut released = configuration.clone();
+    released.release(stop.joint);
+    let start = system.pose(&released)?;
+    let set = question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok());
+    let driven: Vec<JointId> = set.filter(|joint| *joint != stop.joint).collect();
+    let Some(travel) = Travel::of_joint(&start, stop.joint, stop.is_upper) else { return Err(error.into()) };
+    let drivers = start.loops().map_or(&[][..], |loops| &loops.drivers);
+    // The rate is undetermined at a dead centre, from which the driver can move.
+    let moves = |driver: &JointId| !driven.contains(driver) && travel.rate(&start, *driver) != Some(0.0);
+    let moving: Vec<JointId> = drivers.iter().copied().filter(moves).collect();
+    match moving.len() {
+        0 => return Ok(start),
+        1 => {}
+        _ => {
+            let drivers = moving.iter().map(|driver| mechanism.joint(*driver).name().to_owned()).collect();
+            return Err(StudyError::input(Field::At, Fault::StopOfDrivers { joint: name.clone(), drivers }));
+        }
+    }
+    let held: Vec<JointId> = drivers.iter().copied().filter(|driver| !moving.contains(driver)).collect();
+    let taken: Vec<JointId> = driven.into_iter().chain(held).collect();
+    let stops = [Stop::Joint(stop.clone())];
+    let posed = touch_pose(system, &released, question, &taken, (name, &stops), start);
+    posed.map_err(|error| match error {
+        StudyError::StopNotReached { gap, nearest, is_smallest, why, .. } => {
+            let sign = if stop.is_upper { 1.0 } else { -1.0 };
+            StudyError::JointStopNotReached {
+                joint: name.clone(),
+                limit: stop.limit,
+                nearest: nearest.map(|nearest| stop.limit - sign * (gap - nearest) / stop.length),
+                turns: mechanism.joint(stop.joint).kind() != JointKind::Prismatic,
+                is_smallest,
+                driver: mechanism.joint(moving[0]).name().to_owned(),
+                why,
+            }
         }
         other => other,
     })
@@ -112,10 +170,10 @@ fn touch_pose(
     configuration: &Configuration,
     question: &MassQuestion,
     driven: &[JointId],
-    (name, stops): (&str, &[(&NamedContact, Gap)]),
+    (name, stops): (&str, &[Stop]),
     start: Pose,
 ) -> Result<Pose, StudyError> {
-    let gap = stops[0].1.at(&start);
+    let gap = stops[0].gap(&start);
     let not_reached = |nearest, is_smallest, why| StudyError::StopNotReached {
         name: name.to_owned(),
         gap,
@@ -124,16 +182,20 @@ fn touch_pose(
         unit: LengthUnit::Millimetre,
         why,
     };
-    let toward =
-        |gap: &Gap, driven: &[JointId]| match DrivenTravel::toward_stop(system, configuration, gap, driven) {
-            Ok(travel) => Ok(Some(travel)),
-            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => Ok(None),
-            Err(error) => Err(error),
-        };
+    let toward = |stop: &Stop, driven: &[JointId]| match DrivenTravel::toward_stop(
+        system,
+        configuration,
+        stop,
+        driven,
+    ) {
+        Ok(travel) => Ok(Some(travel)),
+        Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => Ok(None),
+        Err(error) => Err(error),
+    };
     let mut taken = driven.to_vec();
     let mut travels: Vec<DrivenTravel> = Vec::new();
-    for (_, gap) in stops {
-        match toward(gap, &taken)? {
+    for stop in stops {
+        match toward(stop, &taken)? {
             Some(travel) => {
                 taken.push(travel.driver.joint);
                 travels.push(travel);
@@ -141,7 +203,7 @@ fn touch_pose(
             // The joint that drives the first stop moves this one too.
             None if !travels.is_empty() => {}
             // All joints that move the stop are set: the question is about this pose.
-            None if toward(gap, &[])?.is_some() => return Ok(start),
+            None if toward(stop, &[])?.is_some() => return Ok(start),
             None => {
                 let why = "no joint with a single position moves it (in a suspension, give one of the massless rods a mass)";
                 return Err(not_reached(None, true, why.to_owned()));
@@ -280,12 +342,12 @@ impl DrivenTravel {
     fn toward_stop(
         system: &System,
         base: &Configuration,
-        gap: &Gap,
+        stop: &Stop,
         driven: &[JointId],
     ) -> Result<Self, StudyError> {
         let is_set = |joint| driven.contains(&joint);
-        let (travel, driver) = PointTravel::toward_stop(system, base, gap, &is_set)?;
-        let distance = gap.at(&travel.start);
+        let (travel, driver) = PointTravel::toward_stop(system, base, stop, &is_set)?;
+        let distance = stop.gap(&travel.start);
         Ok(Self { travel, driver, distance })
     }
 

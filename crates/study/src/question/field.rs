@@ -115,6 +115,10 @@ pub enum Field {
     PointError,
     /// Quantity of a search for extremes.
     Quantity,
+    /// Stiffness of the contact law of a peak force.
+    ExtremesStiffness,
+    /// Closing speed of a peak force.
+    ExtremesSpeed,
     /// Range of a joint in a search for extremes.
     Range,
     /// Link or point that stays in place in a search for extremes.
@@ -180,6 +184,8 @@ impl Field {
             Field::GearLimit => ("--gear-limit", "impact.gear_limit"),
             Field::PointError => ("--point-error", "impact.point_error"),
             Field::Quantity => ("--quantity", "extremes.quantity"),
+            Field::ExtremesStiffness => ("--stiffness", "extremes.stiffness"),
+            Field::ExtremesSpeed => ("--speed", "extremes.speed"),
             Field::Range => ("--range", "extremes.range"),
             Field::Keep => ("--keep", "extremes.keep"),
             Field::Path => ("--path", "extremes.path"),

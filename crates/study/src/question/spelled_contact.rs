@@ -1,4 +1,5 @@
-//! Contacts given as one text: the name of a contact of the model, a point with its normal, a cable, or the stop of a joint.
+//! Contacts given as one text: the name of a contact of the model, a point with its normal, a moment about an axis, a cable, or the stop
+//! of a joint.
 
 use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
@@ -32,7 +33,7 @@ pub(crate) fn stop_motion(joint: &Joint) -> Option<StopMotion> {
 /// Error message for a text `JOINT:END` with a misspelled end; `None` for other texts. Names of joints may contain colons, so only words
 /// that are similar to an end count as misspelled.
 pub(crate) fn misspelled_end(text: &str) -> Option<String> {
-    let (joint, word) = text.rsplit_once(':')?;
+    let (joint, word) = text.rsplit_once(':').filter(|(_, word)| !word.contains([',', '=']))?;
     let near = near_names(word, ["lower", "upper"]).concat();
     (!near.is_empty()).then(|| {
         format!(
@@ -46,7 +47,7 @@ pub(crate) fn misspelled_end(text: &str) -> Option<String> {
 pub enum FurtherContact {
     /// Contact of the model.
     Named(String),
-    /// Point of a link (m, link's frame) against the ground, with the normal out of the link, world axes.
+    /// Point of a link (m, link's frame) with the normal out of the link, world axes.
     Point {
         /// The link.
         link: String,
@@ -54,6 +55,17 @@ pub enum FurtherContact {
         point: [f64; 3],
         /// The normal.
         normal: [f64; 3],
+        /// Link on the other side; `None` for the ground.
+        against: Option<String>,
+    },
+    /// Moment about an axis. Impulses are N·m·s, speeds rad/s and masses kg·m².
+    Moment {
+        /// The link.
+        link: String,
+        /// The axis, frame of the link.
+        axis: [f64; 3],
+        /// Link on the other side; `None` for the ground.
+        against: Option<String>,
     },
     /// Cable between points (m, frames of the links) of two links: it resists lengthening.
     Cable {
@@ -75,9 +87,14 @@ pub enum FurtherContact {
     },
 }
 
+/// Forms of a contact as text, for messages.
+const FORMS: &str = "the name of a contact, a point LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a moment LINK:about:X,Y,Z (both also \
+                     with =OTHER for another link on the other side), a cable LINK:X,Y,Z=LINK:X,Y,Z, or the stop JOINT:lower or JOINT:upper";
+
 impl std::str::FromStr for FurtherContact {
     type Err = String;
-    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or `JOINT:upper`.
+    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:about:X,Y,Z`, both also followed by `=OTHER`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or
+    /// `JOINT:upper`.
     fn from_str(text: &str) -> Result<Self, String> {
         if !text.contains(':') {
             return Ok(Self::Named(text.to_owned()));
@@ -88,34 +105,46 @@ impl std::str::FromStr for FurtherContact {
         if let Some(error) = misspelled_end(text) {
             return Err(error);
         }
+        let (first, second) = match text.split_once('=') {
+            Some((first, second)) => (first, Some(second)),
+            None => (text, None),
+        };
+        // Link on the other side, for the forms without a point of this link.
+        let other = || match second {
+            Some(other) if other.is_empty() || other.contains(':') => {
+                Err(format!("\"{other}\" after =: expected the name of the link on the other side"))
+            }
+            other => Ok(other.map(str::to_owned)),
+        };
+        let axis = first.rsplit_once(':').and_then(|(rest, axis)| Some((rest.strip_suffix(":about")?, axis)));
+        if let Some((link, axis)) = axis {
+            let axis = percuss_units::parse_triple(axis, percuss_units::Dimension::Plain);
+            let axis = axis.map_err(|error| format!("the axis of LINK:about:X,Y,Z: {error}"))?;
+            return Ok(Self::Moment { link: link.to_owned(), axis, against: other()? });
+        }
         let read = |text: &str| {
             let hold: Result<Hold, String> = text.parse();
-            hold.map_err(|error| {
-                format!(
-                    "expected the name of a contact, the stop JOINT:lower or JOINT:upper, or a point: {error}"
-                )
-            })
+            hold.map_err(|error| format!("expected {FORMS}: {error}"))
         };
-        if let Some((first, second)) = text.split_once('=') {
-            let (first, second) = (read(first)?, read(second)?);
-            if first.normal.is_some() || second.normal.is_some() {
-                return Err("expected a cable LINK:X,Y,Z=LINK:X,Y,Z, such as hook:0,0,0=frame:0,0,1".into());
+        let Hold { link, point, normal } = read(first)?;
+        match (normal, second) {
+            (Some(normal), _) => Ok(Self::Point { link, point, normal, against: other()? }),
+            (None, Some(second)) => {
+                let end = read(second)?;
+                if end.normal.is_some() {
+                    return Err(
+                        "expected a cable LINK:X,Y,Z=LINK:X,Y,Z, such as hook:0,0,0=frame:0,0,1".into()
+                    );
+                }
+                Ok(Self::Cable { link, point, other: end.link, end: end.point })
             }
-            let (link, other) = (first.link, second.link);
-            return Ok(Self::Cable { link, point: first.point, other, end: second.point });
-        }
-        let hold = read(text)?;
-        match hold.normal {
-            Some(normal) => Ok(Self::Point { link: hold.link, point: hold.point, normal }),
-            None => Err("expected the name of a contact, LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a cable LINK:X,Y,Z=LINK:X,Y,Z, or \
-                         the stop JOINT:lower or JOINT:upper"
-                .into()),
+            (None, None) => Err(format!("expected {FORMS}")),
         }
     }
 }
 
 impl MassQuestion {
-    /// Point, cable or joint stop that the text of `at` describes. `None` without `at`, for a text without a colon, and for the name of a
+    /// Point, moment, cable or joint stop that the text of `at` describes. `None` without `at`, for a text without a colon, and for the name of a
     /// contact of the model.
     ///
     /// # Errors
@@ -142,7 +171,9 @@ impl MassQuestion {
     /// True for a moment about an axis, and for the stop of a revolute joint: m̄ in kg·m², speeds in rad/s.
     pub fn is_moment(&self, mechanism: &Mechanism) -> bool {
         let is_stop = || self.stop_of_joint(mechanism).is_some_and(|(_, motion)| motion == StopMotion::Turn);
-        matches!(self.normal, Normal::About(_)) || is_stop()
+        let is_spelled =
+            || matches!(self.spelled_contact(mechanism), Ok(Some(FurtherContact::Moment { .. })));
+        matches!(self.normal, Normal::About(_)) || is_stop() || is_spelled()
     }
 
     /// Refuses a result that requires a contact point if the resolved contact is a moment.
@@ -150,7 +181,9 @@ impl MassQuestion {
         if !matches!(self.normal, Normal::About(_)) {
             return Ok(());
         }
+        let is_moment = |text: &String| matches!(text.parse(), Ok(FurtherContact::Moment { .. }));
         let (field, contact) = match &self.at {
+            Some(text) if is_moment(text) => (Field::At, "a moment about an axis"),
             Some(_) => (Field::At, "the stop of a joint"),
             None => (Field::AboutAxis, "a moment about an axis"),
         };
@@ -184,8 +217,11 @@ impl MassQuestion {
         };
         match contact {
             FurtherContact::Named(_) => Ok(self.clone()),
-            FurtherContact::Point { link, point, normal } => {
-                Ok(of_text(link, *point, Normal::Along(*normal), Frame::World, None))
+            FurtherContact::Point { link, point, normal, against } => {
+                Ok(of_text(link, *point, Normal::Along(*normal), Frame::World, against.clone()))
+            }
+            FurtherContact::Moment { link, axis, against } => {
+                Ok(of_text(link, [0.0; 3], Normal::About(*axis), Frame::Link, against.clone()))
             }
             FurtherContact::Cable { link, point, other, end } => {
                 let normal = Normal::TurningAwayFrom(other.clone(), *end);
@@ -214,17 +250,28 @@ impl MassQuestion {
                 let against = Some(name(declared.parent()));
                 let mut question =
                     of_text(&name(declared.child()), contact.point.into(), normal, frame, against);
-                let is_given = self.set.iter().any(|(set, _)| set == joint) || self.gives_pose();
+                let master = declared.mimic().map(|mimic| mechanism.joint(mimic.master).name());
+                let is_set =
+                    |(set, _): &(String, GivenPosition)| set == joint || Some(set.as_str()) == master;
+                let is_given = self.set.iter().any(is_set) || self.gives_pose();
                 if !is_given {
                     let limits = declared.limits().ok_or_else(|| {
                         StudyError::input(Field::At, Fault::NoLimit { joint: joint.clone() })
                     })?;
                     let at = if *is_upper { limits.upper } else { limits.lower };
+                    // The master of a mimic moves it to its limit.
+                    let (moved, at) = match declared.mimic().filter(|mimic| mimic.multiplier != 0.0) {
+                        Some(mimic) => {
+                            let master = mechanism.joint(mimic.master).name().to_owned();
+                            (master, (at - mimic.offset) / mimic.multiplier)
+                        }
+                        None => (joint.clone(), at),
+                    };
                     let position = GivenPosition::from_numbers(&[at]);
                     let wrong = |source| {
                         StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source })
                     };
-                    question.set.push((joint.clone(), position.map_err(wrong)?));
+                    question.set.push((moved, position.map_err(wrong)?));
                 }
                 Ok(question)
             }

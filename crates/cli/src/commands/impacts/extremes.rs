@@ -143,12 +143,13 @@ fn value(report: &ExtremesReport, record: &ExtremeRecord) -> String {
             let speed = ContactUnits::new(report.is_moment).speed;
             format!(" (N·s in {joint} per {speed} of a plastic impact)")
         }
+        ("bearing_peak_force", Some(joint)) => format!(" (peak force in {joint})"),
         (_, Some(joint)) => format!(" at {joint}"),
         _ => String::new(),
     };
     match (record.status, record.value) {
         (Status::Finite, Some(value)) => format!("{} {}{what}", number(value), report.unit),
-        (Status::Immovable, _) if report.quantity == "bearing_impulse" => {
+        (Status::Immovable, _) if report.quantity.starts_with("bearing_") => {
             "unbounded: it grows towards these positions, at which the contact is immovable".to_owned()
         }
         (status, _) => status.name().to_owned(),

@@ -10,8 +10,8 @@ use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
-    FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionRecord, ReflectedRangeRecord,
-    ReflectedRecord, Status, impact,
+    FrictionRecord, ImpactQuestion, ImpactReport, JointConstraintKind, MassQuestion, Model, ReactionRecord,
+    ReflectedRangeRecord, ReflectedRecord, Status, impact,
 };
 
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
@@ -91,7 +91,10 @@ fn text(report: &ImpactReport) -> String {
         out += &format!("\n{reactions}{}", wrap_lines(&legend(report)));
     }
     out += &in_time::bearing_table(report).map_or_else(String::new, |table| format!("\n{table}"));
-    out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
+    out += &gear_table(report).map_or_else(String::new, |table| format!("\n{table}"));
+    if let Some(table) = joint_constraint_table(report) {
+        out += &format!("\n{table}{}", wrap_lines(&joint_constraint_note(report)));
+    }
     let friction = if report.friction.is_some() { "" } else { "friction, " };
     let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
     out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
@@ -472,19 +475,53 @@ fn place(record: &ReactionRecord) -> String {
     in_time::place_name(record.place, &record.name)
 }
 
-/// Impulses of gears, locks, mimics and couplings; `None` without any.
-pub fn drive_table(report: &ImpactReport) -> Option<Table<3>> {
-    let mut table = Table::new(["drive", "gear N·m·s, N·s", "lock, mimic or coupling"]);
-    let scale = report.impulse * report.mass.characteristic_length.max(1.0);
-    for record in &report.reactions {
-        let is_geared = record.gear.iter().any(|gear| *gear != 0.0);
-        let is_held = record.constraint.iter().any(|v| v.is_none_or(|v| rounded(v, scale) != 0.0));
-        if !is_geared && !is_held {
-            continue;
-        }
+/// Impulses of gears; `None` without any.
+pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
+    let mut table = Table::new(["drive", "impulse in the gear (N·m·s, N·s)"]);
+    let scale = drive_scale(report);
+    for record in report.reactions.iter().filter(|record| record.gear.iter().any(|gear| *gear != 0.0)) {
         let gear: Vec<String> = record.gear.iter().map(|v| component(Some(*v), scale)).collect();
-        let constraint: Vec<String> = record.constraint.iter().map(|v| component(*v, scale)).collect();
-        table.row([record.name.clone(), gear.join(", "), constraint.join(", ")]);
+        table.row([record.name.clone(), gear.join(", ")]);
     }
     (table.rows().len() > 1).then_some(table)
+}
+
+/// Impulses of locks, mimics and couplings on their joints; `None` without any.
+pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
+    let mut table = Table::new(["constraint of joints", "impulses (N·m·s, N·s)"]);
+    let scale = drive_scale(report);
+    let is_loaded = |v: &Option<f64>| v.is_none_or(|v| rounded(v, scale) != 0.0);
+    for record in report.joint_constraints.iter().filter(|record| record.impulses.iter().any(is_loaded)) {
+        let place = format!("{} {}", record.kind.name(), record.name);
+        let of_joint =
+            |(joint, value): (&String, &Option<f64>)| format!("{joint} {}", component(*value, scale));
+        let impulses = record.joints.iter().zip(&record.impulses);
+        let impulses: Vec<String> = match record.kind {
+            JointConstraintKind::Lock => impulses.map(|(_, value)| component(*value, scale)).collect(),
+            _ => impulses.map(of_joint).collect(),
+        };
+        table.row([place, impulses.join(", ")]);
+    }
+    (table.rows().len() > 1).then_some(table)
+}
+
+/// Reason of the open impulses of locks, mimics and couplings; empty without any.
+pub fn joint_constraint_note(report: &ImpactReport) -> String {
+    let open = report.joint_constraints.iter().flat_map(|record| record.open_by.iter().map(String::as_str));
+    let mut open: Vec<&str> = open.collect();
+    open.sort_unstable();
+    open.dedup();
+    if open.is_empty() {
+        return String::new();
+    }
+    format!(
+        "?: indeterminate; redundant constraints leave the impulse open: {}. The sum on each joint can be determinate: constraint in \
+         --format json.\n",
+        line(&open.join(", "))
+    )
+}
+
+/// Impulse, N·m·s, relative to which the impulse of a drive is rounding.
+fn drive_scale(report: &ImpactReport) -> f64 {
+    report.impulse * report.mass.characteristic_length.max(1.0)
 }

@@ -61,8 +61,12 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
         page.table(rigid_impact::reaction_table(report).rows());
         page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
     }
-    if let Some(table) = rigid_impact::drive_table(report) {
+    if let Some(table) = rigid_impact::gear_table(report) {
         page.table(table.rows());
+    }
+    if let Some(table) = rigid_impact::joint_constraint_table(report) {
+        page.table(table.rows());
+        page.paragraph("soft", &rigid_impact::joint_constraint_note(report).replace('\n', " "));
     }
     page.heading("Rates of the joints");
     add_rates(report, page);

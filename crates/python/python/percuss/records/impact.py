@@ -84,7 +84,8 @@ class TouchingRecord(Record):
     normal_world: list[float]
     """Normal out of the contact link, world axes."""
     gap: float | None
-    """Gap of a named contact at the pose, m: it is taken as closed; None for others."""
+    """Gap of a named contact at the pose, m; for the stop of a joint with limits its distance from the stop, rad or m. The
+    contact is taken as closed. None for others, and for the first contact."""
     closing_speed: float
     """Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens."""
     effective_mass: float | None
@@ -171,7 +172,9 @@ class SimultaneousRecord(Record):
     laws: list[SimultaneousLawRecord]
     """Results of the laws without friction; empty for one contact."""
     spread: float | None
-    """Largest difference of an opening speed between two laws, divided by the largest closing speed; None for one contact."""
+    """Largest difference of an opening speed between two laws, divided by the largest closing speed; None for one contact. If
+    some contacts are moments and others forces, each speed is multiplied by the square root of the mass (inertia) of its
+    contact."""
     sticking: StickingRecord | None
     """Plastic impact with sticking points, if requested."""
 
@@ -251,11 +254,28 @@ class ReactionRecord(Record):
     gear: list[float]
     """Impulse in the gear of each velocity of the joint, armature · Δq̇, N·m·s or N·s; empty without a joint."""
     constraint: list[float | None]
-    """Impulse of a lock, mimic or coupling on each velocity of the joint, N·m·s or N·s; empty without a joint."""
+    """Sum of the impulses of lock, mimics and couplings on each velocity of the joint, N·m·s or N·s; empty without a joint. The
+    parts are in "joint_constraints" of the report."""
     peak_force: list[float | None] | None
     """Largest force along the axes in a compliant contact, N; None without a contact law."""
     peak_moment: list[float | None] | None
     """Largest moment in a compliant contact, N·m; None without a contact law."""
+
+
+class JointConstraintRecord(Record):
+    """Impulses of a lock, a mimic or a coupling on its joints."""
+
+    kind: Literal["lock", "mimic", "coupling"]
+    """Kind."""
+    name: str
+    """Name of the coupling; of the locked joint; of the joint that mimics another."""
+    joints: list[str]
+    """Joints, once for each velocity."""
+    impulses: list[float | None]
+    """Impulse on each velocity, N·m·s or N·s. None if redundant constraints leave it open, also if the sum on the joint
+    ("constraint" of its reaction) is determinate."""
+    open_by: list[str]
+    """Constraints that leave impulses open: loops, couplings, mimics and locks."""
 
 
 class MotionForceRecord(Record):
@@ -418,10 +438,10 @@ class ReflectedRangeRecord(Record):
 
 
 class PercussionRecord(Record):
-    """Centre of percussion of a joint."""
+    """Centre of percussion of a joint, a closure or the ground."""
 
     joint: str
-    """Joint with the least impulse."""
+    """Joint or closure with the least impulse, or the ground."""
     direction: list[float] | None
     """Direction of the line, axes of the contact link; None for the tangent plane."""
     point_link: list[float]
@@ -488,6 +508,8 @@ class ImpactReport(Record):
     """Free body on the other side; None without one."""
     reactions: list[ReactionRecord]
     """Reactions in all joints, closures and held points, and that of the ground."""
+    joint_constraints: list[JointConstraintRecord]
+    """Impulses of the locks, mimics and couplings on their joints."""
     reaction_residual: float
     """Largest unbalanced impulse of the reactions, relative to the impulse."""
     contact_law: ImpactLawRecord | None
@@ -551,7 +573,7 @@ class ExtremeRecord(Record):
     value: float | None
     """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
-    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia. The largest impulse in a bearing is
+    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia. The largest load of a bearing is
     "immovable" if it has no bound: it grows towards these positions, at which the contact is immovable."""
     positions: list[ExtremePosition]
     """Positions of the varied joints."""
@@ -584,14 +606,15 @@ class ExtremesReport(Record):
     percuss: str
     """Version of percuss."""
     quantity: str
-    """Quantity: "effective_mass", "reflected_inertia", "held_inertia" or "bearing_impulse" (impulse in the bearing per closing
-    speed, of a plastic impact)."""
+    """Quantity: "effective_mass", "reflected_inertia", "held_inertia", "bearing_impulse" (impulse in the bearing per closing
+    speed, of a plastic impact) or "bearing_peak_force"."""
     is_moment: bool
     """True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s."""
     joint: str | None
-    """Joint of the quantity; None for the effective mass."""
+    """Joint or bearing of the quantity; None for the effective mass."""
     unit: str
-    """Unit of the values: "kg" or "kg·m²"; "kg·m" for the impulse in a bearing per closing speed of a moment."""
+    """Unit of the values: "kg" or "kg·m²"; "kg·m" for the impulse in a bearing per closing speed of a moment; "N" for a peak
+    force."""
     ranges: list[list[float | str]]
     """Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path."""
     kept: list[KeptRecord]

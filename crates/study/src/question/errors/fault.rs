@@ -110,7 +110,7 @@ pub enum Fault {
         /// Reason.
         message: String,
     },
-    /// Requested result that is not defined for the stop of a joint.
+    /// Requested result that requires a contact point.
     #[error("{contact} has no {result}: it has no contact point; give a contact by link, point and normal")]
     NoContactPoint {
         /// Kind of the contact.
@@ -126,6 +126,19 @@ pub enum Fault {
         /// The closure.
         closure: String,
     },
+    /// Bearing that does not exist.
+    #[error("no joint or closure is named \"{name}\"; expected one of {}", names.join(", "))]
+    UnknownBearing {
+        /// The name.
+        name: String,
+        /// Similar names, or the first names of all bearings.
+        names: Vec<String>,
+    },
+    /// Peak force of a bearing without a contact law.
+    #[error(
+        "the peak force of a bearing depends on the contact law: give its stiffness, the restitution and the closing speed"
+    )]
+    PeakWithoutLaw,
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),
@@ -239,13 +252,16 @@ pub enum Fault {
         /// Kind of the joint.
         kind: JointKind,
     },
-    /// Joint stop among sticking contact points.
+    /// Stop of a joint that several driving joints move.
     #[error(
-        "the stop of joint \"{joint}\" has no contact point that can stick; leave it out, or give the stop as a point with its normal"
+        "joint \"{joint}\" follows from the loops; several driving joints move it to its stop: {}; set all of them except one",
+        drivers.join(", ")
     )]
-    StickingStop {
-        /// Joint.
+    StopOfDrivers {
+        /// Joint of the stop.
         joint: String,
+        /// Driving joints that are not set.
+        drivers: Vec<String>,
     },
     /// Joint without limits.
     #[error(

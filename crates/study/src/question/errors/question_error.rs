@@ -50,6 +50,24 @@ pub enum StudyError {
         /// Reason.
         why: String,
     },
+    /// Stop of a joint that the mechanism cannot reach.
+    #[error("{}", joint_stop_not_reached(joint, *limit, *nearest, (*turns, *is_smallest), driver, why))]
+    JointStopNotReached {
+        /// The joint.
+        joint: String,
+        /// Its limit, rad or m.
+        limit: f64,
+        /// Nearest position of the joint, rad or m, if known.
+        nearest: Option<f64>,
+        /// True if the joint turns.
+        turns: bool,
+        /// True if the joint turns back at the nearest position; false if the search ended there.
+        is_smallest: bool,
+        /// Joint that drives the search.
+        driver: String,
+        /// Reason.
+        why: String,
+    },
     /// Invalid mass matrix.
     #[error(transparent)]
     Route(#[from] RouteError),
@@ -167,6 +185,7 @@ impl StudyError {
             | StudyError::NoMass
             | StudyError::TravelNotReached { .. }
             | StudyError::StopNotReached { .. }
+            | StudyError::JointStopNotReached { .. }
             | StudyError::Route(_) => true,
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,
@@ -225,6 +244,29 @@ fn stop_not_reached(
     };
     let outcome = if is_smallest { "cannot be" } else { "was not" };
     format!("the stop \"{name}\" with a gap of {} {outcome} reached: {why}", unit.text(gap))
+}
+
+/// Message: a joint cannot reach its stop.
+fn joint_stop_not_reached(
+    joint: &str,
+    limit: f64,
+    nearest: Option<f64>,
+    (turns, is_smallest): (bool, bool),
+    driver: &str,
+    why: &str,
+) -> String {
+    const PER_UNIT: f64 = 1e6;
+    let rounded = |position: f64| (position * PER_UNIT).round() / PER_UNIT + 0.0;
+    let unit = if turns { "rad" } else { "m" };
+    let why = match nearest {
+        Some(nearest) if is_smallest => format!("it comes to {} {unit} and moves back", rounded(nearest)),
+        Some(nearest) => format!("the search ends at {} {unit}", rounded(nearest)),
+        None => why.to_owned(),
+    };
+    format!(
+        "joint \"{joint}\", whose position follows from the loops, does not reach its stop at {limit} {unit} by a motion of \"{driver}\": \
+         {why}; expected a pose from which it moves to the stop: set \"{driver}\" to examine the stop there"
+    )
 }
 
 /// Message: another side is given in a question about a person.

@@ -10,10 +10,10 @@ use crate::thresholds::UNCHANGED_RATE;
 use crate::values::rates::GivenRates;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
-    centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed,
+    Bearing, centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed,
     greatest_closing_speed_of_gears, reflected_inertia, reflected_inertia_over, worst_reaction_within,
 };
-use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism, near_names};
 use percuss_units::Dimension;
 use serde::Serialize;
 
@@ -59,10 +59,10 @@ pub struct ReflectedRangeRecord {
     pub largest_error: Option<f64>,
 }
 
-/// Centre of percussion of a joint.
+/// Centre of percussion of a joint, a closure or the ground.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PercussionRecord {
-    /// Joint with the least impulse.
+    /// Joint or closure with the least impulse, or the ground.
     pub joint: String,
     /// Direction of the line, axes of the contact link; null for the tangent plane.
     pub direction: Option<[f64; 3]>,
@@ -97,6 +97,9 @@ pub struct GreatestSpeedRecord {
     pub limit: &'static str,
 }
 
+/// Name of the ground under the root link as a bearing.
+const GROUND: &str = "ground";
+
 /// Joint by name.
 pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
     mechanism.find_joint(name).map_err(|error| {
@@ -104,6 +107,27 @@ pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Res
             return StudyError::input(field, Fault::IsClosure { closure: name.to_owned() });
         }
         StudyError::input(field, error)
+    })
+}
+
+/// Bearing by the name of a joint or of a closure, or `ground` (also the name of the root link) for the ground under the root link.
+pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> Result<Bearing, StudyError> {
+    let closure = mechanism.closures().iter().position(|closure| closure.name() == name);
+    let is_ground = name == GROUND || name == mechanism.link(mechanism.root()).name();
+    match closure {
+        _ if mechanism.find_joint(name).is_ok() => {}
+        Some(closure) => return Ok(Bearing::Closure(closure)),
+        None if is_ground => return Ok(Bearing::Ground),
+        None => {}
+    }
+    mechanism.find_joint(name).map(Bearing::Joint).map_err(|_| {
+        let joints = mechanism.joints().iter().map(|joint| joint.name());
+        let closures = mechanism.closures().iter().map(|closure| closure.name());
+        let all: Vec<&str> = joints.chain(closures).chain([GROUND]).collect();
+        let near = near_names(name, all.iter().copied());
+        let names =
+            if near.is_empty() { all.iter().take(12).map(|name| (*name).to_owned()).collect() } else { near };
+        StudyError::input(field, Fault::UnknownBearing { name: name.to_owned(), names })
     })
 }
 
@@ -200,20 +224,21 @@ pub(crate) fn reflected_over(
     Ok(records)
 }
 
-/// Centres of percussion of the requested joints.
+/// Centres of percussion of the requested joints, closures and ground.
 pub(crate) fn percussion(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
 ) -> Result<Vec<PercussionRecord>, StudyError> {
     let (pose, contact) = (&evaluated.pose, &evaluated.contact);
     let centre = |request: &PercussionRequest| {
-        let joint = find_joint(&evaluated.prepared.model.mechanism, Field::Percussion, &request.joint)?;
+        let mechanism = &evaluated.prepared.model.mechanism;
+        let bearing = find_bearing(mechanism, Field::Percussion, &request.joint)?;
         let found = match request.direction {
-            Some(direction) => centre_of_percussion(pose, contact, joint, direction.into()),
-            None => centre_of_percussion_in_plane(pose, contact, joint),
+            Some(direction) => centre_of_percussion(pose, contact, bearing, direction.into()),
+            None => centre_of_percussion_in_plane(pose, contact, bearing),
         };
         let found = found.map_err(|error| StudyError::input(Field::Percussion, error))?;
-        let worst = question.point_error.map(|radius| worst_reaction_within(pose, contact, joint, radius));
+        let worst = question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius));
         let worst = worst.transpose().map_err(|error| StudyError::input(Field::PointError, error))?;
         Ok(PercussionRecord {
             worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),

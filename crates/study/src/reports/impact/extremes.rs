@@ -7,6 +7,7 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::check_dimensions;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
@@ -47,7 +48,7 @@ pub struct ExtremeRecord {
     pub effective_mass: Option<f64>,
     /// Value of the quantity in the unit of the report; null if not finite.
     pub value: Option<f64>,
-    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia. The largest impulse in a bearing is `immovable`
+    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia. The largest load of a bearing is `immovable`
     /// if it has no bound: it grows towards these positions, at which the contact is immovable.
     pub status: Status,
     /// Positions of the varied joints.
@@ -98,14 +99,14 @@ pub struct ExtremesReport {
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse` (impulse in the bearing per closing speed, of
-    /// a plastic impact).
+    /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia`, `bearing_impulse` (impulse in the bearing per closing speed, of a
+    /// plastic impact) or `bearing_peak_force`.
     pub quantity: &'static str,
     /// True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s.
     pub is_moment: bool,
-    /// Joint of the quantity; null for the effective mass.
+    /// Joint or bearing of the quantity; null for the effective mass.
     pub joint: Option<String>,
-    /// Unit of the values: `kg` or `kg·m²`; `kg·m` for the impulse in a bearing per closing speed of a moment.
+    /// Unit of the values: `kg` or `kg·m²`; `kg·m` for the impulse in a bearing per closing speed of a moment; `N` for a peak force.
     pub unit: &'static str,
     /// Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path.
     pub ranges: Vec<(String, f64, f64)>,
@@ -165,7 +166,15 @@ pub fn extremes(
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
-    let (quantity, unit) = extremes.quantity.searched(&model.mechanism, contact.normal.is_moment())?;
+    let is_moment = contact.normal.is_moment();
+    let [speed, stiffness] = extremes.dimensions;
+    check_dimensions(
+        extremes.law.as_ref().map_or(1.0, |law| law.exponent),
+        (Field::ExtremesStiffness, stiffness),
+        (Field::ExtremesSpeed, speed),
+        is_moment,
+    )?;
+    let (quantity, unit) = extremes.quantity.searched(&model.mechanism, is_moment, extremes.law.as_ref())?;
     let search = ExtremesSearch {
         prepared: &prepared,
         pose: &pose,

@@ -1,12 +1,14 @@
 //! Question about extremes over positions.
 
+use crate::damper::damping::damper;
 use crate::evaluation::status::mass_unit;
-use crate::question::errors::question_error::StudyError;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::triples;
 use crate::question::row_source::RowSource;
-use crate::reports::impact::additions::find_joint;
-use percuss_impact::{NormalRange, SearchedQuantity};
+use crate::reports::impact::additions::{find_bearing, find_joint};
+use percuss_impact::{NormalRange, PeakForceLaw, SearchedQuantity};
 use percuss_mechanism::{JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 
@@ -22,6 +24,10 @@ pub struct ExtremesQuestion {
     pub path: Option<RowSource>,
     /// Quantity whose extremes are searched.
     pub quantity: GivenQuantity,
+    /// Contact law with restitution and closing speed; for peak forces only.
+    pub law: Option<DampingQuestion>,
+    /// Dimensions of the units of the closing speed and of the stiffness of `law`, in this order; `None` for plain numbers.
+    pub dimensions: [Option<Dimension>; 2],
     /// Normals among which the extremes are searched.
     pub normals: GivenNormals,
     /// Number of starts of the search; 0 for the default.
@@ -59,13 +65,15 @@ pub enum GivenQuantity {
     Reflected(String),
     /// Inertia reflected to a joint, with the other drivers at rest.
     Held(String),
-    /// Impulse in the bearing of a joint per closing speed, of a plastic impact.
+    /// Impulse in a bearing (joint, closure or `ground`) per closing speed, of a plastic impact.
     Bearing(String),
+    /// Peak force in a bearing with the contact law of the question.
+    Peak(String),
 }
 
 impl std::str::FromStr for GivenQuantity {
     type Err = String;
-    /// Reads `mass`, `reflected:JOINT`, `held:JOINT` or `bearing:JOINT`.
+    /// Reads `mass`, `reflected:JOINT`, `held:JOINT`, `bearing:JOINT` or `peak:JOINT`.
     fn from_str(text: &str) -> Result<Self, String> {
         if text == "mass" {
             return Ok(Self::Mass);
@@ -74,49 +82,70 @@ impl std::str::FromStr for GivenQuantity {
             Some(("reflected", joint)) => Ok(Self::Reflected(joint.to_owned())),
             Some(("held", joint)) => Ok(Self::Held(joint.to_owned())),
             Some(("bearing", joint)) => Ok(Self::Bearing(joint.to_owned())),
-            _ => Err("expected mass, reflected:JOINT, held:JOINT or bearing:JOINT".to_owned()),
+            Some(("peak", joint)) => Ok(Self::Peak(joint.to_owned())),
+            _ => Err("expected mass, reflected:JOINT, held:JOINT, bearing:JOINT or peak:JOINT; bearings are also closures and ground".to_owned()),
         }
     }
 }
 
 impl GivenQuantity {
-    /// Name of the quantity in reports: `effective_mass`, `reflected_inertia`, `held_inertia` or `bearing_impulse`.
+    /// Name of the quantity in reports: `effective_mass`, `reflected_inertia`, `held_inertia`, `bearing_impulse` or `bearing_peak_force`.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Mass => "effective_mass",
             Self::Reflected(_) => "reflected_inertia",
             Self::Held(_) => "held_inertia",
             Self::Bearing(_) => "bearing_impulse",
+            Self::Peak(_) => "bearing_peak_force",
         }
     }
 
-    /// Joint of the quantity; `None` for the effective mass.
+    /// Joint or bearing of the quantity; `None` for the effective mass.
     pub fn joint(&self) -> Option<&str> {
         match self {
             Self::Mass => None,
-            Self::Reflected(joint) | Self::Held(joint) | Self::Bearing(joint) => Some(joint),
+            Self::Reflected(joint) | Self::Held(joint) | Self::Bearing(joint) | Self::Peak(joint) => {
+                Some(joint)
+            }
         }
     }
 
-    /// Quantity of the search, and its unit. `is_moment`: the contact is a moment about an axis.
+    /// Quantity of the search, and its unit. `is_moment`: the contact is a moment about an axis; `law`: contact law of a peak force.
     pub(crate) fn searched(
         &self,
         mechanism: &Mechanism,
         is_moment: bool,
+        law: Option<&DampingQuestion>,
     ) -> Result<(SearchedQuantity, &'static str), StudyError> {
         let Some(name) = self.joint() else {
             return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
         };
-        let joint = find_joint(mechanism, Field::Quantity, name)?;
-        let held = matches!(self, Self::Held(_));
-        Ok(match (self, mechanism.joint(joint).kind()) {
-            (Self::Bearing(_), _) => {
-                (SearchedQuantity::BearingImpulse { joint }, if is_moment { "kg·m" } else { "kg" })
+        let bearing = || find_bearing(mechanism, Field::Quantity, name);
+        let held = match self {
+            Self::Bearing(_) => {
+                let quantity = SearchedQuantity::BearingImpulse { bearing: bearing()? };
+                return Ok((quantity, if is_moment { "kg·m" } else { "kg" }));
             }
-            (_, JointKind::Prismatic) => (SearchedQuantity::ReflectedInertia { joint, held }, "kg"),
-            _ => (SearchedQuantity::ReflectedInertia { joint, held }, "kg·m²"),
-        })
+            Self::Peak(_) => {
+                let law = law.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakWithoutLaw))?;
+                let law = peak_force_law(law)?;
+                return Ok((SearchedQuantity::BearingPeakForce { bearing: bearing()?, law }, "N"));
+            }
+            Self::Mass | Self::Reflected(_) => false,
+            Self::Held(_) => true,
+        };
+        let joint = find_joint(mechanism, Field::Quantity, name)?;
+        let quantity = SearchedQuantity::ReflectedInertia { joint, held };
+        let slides = mechanism.joint(joint).kind() == JointKind::Prismatic;
+        Ok((quantity, if slides { "kg" } else { "kg·m²" }))
     }
+}
+
+/// Peak force of a contact law with a speed as a power of the effective mass.
+fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
+    let force = damper(law, 1.0)?.peak_force;
+    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakWithoutLaw))?;
+    Ok(PeakForceLaw { force, power: law.exponent / (law.exponent + 1.0) })
 }
 
 /// Range of a joint.
@@ -171,5 +200,34 @@ impl std::str::FromStr for Keep {
             point: point.map_err(|error| error.to_string())?,
             normal: normal.map_err(|error| error.to_string())?,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use percuss_contact::Law;
+
+    /// The peak force of every law, exponent and restitution is a power of the mass.
+    #[test]
+    fn peak_forces_are_powers_of_the_mass() {
+        let mut count = 0;
+        for law in Law::ALL {
+            for (exponent, restitution) in [(1.0, 0.0), (1.0, 0.4), (1.5, 0.4), (1.5, 1.0), (2.2, 0.7)] {
+                let mut question = DampingQuestion::new(restitution, 3e4);
+                (question.law, question.exponent, question.speed) = (law, exponent, Some(1.7));
+                let Ok(power_law) = peak_force_law(&question) else { continue };
+                for mass in [0.03, 2.0, 700.0] {
+                    let force = damper(&question, mass).expect("a damper").peak_force.expect("a force");
+                    let expected = power_law.force * mass.powf(power_law.power);
+                    assert!(
+                        (force / expected - 1.0).abs() < 1e-8,
+                        "{law:?} {exponent} {restitution} {mass}: {force} {expected}"
+                    );
+                    count += 1;
+                }
+            }
+        }
+        assert!(count >= 15, "{count}");
     }
 }

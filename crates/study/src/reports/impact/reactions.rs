@@ -1,8 +1,8 @@
 //! Reactions of an impact as records.
 
 use percuss_dynamics::Pose;
-use percuss_impact::{Component, Reaction, Reactions};
-use percuss_mechanism::{LinkId, LoopFrame, Mechanism};
+use percuss_impact::{Component, JointConstraint, JointConstraintReaction, Reaction, Reactions};
+use percuss_mechanism::{JointId, LinkId, LoopFrame, Mechanism};
 use serde::Serialize;
 
 /// Place of a reaction.
@@ -42,12 +42,77 @@ pub struct ReactionRecord {
     pub open_by: Vec<String>,
     /// Impulse in the gear of each velocity of the joint, armature · Δq̇, N·m·s or N·s; empty without a joint.
     pub gear: Vec<f64>,
-    /// Impulse of a lock, mimic or coupling on each velocity of the joint, N·m·s or N·s; empty without a joint.
+    /// Sum of the impulses of lock, mimics and couplings on each velocity of the joint, N·m·s or N·s; empty without a joint. The parts are
+    /// in `joint_constraints` of the report.
     pub constraint: Vec<Option<f64>>,
     /// Largest force along the axes in a compliant contact, N; null without a contact law.
     pub peak_force: Option<[Option<f64>; 3]>,
     /// Largest moment in a compliant contact, N·m; null without a contact law.
     pub peak_moment: Option<[Option<f64>; 3]>,
+}
+
+/// Kind of a constraint of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum JointConstraintKind {
+    /// Locked joint.
+    Lock,
+    /// Joint that mimics another.
+    Mimic,
+    /// Coupling.
+    Coupling,
+}
+
+impl JointConstraintKind {
+    /// Name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            JointConstraintKind::Lock => "lock",
+            JointConstraintKind::Mimic => "mimic",
+            JointConstraintKind::Coupling => "coupling",
+        }
+    }
+}
+
+/// Impulses of a lock, a mimic or a coupling on its joints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JointConstraintRecord {
+    /// Kind.
+    pub kind: JointConstraintKind,
+    /// Name of the coupling; of the locked joint; of the joint that mimics another.
+    pub name: String,
+    /// Joints, once for each velocity.
+    pub joints: Vec<String>,
+    /// Impulse on each velocity, N·m·s or N·s. Null if redundant constraints leave it open, also if the sum on the joint (`constraint` of
+    /// its reaction) is determinate.
+    pub impulses: Vec<Option<f64>>,
+    /// Constraints that leave impulses open: loops, couplings, mimics and locks.
+    pub open_by: Vec<String>,
+}
+
+/// Records of all locks, mimics and couplings.
+pub(crate) fn joint_constraint_records(
+    mechanism: &Mechanism,
+    reactions: &Reactions,
+) -> Vec<JointConstraintRecord> {
+    let joint_name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+    let record = |reaction: &JointConstraintReaction| {
+        let (kind, name) = match reaction.constraint {
+            JointConstraint::Lock(joint) => (JointConstraintKind::Lock, joint_name(joint)),
+            JointConstraint::Mimic(joint) => (JointConstraintKind::Mimic, joint_name(joint)),
+            JointConstraint::Coupling(i) => {
+                (JointConstraintKind::Coupling, mechanism.couplings()[i].name().to_owned())
+            }
+        };
+        JointConstraintRecord {
+            kind,
+            name,
+            joints: reaction.impulses.iter().map(|(joint, ..)| joint_name(*joint)).collect(),
+            impulses: reaction.impulses.iter().map(|(.., impulse)| impulse.value()).collect(),
+            open_by: reaction.open_by.clone(),
+        }
+    };
+    reactions.joint_constraints.iter().map(record).collect()
 }
 
 /// Records of all reactions. `peak`: reactions to a normal impulse p at the contact, and the peak normal force divided by p, 1/s; the peak

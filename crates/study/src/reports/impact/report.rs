@@ -19,11 +19,14 @@ use crate::reports::impact::additions::{
 };
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
+use crate::reports::impact::further_contacts::stop_findings;
 use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
 use crate::reports::impact::masses::{MassStateRecord, mass_states};
 use crate::reports::impact::question::ImpactQuestion;
-use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
-use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous};
+use crate::reports::impact::reactions::{
+    JointConstraintRecord, ReactionPlace, ReactionRecord, joint_constraint_records, records,
+};
+use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous, unit_finding};
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
 use percuss_dynamics::{Base, Direction, Pose};
@@ -150,6 +153,8 @@ pub struct ImpactReport {
     pub other_body: Option<OtherBodyRecord>,
     /// Reactions in all joints, closures and held points, and that of the ground.
     pub reactions: Vec<ReactionRecord>,
+    /// Impulses of the locks, mimics and couplings on their joints.
+    pub joint_constraints: Vec<JointConstraintRecord>,
     /// Largest unbalanced impulse of the reactions, relative to the impulse.
     pub reaction_residual: f64,
     /// Compliant contact, if a contact law was requested.
@@ -220,6 +225,10 @@ pub fn impact(
     let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
+    let several = simultaneous(&evaluated, impact, &rigid)?;
+    let found = several.iter().filter_map(|several| unit_finding(&evaluated, impact, several));
+    diagnostics
+        .extend(stop_findings(&evaluated, impact).into_iter().chain(found).map(DiagnosticRecord::from));
     // With friction the normal force is largest in compression, so the peaks are scaled from the reactions to its impulse.
     let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
     let (of_peak, per_impulse) = match compression {
@@ -247,7 +256,7 @@ pub fn impact(
         impulse: rigid.impulse,
         energy_loss: rigid.energy_loss,
         friction: friction_record(&evaluated, &rigid),
-        simultaneous: simultaneous(&evaluated, impact, &rigid)?,
+        simultaneous: several,
         sticking_mass: sticking.and_then(|(_, mass)| mass),
         sticking_status: sticking.map(|(status, _)| status),
         mass_states: if has_point { mass_states(&evaluated)? } else { Vec::new() },
@@ -258,6 +267,7 @@ pub fn impact(
             .other_mass()
             .map(|mass| OtherBodyRecord { mass, speed_change: rigid.impulse / mass }),
         reactions,
+        joint_constraints: joint_constraint_records(pose.mechanism(), &rigid.reactions),
         reaction_residual: rigid.reactions.residual,
         in_time: in_time(&evaluated, impact, &rigid, &held)?,
         contact_law,

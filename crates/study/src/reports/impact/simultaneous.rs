@@ -1,14 +1,17 @@
 //! Impact of several contacts at once.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
 use crate::reports::impact::errors::impact_error;
+use crate::reports::impact::further_contacts::TouchingContact;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::thresholds::SAME_FRICTION;
 use nalgebra::DVector;
-use percuss_dynamics::{Contact, Direction, Frame, Gap, LocatedContact};
+use percuss_dynamics::LocatedContact;
 use percuss_impact::{
     ContactStiffness, Delassus, ImpactError, JointRates, RigidImpact, SimultaneousLaw, StickingImpact,
     simultaneous_impact, sticking_impact,
@@ -31,7 +34,8 @@ pub struct TouchingRecord {
     pub point_world: [f64; 3],
     /// Normal out of the contact link, world axes.
     pub normal_world: [f64; 3],
-    /// Gap of a named contact at the pose, m: it is taken as closed; null for others.
+    /// Gap of a named contact at the pose, m; for the stop of a joint with limits its distance from the stop, rad or m. The contact is taken
+    /// as closed. Null for others, and for the first contact.
     pub gap: Option<f64>,
     /// Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens.
     pub closing_speed: f64,
@@ -117,7 +121,8 @@ pub struct SimultaneousRecord {
     pub contact_exponent: f64,
     /// Results of the laws without friction; empty for one contact.
     pub laws: Vec<SimultaneousLawRecord>,
-    /// Largest difference of an opening speed between two laws, divided by the largest closing speed; null for one contact.
+    /// Largest difference of an opening speed between two laws, divided by the largest closing speed; null for one contact. If some
+    /// contacts are moments and others forces, each speed is multiplied by the square root of the mass (inertia) of its contact.
     pub spread: Option<f64>,
     /// Plastic impact with sticking points, if requested.
     pub sticking: Option<StickingRecord>,
@@ -139,12 +144,15 @@ pub(crate) fn simultaneous(
     let mut names = vec![prepared.question.at.clone().unwrap_or_else(|| prepared.question.link.clone())];
     let mut gaps = vec![None];
     for contact in &question.also {
-        let (name, contact, gap) = further_contact(evaluated, question, contact)?;
-        names.push(name);
-        gaps.push(gap);
-        let response = pose.respond(&contact)?;
-        masses.push(response.effective_mass.kilograms());
-        located.push(pose.locate(&contact).map_err(|error| StudyError::input(Field::Also, error))?);
+        let touching = TouchingContact::new(evaluated, contact)?;
+        if question.sticking {
+            touching.refuse_sticking()?;
+        }
+        let place = pose.locate(&touching.contact);
+        located.push(place.map_err(|error| StudyError::input(Field::Also, error))?);
+        masses.push(pose.respond(&touching.contact)?.effective_mass.kilograms());
+        names.push(touching.name);
+        gaps.push(touching.gap);
     }
     let k = located.len();
     let mut delassus = Delassus::new(pose, &located).map_err(|error| refuse(error.into()))?;
@@ -159,7 +167,12 @@ pub(crate) fn simultaneous(
     };
     let stiffness = ContactStiffness { ratios, exponent: question.contact_exponent.unwrap_or(1.0) };
     let speeds = DVector::from_fn(k, |i, _| velocities[3 * i]);
-    let closing = (0..k).map(|i| -velocities[3 * i]).fold(0.0, f64::max);
+    // Speeds in rad/s and m/s become comparable by the energy of each contact.
+    let is_mixed = located.iter().any(|contact| contact.is_moment != located[0].is_moment);
+    let weight = |i: usize| if is_mixed { delassus.matrix()[(3 * i, 3 * i)].max(0.0).sqrt() } else { 1.0 };
+    let weights: Vec<f64> = (0..k).map(weight).collect();
+    let scaled = |speed: f64, i: usize| if weights[i] > 0.0 { speed / weights[i] } else { 0.0 };
+    let closing = (0..k).map(|i| scaled(-velocities[3 * i], i)).fold(0.0, f64::max);
     let restitution: Vec<f64> = match question.also_restitution.len() {
         0 => vec![question.restitution; k],
         _ => [question.restitution].iter().chain(&question.also_restitution).copied().collect(),
@@ -231,7 +244,7 @@ pub(crate) fn simultaneous(
         delassus_axes_world: (0..k).map(axes).collect(),
         stiffness_ratios: stiffness.ratios,
         contact_exponent: stiffness.exponent,
-        spread: (k > 1).then(|| spread(&laws, k) / closing),
+        spread: (k > 1).then(|| (0..k).map(|i| scaled(spread(&laws, i), i)).fold(0.0, f64::max) / closing),
         laws,
         sticking,
     }))
@@ -259,45 +272,49 @@ fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
     }
 }
 
-/// Further contact with its name, and its gap at the pose.
-fn further_contact(
+/// Warning about results that depend on the units of forces and moments, if some contacts are moments and others forces. Without
+/// redundancy, the laws of Newton and Poisson do not depend on them: a change of a unit scales rows of W.
+pub(crate) fn unit_finding(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
-    contact: &FurtherContact,
-) -> Result<(String, Contact, Option<f64>), StudyError> {
-    let pose = &evaluated.pose;
-    let mechanism = pose.mechanism();
-    match contact {
-        FurtherContact::Named(name) => {
-            let named =
-                mechanism.find_contact(name).map_err(|error| StudyError::input(Field::Also, error))?;
-            let gap = Gap::new(pose, named).map(|gap| gap.at(pose));
-            Ok((name.clone(), Contact::named(named, mechanism.root()), gap))
-        }
-        FurtherContact::Point { link, point, normal } => {
-            let id = mechanism.find_link(link).map_err(|error| StudyError::input(Field::Also, error))?;
-            let normal = Direction::Along(Vector3::from(*normal), Frame::World);
-            let contact = Contact { link: id, against: None, point: Vector3::from(*point), normal };
-            Ok((link.clone(), contact, None))
-        }
-        FurtherContact::Cable { link, point, other, end } => {
-            let find =
-                |name: &str| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Also, error));
-            let contact = Contact::cable(find(link)?, *point, find(other)?, *end);
-            Ok((format!("cable {link} to {other}"), contact, None))
-        }
-        FurtherContact::JointStop { joint, is_upper } => {
-            let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Also, error))?;
-            let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(|| {
-                let kind = mechanism.joint(id).kind();
-                StudyError::input(Field::Also, Fault::NoStop { joint: joint.clone(), kind })
-            })?;
-            if question.sticking {
-                return Err(StudyError::input(Field::Also, Fault::StickingStop { joint: joint.clone() }));
-            }
-            Ok((format!("stop of {joint}"), contact, None))
-        }
+    record: &SimultaneousRecord,
+) -> Option<Finding> {
+    let moments = record.contacts.iter().filter(|contact| contact.is_moment).count();
+    if moments == 0 || moments == record.contacts.len() || record.laws.is_empty() {
+        return None;
     }
+    let names = evaluated.prepared.question.names;
+    let mut reasons = Vec::new();
+    if question.stiffness_ratios.is_empty() {
+        reasons.push(format!(
+            "the energetic law takes equal stiffnesses of 1 N/m and 1 N·m/rad: give their ratios{}",
+            Field::StiffnessRatio.hint(names)
+        ));
+    }
+    // The expansion of Poisson's law follows from the impulses of compression, of which redundant contacts leave the distribution open. With
+    // one coefficient of restitution it depends on their determinate sum W p only.
+    // Impulses of one unit are distributed in the same way in all units.
+    let is_open = |is_moment: bool| {
+        let of_kind = |law: &SimultaneousLawRecord| {
+            let mut impulses = record.contacts.iter().zip(&law.impulses);
+            impulses.any(|(contact, impulse)| contact.is_moment == is_moment && impulse.is_none())
+        };
+        record.laws.iter().filter(|law| law.refusal.is_none()).any(of_kind)
+    };
+    let differ = question.also_restitution.iter().any(|e| *e != question.restitution);
+    if is_open(true) && is_open(false) && differ {
+        reasons.push(format!(
+            "Poisson's law distributes the impulses of redundant contacts by their least sum of squares: leave out a redundant contact{}",
+            Field::Also.hint(names)
+        ));
+    }
+    (!reasons.is_empty()).then(|| {
+        let message = format!(
+            "forces and moments act together, so that results depend on the units N and N·m: {}",
+            reasons.join("; ")
+        );
+        Finding::about_result(FindingKind::UnitOfContacts, message)
+    })
 }
 
 /// Contact point in the world.
@@ -317,14 +334,11 @@ fn rates_after(evaluated: &EvaluatedQuestion, rates: &JointRates) -> Vec<RatesAf
         .collect()
 }
 
-/// Largest difference of an opening speed between two laws.
-fn spread(laws: &[SimultaneousLawRecord], contacts: usize) -> f64 {
-    let of_contact = |i: usize| {
-        let speeds = laws.iter().filter_map(|law| law.opening_speeds.get(i).copied());
-        let (least, most) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
-        (most - least).max(0.0)
-    };
-    (0..contacts).map(of_contact).fold(0.0, f64::max)
+/// Largest difference of the opening speed of a contact between two laws.
+fn spread(laws: &[SimultaneousLawRecord], contact: usize) -> f64 {
+    let speeds = laws.iter().filter_map(|law| law.opening_speeds.get(contact).copied());
+    let (least, most) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+    (most - least).max(0.0)
 }
 
 /// Record of a plastic impact.

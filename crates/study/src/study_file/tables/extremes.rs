@@ -1,8 +1,11 @@
 //! Table of a search for extremes.
 
+use super::damping::LawName;
 #[cfg(feature = "flags")]
-use super::headings::ANSWER;
+use super::headings::{ANSWER, IMPACT};
+use super::impact::contact_law;
 use super::sweep::path_in;
+use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::question::travel::vary::Vary;
@@ -10,6 +13,7 @@ use crate::reports::impact::extremes::{DEFAULT_STARTS, MOST_STARTS};
 use crate::reports::impact::extremes_question::{
     ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, Keep,
 };
+use crate::values::quantities::{Plain, Ratio, Speed, Stiffness};
 use crate::values::value::{self, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -88,14 +92,35 @@ pub struct ExtremesTable {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
-    /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT.
+    /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT, peak:JOINT.
     ///
-    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint per closing speed, of a
-    /// plastic impact; an impact has (1+e) times this impulse.
+    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint, a closure or the ground
+    /// (bearing:ground) per closing speed, of a plastic impact; an impact has (1+e) times this impulse. peak: peak force there with the
+    /// contact law of stiffness, restitution and speed.
     #[cfg_attr(feature = "flags", arg(long, value_name = "QUANTITY", help_heading = ANSWER))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub quantity: Option<GivenQuantity>,
+    /// Stiffness of the contact (N/m; 200N/mm), for peak:JOINT.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT))]
+    pub stiffness: Option<Stiffness>,
+    /// Coefficient of restitution, from 0 to 1, for peak:JOINT.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true, help_heading = IMPACT))]
+    pub restitution: Option<Ratio>,
+    /// Closing speed (m/s, km/h), for peak:JOINT.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
+    pub speed: Option<Speed>,
+    /// Exponent p of the spring force k x^p.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
+    )]
+    pub exponent: Option<Plain>,
+    /// Contact law (damp --list-laws).
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT))]
+    #[serde(deserialize_with = "value::some_word")]
+    #[schemars(with = "Option<String>")]
+    pub law: Option<LawName>,
     /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
     ///
     /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
@@ -157,7 +182,32 @@ impl ExtremesTable {
         if !(1..=MOST_STARTS).contains(&starts) {
             return refuse("extremes.starts", "expected a number from 1 to 2000");
         }
+        let law = match (self.stiffness, self.restitution, self.speed) {
+            (None, None, None) => None,
+            _ if !matches!(self.quantity, Some(GivenQuantity::Peak(_))) => {
+                return refuse(
+                    "extremes.quantity",
+                    "the contact law is that of a peak force; expected the quantity peak:JOINT",
+                );
+            }
+            (Some(stiffness), Some(restitution), Some(speed)) => {
+                let law =
+                    contact_law("extremes.law", restitution.0, stiffness, self.exponent, self.law.as_ref())?;
+                Some(DampingQuestion { speed: Some(speed.0.value), ..law })
+            }
+            _ => {
+                return refuse(
+                    "extremes.stiffness",
+                    "the contact law requires `stiffness`, `restitution` and `speed`",
+                );
+            }
+        };
         Ok(ExtremesQuestion {
+            law,
+            dimensions: [
+                self.speed.and_then(|speed| speed.0.dimension),
+                self.stiffness.and_then(|stiffness| stiffness.0.dimension),
+            ],
             ranges: self.range.clone(),
             keep: self.keep.clone(),
             path,

@@ -75,10 +75,12 @@ pub struct ImpactTable {
     /// All laws are printed side by side. Newton's law and its algebraic form can create energy.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "friction", help_heading = IMPACT))]
     pub restitution_law: Option<RestitutionLawName>,
-    /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a cable, or JOINT:upper.
+    /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a moment, a cable, or JOINT:upper.
     ///
-    /// A contact of the model; a point (link's frame) against the ground with its normal (out of the link, world axes); a cable
-    /// LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. Adds the laws of Newton, Poisson and the energetic law for all contacts, without friction, and the Delassus matrix.
+    /// A contact of the model; a point (link's frame) with its normal (out of the link, world axes); a moment LINK:about:X,Y,Z about an
+    /// axis (link's frame); a cable LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. Points and moments
+    /// are against the ground, or against another link: =OTHER at the end. Adds the laws of Newton, Poisson and the energetic law for all
+    /// contacts, without friction, and the Delassus matrix.
     #[cfg_attr(feature = "flags", arg(long, value_name = "CONTACT", help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -193,9 +195,10 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub reflected: Vec<String>,
-    /// Contact point with the least impulse at a joint.
+    /// Contact point with the least impulse in a joint, a closure or the ground.
     ///
-    /// JOINT: in the tangent plane. JOINT:X,Y,Z: along a line through the contact point (axes of the contact link).
+    /// JOINT: in the tangent plane. JOINT:X,Y,Z: along a line through the contact point (axes of the contact link). JOINT is the name of a
+    /// joint or a closure, or ground for the reaction of the ground on the root link.
     #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT[:X,Y,Z]", help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -316,10 +319,22 @@ impl ImpactTable {
     /// Contact law of the peak forces; `None` without a stiffness.
     fn law(&self, restitution: f64) -> Result<Option<DampingQuestion>, InvalidKey> {
         let Some(stiffness) = self.stiffness else { return Ok(None) };
-        let mut law = DampingQuestion::new(restitution, stiffness.0.value);
-        let name = self.law.as_ref().map_or(Law::KelvinVoigt.name(), |law| law.name());
-        law.choose(name, self.exponent.map(|exponent| exponent.0), None)
-            .map_err(|error| InvalidKey::new("impact.law", error.to_string()))?;
-        Ok(Some(law))
+        contact_law("impact.law", restitution, stiffness, self.exponent, self.law.as_ref()).map(Some)
     }
+}
+
+/// Contact law of a stiffness; Kelvin–Voigt without a name. `key`: key of the law, for errors.
+pub(super) fn contact_law(
+    key: &'static str,
+    restitution: f64,
+    stiffness: Stiffness,
+    exponent: Option<Plain>,
+    law: Option<&LawName>,
+) -> Result<DampingQuestion, InvalidKey> {
+    let mut question = DampingQuestion::new(restitution, stiffness.0.value);
+    let name = law.map_or(Law::KelvinVoigt.name(), |law| law.name());
+    question
+        .choose(name, exponent.map(|exponent| exponent.0), None)
+        .map_err(|error| InvalidKey::new(key, error.to_string()))?;
+    Ok(question)
 }

@@ -1,0 +1,49 @@
+//! Warning about a joint that is not at the stop of a contact.
+
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
+use crate::pose::touch::StopOfJoint;
+use crate::question::field::{Field, Names};
+use crate::thresholds::RESTING_DISTANCE;
+use percuss_dynamics::Pose;
+use percuss_impact::driving_joints;
+use percuss_mechanism::JointKind;
+
+/// Warning with the distance of a joint from its stop at a pose, and the remedy; `None` if the joint is at the stop.
+pub(crate) fn stop_not_reached(pose: &Pose, stop: &StopOfJoint, names: Names) -> Option<Finding> {
+    let distance = stop.distance(pose);
+    if distance.abs() <= RESTING_DISTANCE {
+        return None;
+    }
+    let mechanism = pose.mechanism();
+    let joint = mechanism.joint(stop.joint);
+    let drivers = driving_joints(pose);
+    let (name, limit) = (joint.name(), stop.limit);
+    let remedy = if drivers.contains(&stop.joint) {
+        format!("set {name}={limit}{}", Field::Set.hint(names))
+    } else {
+        let drivers: Vec<&str> = drivers.iter().map(|driver| mechanism.joint(*driver).name()).collect();
+        format!(
+            "its position follows from other joints: set these ({}) to a pose at which it is there{}, or give this stop as the first \
+             contact{} without setting them",
+            drivers.join(", "),
+            Field::Set.hint(names),
+            Field::At.hint(names)
+        )
+    };
+    let unit = if joint.kind() == JointKind::Prismatic { "m" } else { "rad" };
+    let side = if distance > 0.0 { "short of" } else { "beyond" };
+    let end = if stop.is_upper { "upper" } else { "lower" };
+    let message = format!(
+        "joint \"{name}\" is at {}, {} {unit} {side} its {end} stop at {limit} {unit}, and the stop is taken as closed; {remedy}",
+        rounded(pose.joint(stop.joint)[0]),
+        rounded(distance.abs()),
+    );
+    Some(Finding::new(FindingKind::StopNotReached, FindingSubject::Joint(stop.joint), message))
+}
+
+/// Position rounded to nine decimals, for messages.
+fn rounded(position: f64) -> f64 {
+    const PER_UNIT: f64 = 1e9;
+    (position * PER_UNIT).round() / PER_UNIT
+}
