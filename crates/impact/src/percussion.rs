@@ -25,8 +25,8 @@ pub enum PercussionError {
         /// Loops that leave the components open.
         loops: Vec<String>,
     },
-    /// The bearing has no reaction: the ground of a floating base.
-    #[error("{bearing}: no reaction, because the base floats; expected a joint or a closure")]
+    /// The bearing has no reaction, because it is the ground and the base floats.
+    #[error("{bearing}: no reaction, because the base floats; expected a joint or a loop closure")]
     NoReaction {
         /// Kind and name of the bearing.
         bearing: String,
@@ -91,8 +91,8 @@ pub struct PercussionCentre {
     pub given_reaction: f64,
     /// Remaining impulse in the bearing for the best point, per unit impulse at the contact: its determinate components.
     pub remaining_reaction: f64,
-    /// True for each component of the impulse, along two transverse directions and the axis, that redundant
-    /// constraints leave open.
+    /// True for each component of the impulse that redundant constraints leave open. The components are along the axes of
+    /// [`Reaction::frame`](crate::Reaction::frame).
     pub is_open: [bool; 3],
     /// Loops that leave these components open; empty if all are determinate.
     pub loops: Vec<String>,
@@ -170,8 +170,8 @@ pub struct WorstReaction {
     pub given_reaction: f64,
     /// Largest magnitude, at [`point`](Self::point).
     pub worst_reaction: f64,
-    /// True for each component of the impulse (two transverse directions, the axis) that redundant loops leave open.
-    /// The magnitudes omit these components.
+    /// True for each component of the impulse (along the axes of [`Reaction::frame`](crate::Reaction::frame)) that redundant loops leave
+    /// open. The magnitudes omit these components.
     pub is_open: [bool; 3],
     /// Loops that leave these components open.
     pub loops: Vec<String>,
@@ -321,7 +321,7 @@ fn require_movable(
     Err(PercussionError::Immovable { bearing, point: contact.point.into(), is_best })
 }
 
-/// Impulse in a bearing to a unit impulse at the contact.
+/// Impulse in a bearing per unit impulse at the contact.
 struct BearingImpulse {
     /// Components; 0 for open ones.
     values: Vector3<f64>,
@@ -329,7 +329,7 @@ struct BearingImpulse {
     loops: Vec<String>,
 }
 
-/// Impulse in a bearing.
+/// Impulse in a bearing for a unit impulse at `contact`.
 fn impulse_in_bearing(
     pose: &Pose,
     map: &ReactionMap,

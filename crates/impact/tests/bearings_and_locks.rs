@@ -10,8 +10,8 @@ use percuss_impact::{
 use percuss_mechanism::{Mechanism, MimicDescription, RelationDescription};
 use std::sync::Arc;
 
-/// Centres of percussion of a closure and of the ground: no point of a grid has a smaller impulse, and the remaining impulse is that of a
-/// rigid impact at the found point.
+/// Centres of percussion of a closure, of the ground and of a joint: no point of a grid has a smaller impulse in the bearing, and a rigid
+/// impact at the centre has the reported remaining impulse.
 #[test]
 fn closures_and_the_ground_have_centres_of_percussion() {
     let mechanism = model("four_bar");
@@ -65,9 +65,10 @@ fn an_immovable_contact_has_no_centre_of_percussion() {
     }
 }
 
-/// The elbow turns as much as the shoulder, by a coupling or as a mimic. The contact at the tip is immovable if one of both is locked; the
-/// impulse −1 N·s at 2 m and 1 m gives the sums 2 and 1 N·m·s at the hinges. With the elbow locked, only the coupling acts on the
-/// shoulder: −2 on the elbow, so that the lock has 3. With the shoulder locked too, only the sums are determinate.
+/// The elbow turns by the same angle as the shoulder, by a coupling or as a mimic. The contact at the tip is immovable if one of the two
+/// joints is locked. The impulse −1 N·s, 2 m from the shoulder and 1 m from the elbow, gives the sums 2 and 1 N·m·s at these joints. With
+/// the elbow locked, only the coupling acts on the shoulder, with 2 N·m·s. The coupling then acts on the elbow with −2 N·m·s, so the lock
+/// has 3 N·m·s. With the shoulder locked too, only the sums are determinate.
 #[test]
 fn a_lock_and_a_coupling_of_one_joint_are_separate() {
     let names = |mechanism: &Mechanism| {
@@ -114,7 +115,7 @@ fn a_lock_and_a_coupling_of_one_joint_are_separate() {
             }
         }
     }
-    // A belt and gears in parallel share the impulse by their stiffness.
+    // The shares of a belt and gears in parallel depend on their stiffness, so both impulses are open.
     let parallel = at_tip(&twice, &[]);
     let [belt, gears] = &parallel.joint_constraints[..] else { panic!("{parallel:?}") };
     assert!(belt.open_by == ["belt", "gears"] && gears.open_by == belt.open_by, "{parallel:?}");

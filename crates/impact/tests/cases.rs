@@ -22,7 +22,7 @@ pub struct Case {
 
 impl Case {
     /// Case with conditions by the bits of `variant`: 1 a floating base, 2 a lock, 4 an armature, 8 a held contact, 16 locks of one to
-    /// three joints of mimics and couplings, if any. `None` if the loops do not close at `positions`.
+    /// three mimics, masters or joints of couplings, if the mechanism has any. `None` if the loops do not close at `positions`.
     pub fn new(
         name: String,
         mechanism: &Arc<Mechanism>,
@@ -103,7 +103,7 @@ fn coupled_joints(mechanism: &Mechanism) -> Vec<JointId> {
     mimics.flatten().chain(terms.map(|(joint, _)| *joint)).collect()
 }
 
-/// Random linkages and trees with relations of joint positions, mimics, and locks of the joints that they move.
+/// Random linkages and trees with linear relations of joint positions and mimics, and with locks of joints in these relations and mimics.
 pub fn coupled(count: u64) -> Vec<Case> {
     let mut cases = Vec::new();
     for seed in 0..count {

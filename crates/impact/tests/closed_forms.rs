@@ -262,7 +262,7 @@ pub fn two_rods() -> MechanismBuilder {
 
 #[test]
 fn a_lock_receives_the_impulse_of_the_joint() {
-    // The elbow is locked: together one rod of twice the length.
+    // With the locked elbow, both rods are one rod of twice the length.
     let rods = Arc::new(two_rods().build().expect("a mechanism").mechanism);
     let pose = pose_of(&rods, &Conditions::new().lock("elbow"), &[]);
     let contact = Contact::new(rods.find_link("outer").expect("a link"), Vector3::x(), Vector3::y());

@@ -14,9 +14,9 @@ struct Count {
     redundant: usize,
     determinate: usize,
     indeterminate: usize,
-    /// Impulses of locks, mimics and couplings, and the sums on the joints: determinate and open.
+    /// Numbers of determinate and of open impulses: of locks, mimics and couplings, and sums on the joints.
     drives: [usize; 2],
-    /// Determinate sums of open impulses.
+    /// Number of determinate sums of open impulses.
     sums: usize,
     skipped: usize,
     worst: f64,
@@ -97,7 +97,7 @@ fn coupling_entries(coupling: &Coupling, pose: &Pose) -> Vec<(JointId, f64)> {
     coupling.terms().iter().map(entry).collect()
 }
 
-/// Compares the impulses of all locks, mimics and couplings, and their sum on every joint velocity.
+/// Compares the impulse of each lock, mimic and coupling, and the sum of these impulses on each joint velocity.
 fn compare_drives(case: &Case, found: &Reactions, oracle: &ImpactReactions, count: &mut Count) {
     let mechanism = &case.mechanism;
     let wrenches = oracle.joints.iter().map(|place| place.wrench.norm());
@@ -178,8 +178,8 @@ fn reactions_are_those_of_maximal_coordinates() {
     assert!(count.determinate > 10_000 && count.indeterminate > 1_000, "{count:?}");
 }
 
-/// Locks of joints that mimics and couplings move, and couplings that close loops among themselves: the sum of the constraints on a joint
-/// can be determinate while its parts are open.
+/// Mechanisms with locked joints of mimics and couplings, and with redundant couplings: the sum of the impulses on a joint can be
+/// determinate if the single impulses are open.
 #[test]
 fn reactions_of_locked_couplings_are_those_of_maximal_coordinates() {
     let count = compare_cases(coupled(600));

@@ -315,8 +315,8 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
     assert!(matches!(refused, Err(ExtremesError::NormalsOfContact)), "{refused:?}");
 }
 
-/// Loads of a joint, a closure and the ground of a four-bar over the crank angle and the normals in the plane, for the impulse and for the
-/// peak forces of contacts with a linear spring and of Hertz: extremes of a grid of rigid impacts.
+/// Extreme loads of a joint, a closure and the ground of a four-bar, over the crank angle and the normals in the plane, are equal to the
+/// extremes of a grid of rigid impacts. The loads are the impulse, and the peak forces with a linear spring and with a Hertzian contact.
 #[test]
 fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
     let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
@@ -368,7 +368,7 @@ fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
                 let fixed = search(NormalRange::Given);
                 let value = fixed.effective_mass.kilograms().expect("a finite load");
                 assert_extreme_of_scan(extreme, value, &of_normal, 1e-2);
-                // The point of a linkage of one motion is immovable across its path: the largest load has no bound.
+                // With one degree of freedom, the point is immovable perpendicular to its path, so the largest load is unbounded.
                 let found = search(NormalRange::Across(Vector3::z()));
                 match extreme {
                     ExtremeKind::Most => {
@@ -392,7 +392,8 @@ fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
     }
 }
 
-/// Loads of both hinges of an arm over positions and all normals in the plane: the largest values are bounded.
+/// The largest loads of both hinges of an arm, over positions and all normals in the plane, are bounded and equal to the largest values of
+/// a grid.
 #[test]
 fn the_largest_bearing_load_over_normals_of_an_arm_is_that_of_a_grid() {
     let arm = arm(3.0, 2.0);

@@ -87,9 +87,9 @@ pub fn linkage<R: Rng + ?Sized>(rng: &mut R, bodies: usize, closures: usize) -> 
     (build_with_loops("random linkage", links, joints, made, Vec::new()), positions)
 }
 
-/// Random linkage as by [`linkage`], with `relations` linear relations of two or three joints in addition, which hold at the returned
-/// position. About one relation in three is a combination of the two before it, so that the relations close a loop among themselves.
-/// Without relations if the linkage has fewer than three joints with one degree of freedom.
+/// Random linkage of [`linkage`] with `relations` additional linear relations of joint positions, which hold at the returned positions. A
+/// relation has two or three terms. From the third relation on, with probability 1/2, a relation is instead a linear combination of the two
+/// previous relations, and redundant. A linkage with fewer than three joints of one degree of freedom has no relations.
 pub fn coupled_linkage<R: Rng + ?Sized>(
     rng: &mut R,
     bodies: usize,

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 // Limits of queries.
 
-/// Distance of a joint from its stop, rad or m, up to which it is at the stop: positions typed with six digits.
+/// Largest distance of a joint from its stop, rad or m, at which the joint counts as at the stop: a position given with six decimals.
 pub(crate) const RESTING_DISTANCE: f64 = 1e-6;
 /// Turns of a continuous joint above which a set number without a unit is taken for degrees. A second turn changes nothing.
 pub(crate) const MOST_TURNS_SET: f64 = 1.0;

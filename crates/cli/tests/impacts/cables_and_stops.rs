@@ -114,8 +114,8 @@ fn cables_and_stops_are_further_contacts() {
     }
 }
 
-/// Points against another link and moments are further contacts, with the values of the same contacts given by flags. The moment about
-/// the axis of a hinge, against its parent, is the stop of this hinge.
+/// Points against another link and moments can be further contacts. Their masses are equal to those of the same contacts given by flags.
+/// For the moment about the axis of a hinge, against the parent link, the closing speed is the rate of the hinge.
 #[test]
 fn points_between_links_and_moments_are_further_contacts() {
     let rates = "--restitution 0.3 --rates shoulder=0.4 --rates elbow=0.5";
@@ -135,7 +135,7 @@ fn points_between_links_and_moments_are_further_contacts() {
         assert!((ratio - 1.0).abs() < ROUNDING, "{name}: {ratio}");
         assert_eq!((&contact["name"], &contact["is_moment"]), (&name.into(), &alone["contact"]["is_moment"]));
     }
-    // The closing speed of the moment between the links is the rate of the hinge, that against the ground the sum of both rates.
+    // Closing speeds: the rate of the hinge for the moment between the links, and the sum of both rates for the moment against the ground.
     assert!((number(&contacts[2]["closing_speed"]) - 0.5).abs() < ROUNDING, "{report}");
     assert!((number(&contacts[3]["closing_speed"]) - 0.9).abs() < ROUNDING, "{report}");
     // The same texts describe the first contact.
@@ -160,7 +160,7 @@ fn points_between_links_and_moments_are_further_contacts() {
     }
 }
 
-/// A joint that is not at the stop of a further contact: the warning states the distance and the position to set.
+/// If a joint is not at the stop of a further contact, a warning states the distance and the position to set.
 #[test]
 fn a_stop_that_is_not_reached_is_a_warning() {
     let robot = "impact models/six_r_arm.urdf --link tool --point 0,0,0 --normal 1,0,0 --restitution 0.2 --speed 1 --also elbow:upper";
@@ -172,8 +172,8 @@ fn a_stop_that_is_not_reached_is_a_warning() {
     assert!(!codes("--set elbow=2.6").contains("its upper stop"));
 }
 
-/// Forces and moments at once: a change of the unit of length scales the rows of W. The results of Newton's and Poisson's laws do not
-/// change; that of the energetic law does, unless the stiffness ratio is given in the same units. Only then there is a warning.
+/// With forces and moments at once, a change of the unit of length scales rows of W. The results of the laws of Newton and Poisson do not
+/// change. The result of the energetic law changes without a given stiffness ratio, and only this case has a warning.
 #[test]
 fn units_of_forces_and_moments_have_no_silent_effect() {
     let base = format!(
@@ -186,8 +186,8 @@ fn units_of_forces_and_moments_have_no_silent_effect() {
     // Forces only.
     let forces = base.replace("--also elbow:upper", "--also outer:0.2,0,0:1,0,0");
     assert!(!percuss(&forces).stderr.contains("depend on the units N and N·m"));
-    // Redundant: the stop of the hinge and a force between its links. With one coefficient of restitution, the speeds do not depend on the
-    // distribution of the impulses; nor does the distribution among moments depend on the units.
+    // Redundant contacts: the stop of the hinge and a force between its links. With equal coefficients of restitution, the speeds do not
+    // depend on the distribution of the impulses. A distribution among moments only does not depend on the units.
     let lower = base.replace("elbow:upper", "elbow:lower").replace("elbow=0.5", "elbow=-0.3");
     let twice = format!("{lower} --also outer:0.4,0,0:0.64,-0.77,0=inner --stiffness-ratio 1,0.3,0.3");
     assert!(!percuss(&twice).stderr.contains("depend on the units N and N·m"));
@@ -197,8 +197,8 @@ fn units_of_forces_and_moments_have_no_silent_effect() {
     assert!(!percuss(&format!("{moments} --also-restitution 0.4,0.1")).stderr.contains("redundant contact"));
 }
 
-/// Stop of a hinge whose position follows from the loop: the driving hinge moves it there, on the branch of the drawing. The pose is that
-/// of the driver found by bisection of the positions at given drivers.
+/// The position of the hinge follows from the loop, so the driving hinge moves it to its stop, on the branch of the drawing. A bisection
+/// over positions of the driver finds the same pose.
 #[test]
 fn the_stop_of_a_dependent_joint_is_reached_by_the_driver() {
     let folder = Scratch::new("dependent-stop");
@@ -247,7 +247,7 @@ fn the_stop_of_a_dependent_joint_is_reached_by_the_driver() {
         outcome.stderr
     );
     assert!(outcome.stderr.contains("crank_hinge"), "{}", outcome.stderr);
-    // A coupling has one driver, the cage of a differential two.
+    // One driver moves the rocker of the rover; two drivers move the cage of a differential.
     let rover = json("mass models/rocker_bogie.urdf --at right_rocker:upper --format json");
     let [left, right] = ["left_rocker", "right_rocker"].map(|joint| position(&rover, joint));
     assert!(right > 0.0 && (left + right).abs() < 1e-10, "{left} {right}");

@@ -139,8 +139,8 @@ fn extremes_of_other_quantities() {
     }
 }
 
-/// Peak force in a joint, a closure and the ground: at the reported positions, the peak of the command `impact` has this value, and impacts
-/// over the range have no larger or smaller ones.
+/// Peak force in a joint, a closure and the ground: at the reported positions, the command `impact` gives the same peak force, and all
+/// impacts over the range have peak forces between the two extremes.
 #[test]
 fn extremes_of_peak_forces_are_those_of_impacts() {
     let contact =
@@ -176,7 +176,7 @@ fn extremes_of_peak_forces_are_those_of_impacts() {
     let text =
         percuss(&format!("extremes {contact} --range crank_hinge=0.2:0.9 --quantity peak:rocker_pin {law}"));
     assert!(text.stdout.contains("N (peak force in rocker_pin)"), "{}", text.stdout);
-    // Centres of percussion of the closure and of the ground: the impulse at the point is the remaining one.
+    // Centres of percussion of the closure and of the ground: an impact at the reported point has the reported remaining impulse.
     for bearing in ["rocker_pin", "ground"] {
         let flags = format!(
             "impact {contact} --set crank_hinge=0.5 --restitution 0 --speed 1 --percussion {bearing}"

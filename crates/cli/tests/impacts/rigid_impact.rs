@@ -453,8 +453,8 @@ fn a_displaced_point_has_the_worst_impulse() {
     assert!((found / ratio - 1.0).abs() < 1e-9, "{found} {ratio}");
 }
 
-/// Rover with locked rockers: the differential and the locks are redundant, so that only the sum on each rocker is determinate. With one
-/// lock the impulses are determinate, and those of the differential have the ratio 1.
+/// Rover with two locked rockers: the differential and the locks are redundant, so only the sum on each rocker is determinate. With one
+/// lock all impulses are determinate, and the differential has equal impulses on both rockers.
 #[test]
 fn locks_and_couplings_of_one_joint_are_separate() {
     let wheel = "impact models/rocker_bogie.urdf --base floating --link left_front --point 0,0,-0.1 --normal 0,0,-1 --restitution 0 --speed 1";

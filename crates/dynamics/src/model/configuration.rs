@@ -130,7 +130,7 @@ impl Configuration {
         Ok(self)
     }
 
-    /// Removes the setting of a joint: its position is zero, or follows from loops. A joint that is not set does not change.
+    /// Removes the given position of a joint. The position is then zero, or follows from loops. No effect for a joint that is not set.
     pub fn release(&mut self, joint: JointId) -> &mut Self {
         if self.mechanism.has_joint(joint) && std::mem::take(&mut self.given[joint.index()]) {
             self.values[joint.index()] = zero_position(self.mechanism.joint(joint).kind());

@@ -38,7 +38,7 @@ pub(crate) struct Model {
     pub velocity_coordinates: Vec<Option<VelocityCoordinate>>,
     /// Lock flag of every joint; also true for mimics and masters of locked joints.
     pub locked: Vec<bool>,
-    /// For every joint: true if the conditions lock it.
+    /// For every joint: true if the conditions lock this joint itself.
     pub own_locks: Vec<bool>,
     /// Range of positions of every joint.
     pub joint_q: Vec<Range<usize>>,

@@ -67,8 +67,8 @@ impl Pose {
         self.mechanism().has_joint(joint) && self.assembly.model().locked[joint.index()]
     }
 
-    /// True if the conditions of the pose lock this joint; false for a joint that is at rest only because it is a mimic or master of a
-    /// locked joint, and for a joint of another mechanism.
+    /// True if the conditions of the pose lock this joint itself. False for a mimic or a master of a locked joint, which is at rest without
+    /// its own lock, and for a joint of another mechanism.
     pub fn has_lock(&self, joint: JointId) -> bool {
         self.mechanism().has_joint(joint) && self.assembly.model().own_locks[joint.index()]
     }

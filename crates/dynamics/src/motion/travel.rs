@@ -20,11 +20,12 @@ use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
-/// Displacement of a point of a link relative to a given pose, along a direction or towards a stop, or motion of a joint.
+/// Displacement relative to a given pose: of a point of a link along a direction, of a point towards a stop, or of a joint.
 ///
 /// Along a direction n: s = n · (p_w − p_w at that pose), m. Towards a stop: s = g at that pose − g, m, with the gap g
-/// of [`Gap`]. Of a joint with the position q: s = ± ℓ (q − q at that pose), m, with the characteristic length ℓ of the mechanism if the
-/// joint turns, and ℓ = 1 if it slides. ds/dq is that of the motion u with A u = 0, where u is 1 for the driver and 0 for the other drivers.
+/// of [`Gap`]. Of a joint: s = ± ℓ (q − q₀), m, with the positions q and, at that pose, q₀. ℓ is the characteristic length of the
+/// mechanism if the joint turns, and 1 if the joint slides. ds/dq is the rate of s for the motion u with A u = 0, where u is 1 for the
+/// driver and 0 for the other drivers.
 #[derive(Clone, Debug)]
 pub struct Travel {
     link: LinkId,
@@ -184,8 +185,8 @@ impl Travel {
         Self { link: gap.link(), point: *gap.point(), measure: Measure::TowardStop { gap, start } }
     }
 
-    /// Motion of a joint with one position, relative to a pose: positive if its position increases, or decreases unless `is_upper`.
-    /// `None` for a joint of another mechanism, or with no or several positions.
+    /// Travel of a joint with one position, relative to a pose: positive towards the upper limit if `is_upper`, otherwise towards the
+    /// lower limit. `None` for a joint of another mechanism, and for a joint with no position or several positions.
     pub fn of_joint(pose: &Pose, joint: JointId, is_upper: bool) -> Option<Self> {
         let mechanism = pose.mechanism();
         let declared = mechanism.joints().get(joint.index()).filter(|_| mechanism.has_joint(joint))?;
@@ -206,7 +207,7 @@ impl Travel {
         &self.point
     }
 
-    /// Unit vector of the direction, in world axes; `None` for a travel towards a stop or of a joint.
+    /// Unit vector of the direction, in world axes; `None` for a travel towards a stop and for a travel of a joint.
     pub fn direction(&self) -> Option<&Vector3<f64>> {
         match &self.measure {
             Measure::Along { direction, .. } => Some(direction),
@@ -500,7 +501,7 @@ fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
     velocity_coordinate(model, joint).map(|follows| follows.index)
 }
 
-/// Coordinate of the first velocity of a joint, with its multiplier.
+/// Coordinate and multiplier of the first velocity of a joint.
 fn velocity_coordinate(model: &Model, joint: JointId) -> Option<VelocityCoordinate> {
     let body = &model.bodies[model.body_of_joint[joint.index()]?];
     model.velocity_coordinates[body.v.clone().next()?]

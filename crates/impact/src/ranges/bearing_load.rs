@@ -7,23 +7,23 @@ use nalgebra::{DMatrix, Matrix3xX, SMatrix, SVector, Vector3};
 use percuss_dynamics::{Contact, ContactResponse, Direction, Frame, Pose};
 use std::f64::consts::PI;
 
-/// Directions of a half circle, and of half a sphere, at which the load is compared. The load has at most a few extremes: it is a ratio
-/// of powers of quadratic forms.
+/// Number of sampled directions on half a circle. The load is a ratio of powers of two quadratic forms, so it has only a few extremes.
 const ON_CIRCLE: u32 = 32;
+/// Number of sampled directions on half a sphere.
 const ON_SPHERE: u32 = 128;
-/// Best samples from which Newton's method starts.
+/// Number of best samples from which Newton's method starts.
 const NEWTON_STARTS: usize = 4;
-/// Newton iterations: each squares the error, from about 0.1 rad to rounding; damped steps need a few more.
+/// Largest number of Newton iterations. An iteration squares the error, from about 0.1 rad to rounding; damped steps need a few more.
 const NEWTON_STEPS: usize = 30;
-/// Halvings of a step that does not improve the load.
+/// Largest number of halvings of a step that does not improve the load.
 const NEWTON_HALVINGS: i32 = 30;
-/// Gradient of the logarithm of the load at which the search ends: the error of the load is its square.
+/// Norm of the gradient of ln(load²) at which the iteration ends. The relative error of the load is of the order of its square.
 const STATIONARY_NORMAL: f64 = 1e-9;
-/// Eigenvalue of a quadratic form, relative to its trace, that is rounding of zero.
+/// Largest eigenvalue of a quadratic form, relative to its trace, that counts as zero.
 const NO_EIGENVALUE: f64 = 1e-14;
 
-/// Determinate components of the reaction force in a bearing to `impulse` at the contact of a response, 0 for open components; `None` if
-/// all components are open, without a reaction, and for a massless contact.
+/// Determinate components of the reaction force in a bearing to `impulse` at the contact of a response; open components are 0. `None` if
+/// all components are open, if the bearing has no reaction, and if the contact is massless.
 pub(super) fn determinate_force(
     map: &ReactionMap,
     response: &ContactResponse,
@@ -35,11 +35,11 @@ pub(super) fn determinate_force(
     force.iter().any(Option::is_some).then(|| force.map(Option::unwrap_or_default).into())
 }
 
-/// Unit normal (root axes) in the span of `directions` with the extreme load of a bearing at a pose. `block`: inverse mass of the contact
-/// point in these directions. `None` if a massless motion moves the point, or all components are open.
+/// Unit normal (root axes) in the span of `directions` with the extreme load |R| m̄^α of a bearing at a pose. `block`: inverse mass W of
+/// the contact point in these directions. `None` if a massless motion moves the point, or if all components of R are open.
 ///
-/// With x over the directions, R = B x is the reaction per impulse, 1/m̄ = xᵀW x, and ln |R|² m̄^2α = ln xᵀBᵀB x − 2α ln xᵀW x is stationary
-/// on the unit sphere. Newton's method starts at the best samples.
+/// For the normal x in these directions, R = B x is the reaction per impulse, and 1/m̄ = xᵀW x. At the extreme,
+/// ln(|R|² m̄^2α) = ln xᵀBᵀB x − 2α ln xᵀW x is stationary on the unit sphere. Newton's method starts at the best samples.
 pub(super) fn best_normal(
     pose: &Pose,
     contact: &Contact,
@@ -63,7 +63,7 @@ pub(super) fn best_normal(
     let (above, sign) =
         (reactions.transpose() * &reactions, if extreme == ExtremeKind::Most { 1.0 } else { -1.0 });
     let vanishing = if extreme == ExtremeKind::Most { block } else { &above };
-    // The load is zero or infinite where a form vanishes.
+    // xᵀW x = 0: unbounded load, the largest. xᵀBᵀB x = 0: load zero, the smallest. No iteration is needed.
     let eigen = vanishing.clone().symmetric_eigen();
     let least = eigen.eigenvalues.imin();
     if eigen.eigenvalues[least] <= NO_EIGENVALUE * vanishing.trace() {
@@ -75,7 +75,7 @@ pub(super) fn best_normal(
     })
 }
 
-/// ± (ln xᵀA x − 2α ln xᵀB x) on the unit sphere, to be maximised.
+/// Function ± (ln xᵀA x − 2α ln xᵀW x) on the unit sphere, which is maximised. A = BᵀB is `above`, W is `below`.
 struct FormRatio<const N: usize> {
     above: SMatrix<f64, N, N>,
     below: SMatrix<f64, N, N>,
@@ -90,7 +90,7 @@ impl<const N: usize> FormRatio<N> {
         Self { above: fixed(above), below: fixed(below), power, sign }
     }
 
-    /// Unit vector with the largest value, from the best samples.
+    /// Unit vector with the largest value: the best local maximum from the best samples.
     fn best(&self, samples: &[SVector<f64, N>]) -> SVector<f64, N> {
         let mut samples: Vec<(f64, SVector<f64, N>)> = samples.iter().map(|x| (self.value(x), *x)).collect();
         samples.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -136,7 +136,7 @@ impl<const N: usize> FormRatio<N> {
     }
 }
 
-/// Unit vectors on half a circle, evenly distributed. The value is the same for opposite vectors.
+/// Unit vectors on half a circle at equal angles. Opposite vectors have the same value, so half a circle is sufficient.
 fn half_circle() -> Vec<SVector<f64, 2>> {
     let angles = (0..ON_CIRCLE).map(|k| PI * f64::from(k) / f64::from(ON_CIRCLE));
     angles.map(|angle| SVector::from([angle.cos(), angle.sin()])).collect()

@@ -82,7 +82,7 @@ pub struct DriverPath<'a> {
 pub enum ExtremeKind {
     /// Smallest value.
     Least,
-    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. A load of a
+    /// Largest value. A mass or an inertia is `Immovable` if at some pose no motion closes the gap or moves the joint. The load of a
     /// bearing is `Immovable` if it grows without bound towards a pose with an immovable contact.
     Most,
 }
@@ -123,25 +123,27 @@ pub enum SearchedQuantity {
     BearingPeakForce {
         /// The bearing.
         bearing: Bearing,
-        /// Peak force of the contact.
+        /// Peak force of the contact as a function of the effective mass.
         law: PeakForceLaw,
     },
 }
 
 /// Peak force of a compliant contact as a function of the effective mass: force · m̄^power.
 ///
-/// A contact law with the stiffness k, the exponent p, a given restitution and closing speed c has the peak force C kᵃ (m̄ c²)ᵇ with
-/// a = 1/(p+1) and b = p/(p+1), because k, c and m̄ define all units of the impact.
+/// A contact law with the stiffness k, the exponent p, the closing speed c and a given restitution has the peak force C kᵃ (m̄ c²)ᵇ with
+/// a = 1/(p+1) and b = p/(p+1). The reason is dimensional: k, c and m̄ define the units of mass, length and time, so the number C depends
+/// only on the law, its exponent and the restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakForceLaw {
-    /// Peak force at m̄ = 1 kg, N.
+    /// Peak force at m̄ = 1 kg, N; for a moment, peak moment at m̄ = 1 kg·m², N·m.
     pub force: f64,
-    /// Power of the mass; p/(p+1).
+    /// Power of the effective mass: b = p/(p+1).
     pub power: f64,
 }
 
 impl SearchedQuantity {
-    /// Bearing, and the load of the contact as a function of the effective mass; `None` for a mass or an inertia.
+    /// Bearing, and the load of the contact (impulse per closing speed, or peak force) as a function of the effective mass; `None` for a
+    /// mass or an inertia.
     pub(crate) fn bearing_load(self) -> Option<(Bearing, PeakForceLaw)> {
         match self {
             Self::EffectiveMass | Self::ReflectedInertia { .. } => None,
@@ -171,8 +173,8 @@ impl<'a> From<&'a Contact> for SearchedContact<'a> {
 /// Extreme of an effective mass, or of another quantity, over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
-    /// Value of the quantity at the extreme, kg, kg·m² or N. `Immovable` is a valid largest value of a mass or an inertia. For a load of a
-    /// bearing, `Immovable` means unbounded; the positions are those of the immovable contact.
+    /// Value of the quantity at the extreme, kg, kg·m² or N. `Immovable` is a valid largest value of a mass or an inertia. For the load of
+    /// a bearing, `Immovable` means an unbounded load; the contact is immovable at `positions`.
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,

@@ -22,10 +22,14 @@ pub enum ExtremesError {
     #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
     NoAxis,
     /// A range of normals for a reflected inertia.
-    #[error("a reflected inertia does not depend on the contact; expected no range of normals")]
+    #[error(
+        "a reflected inertia does not depend on the contact, so a range of normals has no effect; expected no range of normals"
+    )]
     NormalsOfContact,
-    /// The ground as the bearing of a floating base.
-    #[error("the base floats, so that the ground has no reaction; expected a joint or a closure")]
+    /// The bearing is the ground, but the base floats.
+    #[error(
+        "the ground has no reaction, because the base floats; expected a joint or a loop closure as the bearing"
+    )]
     FloatingBase,
     /// The normal of a kept point has no direction.
     #[error(

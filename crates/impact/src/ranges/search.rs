@@ -116,8 +116,8 @@ impl<'a> Search<'a> {
         Search { quantity: SearchedQuantity::EffectiveMass, ..self.clone() }
     }
 
-    /// Result for an unbounded load of a bearing: it grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if
-    /// no start finds such a pose.
+    /// Result for a bearing whose load grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if no start finds
+    /// such a pose.
     pub fn unbounded_load(
         &self,
         bearing: Bearing,
@@ -179,8 +179,8 @@ impl<'a> Search<'a> {
         self.quantity.bearing_load().is_none()
     }
 
-    /// Reciprocal of a mass or an inertia, or square of a load of a bearing, at a pose; `None` if it is not finite. The square is smooth
-    /// where the load vanishes.
+    /// Reciprocal of a mass or an inertia, or square of the load of a bearing, at a pose; `None` if this value is not finite. The square is
+    /// smooth at a pose where the load is zero.
     pub fn measure(&self, pose: &Pose) -> Option<f64> {
         match self.quantity {
             SearchedQuantity::EffectiveMass => {

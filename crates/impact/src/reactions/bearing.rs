@@ -1,16 +1,16 @@
-//! Bearings: places of reactions, by joint, closure or ground.
+//! Bearing: joint, closure or ground in which a reaction acts.
 
 use crate::reactions::reaction::{Reaction, Reactions};
 use percuss_mechanism::{JointId, Mechanism};
 
-/// Place of a reaction that is chosen for a search.
+/// Joint, closure or ground in which a reaction acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bearing {
     /// Joint of the tree.
     Joint(JointId),
     /// Index into [`Mechanism::closures`](percuss_mechanism::Mechanism::closures).
     Closure(usize),
-    /// The ground under the root link; without a reaction if the base floats.
+    /// The ground under the root link; it has no reaction if the base floats.
     Ground,
 }
 

@@ -1,4 +1,4 @@
-//! Impulses of the locks, mimics and couplings on the joints, each of them separately.
+//! Separate impulses of each lock, mimic and coupling on its joints.
 
 use crate::group_rows::GroupRows;
 use crate::reactions::reaction::{Component, JointConstraint, JointConstraintReaction};
@@ -12,10 +12,10 @@ pub(crate) type Sensitivities = [Vec<(usize, Vec<Wrench<f64>>)>];
 
 /// Locks, mimics and couplings at one pose.
 ///
-/// The load of a joint gives only the sum of its constraints. The multipliers λ of the couplings are part of the groups. S is the load
-/// without them, the sum of the lock ν and of the mimics µ: S = ν + µ at a mimic, and S = ν − Σ m µ at its master, with the multipliers m.
-/// These equations determine one lock in a family of a master and its mimics; two locks are redundant. A value is also open if it changes
-/// along ker Aᵀ of the groups.
+/// The load of a joint gives only the sum of the impulses of its constraints. The multipliers λ of the couplings are known from the groups.
+/// S is the load without the couplings: S = ν + µ at a mimic, and S = ν − Σ m µ at its master, with the impulses ν of the lock and µ of the
+/// mimics, and the multipliers m. These equations determine the impulse of one lock in a family of a master and its mimics; two locks are
+/// redundant. An impulse is also open if it changes along ker Aᵀ of a group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct JointConstraints {
     locks: Vec<Lock>,
@@ -103,8 +103,8 @@ impl JointConstraints {
         Self { locks, mimics, couplings }
     }
 
-    /// Overwrites `reactions` with the impulses of all locks, mimics and couplings, times `scale`, and reuses its memory. `loads`: sum of these impulses on each
-    /// velocity of all joints; changed to S. `multipliers`: of all groups.
+    /// Overwrites `reactions` with the impulses of all locks, mimics and couplings, times `scale`, and reuses its memory. `loads`: sum of
+    /// these impulses on each velocity of all joints, overwritten by S. `multipliers`: multipliers of all groups.
     pub fn write_reactions(
         &self,
         loads: &mut [f64],
@@ -153,11 +153,11 @@ impl JointConstraints {
 }
 
 impl Family {
-    /// Adds the mimics of the family, and replaces the impulses of its locks.
+    /// Adds the impulses of the mimics of the family to `mimics`, and replaces the impulses of the locks of the family in `locks`.
     fn add_mimics(&self, pose: &Pose, tree: &TreeFrames, locks: &mut [Lock], mimics: &mut Vec<Mimic>) {
         let name = |joint: JointId| tree.mechanism.joint(joint).name();
         let members = [(self.master, 1.0)].into_iter().chain(self.mimics.iter().copied());
-        // A mimic with the multiplier 0 is at rest, so its lock does not act on the master.
+        // A mimic with the multiplier 0 is at rest. Its lock does not act on the master, so it is not redundant with other locks.
         let locked = |(joint, multiplier): &(JointId, f64)| pose.has_lock(*joint) && *multiplier != 0.0;
         let locked: Vec<JointId> = members.filter(locked).map(|(joint, _)| joint).collect();
         let redundant = || Impulse {
@@ -181,7 +181,7 @@ impl Family {
                 set_lock(follower, redundant());
                 redundant()
             } else {
-                // The balance of the master gives µ of the locked mimic; the lock is the rest of S.
+                // The balance of the master gives µ of the locked mimic; the impulse of the lock is ν = S − µ.
                 let mimic = self.balance(tree, Some(follower)).scaled(-1.0 / multiplier);
                 let mut lock = mimic.scaled(-1.0);
                 lock.terms.push((follower, velocity, 1.0));
@@ -265,7 +265,7 @@ impl Impulse {
         Self { terms: vec![(joint, velocity, 1.0)], open_by: Vec::new() }
     }
 
-    /// Value for the values S of all velocities, times `scale`.
+    /// Impulse times `scale`. `rest`: S of all velocities.
     fn value(&self, rest: &[f64], scale: f64) -> Component {
         if !self.open_by.is_empty() {
             return Component::Indeterminate;
@@ -279,7 +279,7 @@ impl Impulse {
         Self { terms: terms.collect(), open_by: self.open_by.clone() }
     }
 
-    /// Adds the constraints of groups in which the value changes along ker Aᵀ, and the name of the lock or mimic.
+    /// Adds names to `open_by` if the value changes along ker Aᵀ of a group: the constraints of this kernel, and the lock or mimic.
     fn find_open_terms(
         &mut self,
         tree: &TreeFrames,

@@ -87,19 +87,19 @@ pub struct DriveImpulse {
     /// Impulse in the gear between rotor and joint: armature · Δq̇, N·m·s or N·s. The rotor receives it, the joint the
     /// opposite.
     pub gear: f64,
-    /// Sum of the impulses of the lock, the mimics and the couplings on the joint, N·m·s or N·s; zero for a free joint. It can be
-    /// determinate while its parts are not.
+    /// Sum of the impulses of the lock, the mimics and the couplings on the joint, N·m·s or N·s; zero for a free joint. The sum can be
+    /// determinate if the single impulses ([`Reactions::joint_constraints`]) are not.
     pub constraint: Component,
 }
 
 /// Lock, mimic or coupling of joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointConstraint {
-    /// The locked joint.
+    /// Lock of this joint.
     Lock(JointId),
-    /// The joint that mimics another.
+    /// Mimic: this joint mimics a master.
     Mimic(JointId),
-    /// Index into [`Mechanism::couplings`](percuss_mechanism::Mechanism::couplings).
+    /// Coupling: index into [`Mechanism::couplings`](percuss_mechanism::Mechanism::couplings).
     Coupling(usize),
 }
 

@@ -87,7 +87,7 @@ pub(crate) struct ReactionBuffers {
     multipliers: Vec<f64>,
     /// Scratch of the triangular solution.
     solution: Vec<f64>,
-    /// For each velocity of all joints: sum of its lock, mimics and couplings, then without the couplings.
+    /// For each velocity of all joints: sum of the impulses of the lock, the mimics and the couplings; the couplings are subtracted later.
     sums: Vec<f64>,
 }
 

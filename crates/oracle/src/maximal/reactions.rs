@@ -46,11 +46,11 @@ pub struct ImpactReactions {
     pub closures: Vec<PlaceReaction>,
     /// Action of the ground on the held link of every held contact, at the held point.
     pub holds: Vec<PlaceReaction>,
-    /// Lock of each velocity of every joint; empty for a joint without a lock.
+    /// For every joint: impulse of the lock on each velocity; empty for a joint without a lock.
     pub locks: Vec<Vec<RowReaction>>,
-    /// Mimic of every joint: its impulse on the joint, and −multiplier times as much on the master.
+    /// For every joint: impulse of the mimic on the joint; the master receives this impulse times −multiplier. `None` without a mimic.
     pub mimics: Vec<Option<RowReaction>>,
-    /// Every coupling: its impulse on each joint per unit factor of the joint.
+    /// For every coupling: impulse on a joint, divided by the factor of this joint in the coupling.
     pub couplings: Vec<RowReaction>,
     /// Largest unbalanced momentum of a link, relative to the impulse at the contact.
     pub imbalance: f64,
@@ -68,8 +68,8 @@ struct Place {
     sign: f64,
 }
 
-/// A row, with the places through which its multiplier acts and the part of the row that acts there. `drive`: the lock, mimic or
-/// coupling of the row.
+/// Row, with the places through which its multiplier acts and the part of the row at each place. `drive`: the lock, mimic or coupling of
+/// the row, if any.
 struct ActingRow {
     drive: Option<Drive>,
     row: Row,
@@ -167,7 +167,7 @@ pub fn reactions(question: &Question) -> Option<ImpactReactions> {
     let of_drive = |drive: Drive| {
         let own = rows.iter().enumerate().filter(move |(_, row)| row.drive == Some(drive));
         let reaction = |(r, _): (usize, &ActingRow)| {
-            // A row without entries has no length: its multiplier is open.
+            // The norm of a row without entries is zero; its multiplier is open.
             let norm = if norms[r] > 0.0 { norms[r] } else { 1.0 };
             let open = DVector::from_fn(rows.len() - rank, |k, _| v[(r, rank + k)] / norm);
             RowReaction { value: multipliers[r] / norm, open }

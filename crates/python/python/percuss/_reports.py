@@ -411,12 +411,12 @@ def impact(
     "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
     base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
-    joints whose reflected inertia is added. percussion: joints, closures or "ground" whose centre of percussion is added, "JOINT" in the
-    tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
-    contacts that touch at the same time: the name of a contact, "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal in
-    world axes), a moment "LINK:about:X,Y,Z" (axis in the link's frame), both also with "=OTHER" for another link on the other side, a
-    cable "LINK:X,Y,Z=LINK:X,Y,Z", or a stop "JOINT:upper"; stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
-    their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
+    joints whose reflected inertia is added. percussion: joints, loop closures or "ground" whose centre of percussion is added,
+    "JOINT" in the tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
+    contacts that touch at the same time: the name of a contact, a point "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal
+    in world axes), a moment "LINK:about:X,Y,Z" (axis in the link's frame), a cable "LINK:X,Y,Z=LINK:X,Y,Z", or a stop
+    "JOINT:upper"; "=OTHER" after a point or a moment gives another link on the other side. stiffness_ratio and contact_exponent:
+    their stiffnesses relative to the first, and the exponent of their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
     gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
     impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
@@ -452,8 +452,9 @@ def extremes(
 ) -> records.ExtremesReport:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
     limits of all driving joints with limits. quantity: "mass", "reflected:JOINT" or "held:JOINT" (inertia at a joint with the other
-    drivers free or at rest), "bearing:JOINT" (impulse in a joint, a closure or the "ground" per closing speed of a plastic impact, kg),
-    "peak:JOINT" (peak force there with contact_law, whose speed is the closing speed, N).
+    drivers free or at rest), "bearing:JOINT" (impulse in a bearing per closing speed of a plastic impact, kg), "peak:JOINT" (peak
+    force in a bearing, N, with contact_law, which requires a speed: the closing speed). A bearing is a joint, a loop closure or
+    "ground".
     normals: "given", "any", or "across:X,Y,Z" for all normals perpendicular to an axis (world axes): the extremes are those over
     positions and normals. starts: number of starts of the local searches. The report has the positions, the active limits, the
     optimality residual and the number of starts that agree.

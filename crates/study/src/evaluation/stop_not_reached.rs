@@ -9,7 +9,7 @@ use percuss_dynamics::Pose;
 use percuss_impact::driving_joints;
 use percuss_mechanism::JointKind;
 
-/// Warning with the distance of a joint from its stop at a pose, and the remedy; `None` if the joint is at the stop.
+/// Warning that states the distance of a joint from its stop at a pose, and the remedy; `None` if the joint is at the stop.
 pub(crate) fn stop_not_reached(pose: &Pose, stop: &StopOfJoint, names: Names) -> Option<Finding> {
     let distance = stop.distance(pose);
     if distance.abs() <= RESTING_DISTANCE {
@@ -24,8 +24,8 @@ pub(crate) fn stop_not_reached(pose: &Pose, stop: &StopOfJoint, names: Names) ->
     } else {
         let drivers: Vec<&str> = drivers.iter().map(|driver| mechanism.joint(*driver).name()).collect();
         format!(
-            "its position follows from other joints: set these ({}) to a pose at which it is there{}, or give this stop as the first \
-             contact{} without setting them",
+            "its position follows from the driving joints {}: set them to positions at which \"{name}\" is at its stop{}, or give this stop \
+             as the first contact{} and leave these joints unset",
             drivers.join(", "),
             Field::Set.hint(names),
             Field::At.hint(names)
@@ -35,7 +35,8 @@ pub(crate) fn stop_not_reached(pose: &Pose, stop: &StopOfJoint, names: Names) ->
     let side = if distance > 0.0 { "short of" } else { "beyond" };
     let end = if stop.is_upper { "upper" } else { "lower" };
     let message = format!(
-        "joint \"{name}\" is at {}, {} {unit} {side} its {end} stop at {limit} {unit}, and the stop is taken as closed; {remedy}",
+        "joint \"{name}\" is at {} {unit}, {} {unit} {side} its {end} stop at {limit} {unit}, but the result assumes contact at the stop; \
+         {remedy}",
         rounded(pose.joint(stop.joint)[0]),
         rounded(distance.abs()),
     );

@@ -64,9 +64,12 @@ pub(crate) fn pose(
     })
 }
 
-/// Pose at the stop of a joint whose position follows from loops: the only driving joint that moves it, and is not set, drives. If all
-/// are set, the question is about their pose. `error`: the reason for which the joint cannot be set to its limit; returned for all other
-/// questions.
+/// Pose at the stop of a joint whose position follows from loops. The only driving joint that moves this joint and is not set drives the
+/// mechanism to the stop. If the question sets all of them, returns the pose at the given positions. `error`: error of setting the joint to
+/// its limit; returned if the question has no such stop.
+///
+/// # Errors
+/// Several driving joints move the joint; the stop is not reached.
 fn dependent_stop_pose(
     system: &System,
     configuration: &Configuration,
@@ -85,7 +88,7 @@ fn dependent_stop_pose(
     let driven: Vec<JointId> = set.filter(|joint| *joint != stop.joint).collect();
     let Some(travel) = Travel::of_joint(&start, stop.joint, stop.is_upper) else { return Err(error.into()) };
     let drivers = start.loops().map_or(&[][..], |loops| &loops.drivers);
-    // The rate is undetermined at a dead centre, from which the driver can move.
+    // The rate is `None` at a dead centre; the driver can move the joint from there.
     let moves = |driver: &JointId| !driven.contains(driver) && travel.rate(&start, *driver) != Some(0.0);
     let moving: Vec<JointId> = drivers.iter().copied().filter(moves).collect();
     match moving.len() {

@@ -1,4 +1,4 @@
-//! Stops to which a mechanism is moved: contacts with a gap, and stops of joints whose position follows from loops.
+//! Stops that a mechanism reaches by a motion: contacts with a gap, and limits of joints whose position follows from loops.
 
 use crate::model::wheel_points::SIDES;
 use crate::question::errors::question_error::StudyError;
@@ -23,7 +23,7 @@ pub(crate) struct StopOfJoint {
     pub is_upper: bool,
     /// The limit, rad or m.
     pub limit: f64,
-    /// Length, m, of a unit of the position: the characteristic length for a joint that turns, otherwise 1.
+    /// Gap per unit of the position: the characteristic length (m/rad) for a joint that turns, otherwise 1.
     pub length: f64,
 }
 
@@ -49,7 +49,7 @@ impl StopOfJoint {
         Some(Self { joint, is_upper, limit: if is_upper { limits.upper } else { limits.lower }, length })
     }
 
-    /// Stop of a joint in the contact of a question; `None` for other contacts.
+    /// Joint stop that is the contact of a question; `None` for other contacts.
     pub fn of_question(mechanism: &Mechanism, question: &MassQuestion) -> Result<Option<Self>, StudyError> {
         let spelled = question.spelled_contact(mechanism)?;
         let Some(FurtherContact::JointStop { joint, is_upper }) = spelled else { return Ok(None) };
@@ -57,7 +57,7 @@ impl StopOfJoint {
         Ok(Self::new(mechanism, joint, is_upper))
     }
 
-    /// True if a question requests the joint at its limit.
+    /// True if a question sets the joint to this limit.
     pub fn is_requested(&self, mechanism: &Mechanism, question: &MassQuestion) -> bool {
         let joint = mechanism.joint(self.joint);
         let mut given = question.set.iter().filter(|(name, _)| name == joint.name());

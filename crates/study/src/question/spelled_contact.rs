@@ -47,7 +47,7 @@ pub(crate) fn misspelled_end(text: &str) -> Option<String> {
 pub enum FurtherContact {
     /// Contact of the model.
     Named(String),
-    /// Point of a link (m, link's frame) with the normal out of the link, world axes.
+    /// Point of a link (m, link's frame), with the normal out of the link (world axes).
     Point {
         /// The link.
         link: String,
@@ -88,13 +88,12 @@ pub enum FurtherContact {
 }
 
 /// Forms of a contact as text, for messages.
-const FORMS: &str = "the name of a contact, a point LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a moment LINK:about:X,Y,Z (both also \
-                     with =OTHER for another link on the other side), a cable LINK:X,Y,Z=LINK:X,Y,Z, or the stop JOINT:lower or JOINT:upper";
+const FORMS: &str = "the name of a contact, a point LINK:X,Y,Z:NX,NY,NZ such as foot:0,0,0:0,0,-1, a moment LINK:about:X,Y,Z (points and \
+                     moments against another link end with =OTHER), a cable LINK:X,Y,Z=LINK:X,Y,Z, or the stop JOINT:lower or JOINT:upper";
 
 impl std::str::FromStr for FurtherContact {
     type Err = String;
-    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ`, `LINK:about:X,Y,Z`, both also followed by `=OTHER`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or
-    /// `JOINT:upper`.
+    /// Reads `NAME`, `LINK:X,Y,Z:NX,NY,NZ[=OTHER]`, `LINK:about:X,Y,Z[=OTHER]`, `LINK:X,Y,Z=LINK:X,Y,Z`, `JOINT:lower` or `JOINT:upper`.
     fn from_str(text: &str) -> Result<Self, String> {
         if !text.contains(':') {
             return Ok(Self::Named(text.to_owned()));
@@ -109,7 +108,7 @@ impl std::str::FromStr for FurtherContact {
             Some((first, second)) => (first, Some(second)),
             None => (text, None),
         };
-        // Link on the other side, for the forms without a point of this link.
+        // Link on the other side of a point or a moment: the whole text after `=`.
         let other = || match second {
             Some(other) if other.is_empty() || other.contains(':') => {
                 Err(format!("\"{other}\" after =: expected the name of the link on the other side"))
@@ -119,7 +118,7 @@ impl std::str::FromStr for FurtherContact {
         let axis = first.rsplit_once(':').and_then(|(rest, axis)| Some((rest.strip_suffix(":about")?, axis)));
         if let Some((link, axis)) = axis {
             let axis = percuss_units::parse_triple(axis, percuss_units::Dimension::Plain);
-            let axis = axis.map_err(|error| format!("the axis of LINK:about:X,Y,Z: {error}"))?;
+            let axis = axis.map_err(|error| format!("the axis of the moment LINK:about:X,Y,Z: {error}"))?;
             return Ok(Self::Moment { link: link.to_owned(), axis, against: other()? });
         }
         let read = |text: &str| {
@@ -144,8 +143,8 @@ impl std::str::FromStr for FurtherContact {
 }
 
 impl MassQuestion {
-    /// Point, moment, cable or joint stop that the text of `at` describes. `None` without `at`, for a text without a colon, and for the name of a
-    /// contact of the model.
+    /// Point, moment, cable or joint stop given by the text of `at`. `None` without `at`, for a text without a colon, and for the name of
+    /// a contact of the model.
     ///
     /// # Errors
     /// A text with a colon that is neither a contact of the model nor one of these forms.
@@ -190,8 +189,8 @@ impl MassQuestion {
         Err(StudyError::input(field, Fault::NoContactPoint { contact, result }))
     }
 
-    /// Question with the link, point, normal and other side of `contact`. The joint of a stop is set to its limit, unless the question
-    /// gives its position.
+    /// Question with the link, point, normal and other side of `contact`. The joint of a stop is set to its limit, a mimic through its
+    /// master, unless the question gives the position of the joint or of the master.
     pub(crate) fn with_spelled(
         &self,
         contact: &FurtherContact,
@@ -259,7 +258,7 @@ impl MassQuestion {
                         StudyError::input(Field::At, Fault::NoLimit { joint: joint.clone() })
                     })?;
                     let at = if *is_upper { limits.upper } else { limits.lower };
-                    // The master of a mimic moves it to its limit.
+                    // A mimic cannot be set: the position of its master moves the mimic to its limit.
                     let (moved, at) = match declared.mimic().filter(|mimic| mimic.multiplier != 0.0) {
                         Some(mimic) => {
                             let master = mechanism.joint(mimic.master).name().to_owned();

@@ -475,7 +475,7 @@ fn place(record: &ReactionRecord) -> String {
     in_time::place_name(record.place, &record.name)
 }
 
-/// Impulses of gears; `None` without any.
+/// Table of the impulses in gears; `None` if no gear has an impulse.
 pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
     let mut table = Table::new(["drive", "impulse in the gear (N·m·s, N·s)"]);
     let scale = drive_scale(report);
@@ -486,7 +486,7 @@ pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
     (table.rows().len() > 1).then_some(table)
 }
 
-/// Impulses of locks, mimics and couplings on their joints; `None` without any.
+/// Table of the impulses of locks, mimics and couplings on their joints; `None` if all impulses are zero.
 pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
     let mut table = Table::new(["constraint of joints", "impulses (N·m·s, N·s)"]);
     let scale = drive_scale(report);
@@ -505,7 +505,7 @@ pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
     (table.rows().len() > 1).then_some(table)
 }
 
-/// Reason of the open impulses of locks, mimics and couplings; empty without any.
+/// Names of the constraints that leave impulses of locks, mimics and couplings open; empty if all impulses are determinate.
 pub fn joint_constraint_note(report: &ImpactReport) -> String {
     let open = report.joint_constraints.iter().flat_map(|record| record.open_by.iter().map(String::as_str));
     let mut open: Vec<&str> = open.collect();
@@ -515,13 +515,13 @@ pub fn joint_constraint_note(report: &ImpactReport) -> String {
         return String::new();
     }
     format!(
-        "?: indeterminate; redundant constraints leave the impulse open: {}. The sum on each joint can be determinate: constraint in \
-         --format json.\n",
+        "?: indeterminate; redundant constraints leave the impulse open: {}. The sum of the impulses on a joint can still be determinate: \
+         see constraint in --format json.\n",
         line(&open.join(", "))
     )
 }
 
-/// Impulse, N·m·s, relative to which the impulse of a drive is rounding.
+/// Scale for the rounding of the impulses of gears, locks, mimics and couplings, N·m·s: an impulse far below this scale is shown as 0.
 fn drive_scale(report: &ImpactReport) -> f64 {
     report.impulse * report.mass.characteristic_length.max(1.0)
 }

@@ -83,7 +83,7 @@ fn short(direction: &[f64; 3]) -> String {
 /// Assumptions about the contacts.
 fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     let mut note = "All contacts are taken as closed at this pose.".to_owned();
-    // The distance of a joint from its stop is a warning.
+    // The warning `stop-not-reached` states the distance of a joint from its stop.
     for contact in several.contacts.iter().filter(|contact| !contact.is_joint_stop) {
         if let Some(gap) = contact.gap.filter(|gap| gap.abs() > 1e-6) {
             note += &format!(" The gap of {} is {} m here.", line(&contact.name), short_number(gap));

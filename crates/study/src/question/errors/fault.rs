@@ -126,17 +126,17 @@ pub enum Fault {
         /// The closure.
         closure: String,
     },
-    /// Bearing that does not exist.
-    #[error("no joint or closure is named \"{name}\"; expected one of {}", names.join(", "))]
+    /// Name that is not the name of a bearing.
+    #[error("no joint or loop closure has the name \"{name}\"; expected one of {}", names.join(", "))]
     UnknownBearing {
         /// The name.
         name: String,
-        /// Similar names, or the first names of all bearings.
+        /// Similar names; if there are none, the first twelve names of bearings.
         names: Vec<String>,
     },
-    /// Peak force of a bearing without a contact law.
+    /// Peak force in a bearing without a contact law.
     #[error(
-        "the peak force of a bearing depends on the contact law: give its stiffness, the restitution and the closing speed"
+        "the peak force in a bearing depends on the contact law; expected the stiffness, the restitution and the closing speed of the contact"
     )]
     PeakWithoutLaw,
     /// Search for extremes.
@@ -252,9 +252,9 @@ pub enum Fault {
         /// Kind of the joint.
         kind: JointKind,
     },
-    /// Stop of a joint that several driving joints move.
+    /// Stop of a dependent joint that several driving joints move.
     #[error(
-        "joint \"{joint}\" follows from the loops; several driving joints move it to its stop: {}; set all of them except one",
+        "the position of joint \"{joint}\" follows from loops or couplings, and several driving joints move it to its stop: {}; set all of them except one",
         drivers.join(", ")
     )]
     StopOfDrivers {

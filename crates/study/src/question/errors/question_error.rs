@@ -50,7 +50,7 @@ pub enum StudyError {
         /// Reason.
         why: String,
     },
-    /// Stop of a joint that the mechanism cannot reach.
+    /// Stop of a dependent joint that the mechanism cannot reach.
     #[error("{}", joint_stop_not_reached(joint, *limit, *nearest, (*turns, *is_smallest), driver, why))]
     JointStopNotReached {
         /// The joint.
@@ -61,7 +61,7 @@ pub enum StudyError {
         nearest: Option<f64>,
         /// True if the joint turns.
         turns: bool,
-        /// True if the joint turns back at the nearest position; false if the search ended there.
+        /// True if the joint reverses its motion at the nearest position; false if the search ended there.
         is_smallest: bool,
         /// Joint that drives the search.
         driver: String,
@@ -259,13 +259,15 @@ fn joint_stop_not_reached(
     let rounded = |position: f64| (position * PER_UNIT).round() / PER_UNIT + 0.0;
     let unit = if turns { "rad" } else { "m" };
     let why = match nearest {
-        Some(nearest) if is_smallest => format!("it comes to {} {unit} and moves back", rounded(nearest)),
+        Some(nearest) if is_smallest => {
+            format!("the joint reverses its motion at {} {unit}", rounded(nearest))
+        }
         Some(nearest) => format!("the search ends at {} {unit}", rounded(nearest)),
         None => why.to_owned(),
     };
     format!(
-        "joint \"{joint}\", whose position follows from the loops, does not reach its stop at {limit} {unit} by a motion of \"{driver}\": \
-         {why}; expected a pose from which it moves to the stop: set \"{driver}\" to examine the stop there"
+        "joint \"{joint}\", whose position follows from loops or couplings, does not reach its stop at {limit} {unit} by a motion of \
+         \"{driver}\": {why}; expected a limit within reach; set \"{driver}\" to compute the contact at a given pose"
     )
 }
 

@@ -62,7 +62,7 @@ pub struct ReflectedRangeRecord {
 /// Centre of percussion of a joint, a closure or the ground.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PercussionRecord {
-    /// Joint or closure with the least impulse, or the ground.
+    /// Bearing with the least impulse: name of a joint or of a closure, or `ground`.
     pub joint: String,
     /// Direction of the line, axes of the contact link; null for the tangent plane.
     pub direction: Option<[f64; 3]>,
@@ -110,7 +110,7 @@ pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Res
     })
 }
 
-/// Bearing by the name of a joint or of a closure, or `ground` (also the name of the root link) for the ground under the root link.
+/// Finds a bearing by the name of a joint or of a closure. `ground` and the name of the root link give the ground under the root link.
 pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> Result<Bearing, StudyError> {
     let closure = mechanism.closures().iter().position(|closure| closure.name() == name);
     let is_ground = name == GROUND || name == mechanism.link(mechanism.root()).name();
@@ -224,7 +224,7 @@ pub(crate) fn reflected_over(
     Ok(records)
 }
 
-/// Centres of percussion of the requested joints, closures and ground.
+/// Centres of percussion of the requested bearings.
 pub(crate) fn percussion(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,

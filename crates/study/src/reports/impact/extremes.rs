@@ -48,8 +48,8 @@ pub struct ExtremeRecord {
     pub effective_mass: Option<f64>,
     /// Value of the quantity in the unit of the report; null if not finite.
     pub value: Option<f64>,
-    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia. The largest load of a bearing is `immovable`
-    /// if it has no bound: it grows towards these positions, at which the contact is immovable.
+    /// Kind of the value; `immovable` is a valid largest value of a mass or an inertia. The largest impulse or peak
+    /// force in a bearing is `immovable` if it grows without bound towards these positions, at which the contact is immovable.
     pub status: Status,
     /// Positions of the varied joints.
     pub positions: Vec<ExtremePosition>,
@@ -99,12 +99,12 @@ pub struct ExtremesReport {
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia`, `bearing_impulse` (impulse in the bearing per closing speed, of a
-    /// plastic impact) or `bearing_peak_force`.
+    /// Quantity: `effective_mass`, `reflected_inertia`, `held_inertia`, `bearing_impulse` (impulse in the bearing per closing speed of a
+    /// plastic impact) or `bearing_peak_force` (peak force in the bearing with the contact law).
     pub quantity: &'static str,
     /// True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s.
     pub is_moment: bool,
-    /// Joint or bearing of the quantity; null for the effective mass.
+    /// Joint or bearing of the quantity: name of a joint or of a closure, or `ground`; null for the effective mass.
     pub joint: Option<String>,
     /// Unit of the values: `kg` or `kg·m²`; `kg·m` for the impulse in a bearing per closing speed of a moment; `N` for a peak force.
     pub unit: &'static str,

@@ -24,9 +24,9 @@ pub struct ExtremesQuestion {
     pub path: Option<RowSource>,
     /// Quantity whose extremes are searched.
     pub quantity: GivenQuantity,
-    /// Contact law with restitution and closing speed; for peak forces only.
+    /// Contact law with restitution and closing speed; required for a peak force, not used for other quantities.
     pub law: Option<DampingQuestion>,
-    /// Dimensions of the units of the closing speed and of the stiffness of `law`, in this order; `None` for plain numbers.
+    /// Dimensions of the given units: of the closing speed, then of the stiffness of `law`; `None` for a number without a unit.
     pub dimensions: [Option<Dimension>; 2],
     /// Normals among which the extremes are searched.
     pub normals: GivenNormals,
@@ -83,7 +83,9 @@ impl std::str::FromStr for GivenQuantity {
             Some(("held", joint)) => Ok(Self::Held(joint.to_owned())),
             Some(("bearing", joint)) => Ok(Self::Bearing(joint.to_owned())),
             Some(("peak", joint)) => Ok(Self::Peak(joint.to_owned())),
-            _ => Err("expected mass, reflected:JOINT, held:JOINT, bearing:JOINT or peak:JOINT; bearings are also closures and ground".to_owned()),
+            _ => Err("expected mass, reflected:JOINT, held:JOINT, bearing:JOINT or peak:JOINT; for bearing and peak, JOINT can also be a \
+                      loop closure or ground"
+                .to_owned()),
         }
     }
 }
@@ -110,7 +112,7 @@ impl GivenQuantity {
         }
     }
 
-    /// Quantity of the search, and its unit. `is_moment`: the contact is a moment about an axis; `law`: contact law of a peak force.
+    /// Quantity of the search, and its unit. `is_moment`: true if the contact is a moment; `law`: contact law of a peak force.
     pub(crate) fn searched(
         &self,
         mechanism: &Mechanism,
@@ -141,7 +143,7 @@ impl GivenQuantity {
     }
 }
 
-/// Peak force of a contact law with a speed as a power of the effective mass.
+/// Peak force of a contact law at its closing speed, as a function force · m̄^power of the effective mass.
 fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
     let force = damper(law, 1.0)?.peak_force;
     let force = force.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakWithoutLaw))?;
@@ -208,7 +210,7 @@ mod tests {
     use super::*;
     use percuss_contact::Law;
 
-    /// The peak force of every law, exponent and restitution is a power of the mass.
+    /// For every law, exponent and restitution, the peak force is proportional to the same power p/(p+1) of the mass.
     #[test]
     fn peak_forces_are_powers_of_the_mass() {
         let mut count = 0;

@@ -1,4 +1,4 @@
-//! Further contacts of an impact: their contacts at the pose, and warnings about stops that are not reached.
+//! Further contacts of an impact at its pose, and warnings about joints that are not at their stops.
 
 use crate::checks::finding::Finding;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -17,13 +17,13 @@ pub(crate) struct TouchingContact {
     pub name: String,
     /// The contact.
     pub contact: Contact,
-    /// Gap of a named contact, m; distance of a joint from its stop, rad or m; `None` for others.
+    /// Gap of a named contact, m; distance of a joint from its stop, rad or m; `None` for other contacts.
     pub gap: Option<f64>,
     is_joint_stop: bool,
 }
 
 impl TouchingContact {
-    /// The contact that a text describes.
+    /// Finds the links and joints of a further contact.
     ///
     /// # Errors
     /// Unknown names; the stop of a joint that has several velocities, or none.
@@ -77,7 +77,7 @@ impl TouchingContact {
         }
     }
 
-    /// Refuses sticking contact points together with a contact that has no contact point.
+    /// Refuses a plastic impact with sticking contact points if this contact has no contact point.
     pub fn refuse_sticking(&self) -> Result<(), StudyError> {
         let contact = match self.contact.normal {
             _ if self.is_joint_stop => "the stop of a joint",
@@ -90,7 +90,7 @@ impl TouchingContact {
     }
 }
 
-/// Warnings about joints that are not at the stops among the further contacts.
+/// Warnings about joints that are not at their stops, for the joint stops among the further contacts.
 pub(crate) fn stop_findings(evaluated: &EvaluatedQuestion, question: &ImpactQuestion) -> Vec<Finding> {
     let (pose, names) = (&evaluated.pose, evaluated.prepared.question.names);
     let mechanism = pose.mechanism();

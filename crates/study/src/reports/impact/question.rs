@@ -51,14 +51,14 @@ pub struct ImpactQuestion {
     pub point_error: Option<f64>,
     /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.
     pub reflected: Vec<String>,
-    /// Joints, closures or ground whose centre of percussion is requested, along a line (axes of the contact link) or in the tangent plane.
+    /// Bearings whose centre of percussion is requested, along a line (axes of the contact link) or in the tangent plane.
     pub percussion: Vec<PercussionRequest>,
 }
 
 /// Request of a centre of percussion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PercussionRequest {
-    /// Joint or closure with the least impulse; `ground` for the ground under the root link.
+    /// Bearing with the least impulse: name of a joint or of a closure, or `ground` for the ground under the root link.
     pub joint: String,
     /// Direction of the line, axes of the contact link; `None` for the tangent plane.
     pub direction: Option<[f64; 3]>,

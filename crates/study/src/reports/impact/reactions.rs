@@ -42,8 +42,8 @@ pub struct ReactionRecord {
     pub open_by: Vec<String>,
     /// Impulse in the gear of each velocity of the joint, armature · Δq̇, N·m·s or N·s; empty without a joint.
     pub gear: Vec<f64>,
-    /// Sum of the impulses of lock, mimics and couplings on each velocity of the joint, N·m·s or N·s; empty without a joint. The parts are
-    /// in `joint_constraints` of the report.
+    /// Sum of the impulses of the lock, the mimics and the couplings on each velocity of the joint, N·m·s or N·s; empty without a joint.
+    /// `joint_constraints` of the report contains the single impulses.
     pub constraint: Vec<Option<f64>>,
     /// Largest force along the axes in a compliant contact, N; null without a contact law.
     pub peak_force: Option<[Option<f64>; 3]>,
@@ -79,12 +79,12 @@ impl JointConstraintKind {
 pub struct JointConstraintRecord {
     /// Kind.
     pub kind: JointConstraintKind,
-    /// Name of the coupling; of the locked joint; of the joint that mimics another.
+    /// Name of the locked joint, of the joint that mimics another, or of the coupling.
     pub name: String,
-    /// Joints, once for each velocity.
+    /// Joint of each impulse; a locked joint occurs once for each of its velocities.
     pub joints: Vec<String>,
-    /// Impulse on each velocity, N·m·s or N·s. Null if redundant constraints leave it open, also if the sum on the joint (`constraint` of
-    /// its reaction) is determinate.
+    /// Impulse on each velocity, N·m·s or N·s. Null if redundant constraints leave the impulse open; the sum on the joint (`constraint` of
+    /// its reaction) can still be determinate.
     pub impulses: Vec<Option<f64>>,
     /// Constraints that leave impulses open: loops, couplings, mimics and locks.
     pub open_by: Vec<String>,

@@ -34,8 +34,8 @@ pub struct TouchingRecord {
     pub point_world: [f64; 3],
     /// Normal out of the contact link, world axes.
     pub normal_world: [f64; 3],
-    /// Gap of a named contact at the pose, m; for the stop of a joint with limits its distance from the stop, rad or m. The contact is taken
-    /// as closed. Null for others, and for the first contact.
+    /// Gap at the pose: of a named contact, m; of the stop of a joint with limits, the distance of the joint from the stop, rad or m. The
+    /// results assume a gap of zero. Null for other contacts, and for the first contact.
     pub gap: Option<f64>,
     /// Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens.
     pub closing_speed: f64,
@@ -122,7 +122,8 @@ pub struct SimultaneousRecord {
     /// Results of the laws without friction; empty for one contact.
     pub laws: Vec<SimultaneousLawRecord>,
     /// Largest difference of an opening speed between two laws, divided by the largest closing speed; null for one contact. If some
-    /// contacts are moments and others forces, each speed is multiplied by the square root of the mass (inertia) of its contact.
+    /// contacts are moments and others forces, each speed is first multiplied by the square root of the effective mass (kg, or kg·m² for a
+    /// moment) of its contact.
     pub spread: Option<f64>,
     /// Plastic impact with sticking points, if requested.
     pub sticking: Option<StickingRecord>,
@@ -167,7 +168,7 @@ pub(crate) fn simultaneous(
     };
     let stiffness = ContactStiffness { ratios, exponent: question.contact_exponent.unwrap_or(1.0) };
     let speeds = DVector::from_fn(k, |i, _| velocities[3 * i]);
-    // Speeds in rad/s and m/s become comparable by the energy of each contact.
+    // If the units differ (rad/s and m/s), each speed is divided by √W_ii = 1/√m̄: the squares are comparable energies.
     let is_mixed = located.iter().any(|contact| contact.is_moment != located[0].is_moment);
     let weight = |i: usize| if is_mixed { delassus.matrix()[(3 * i, 3 * i)].max(0.0).sqrt() } else { 1.0 };
     let weights: Vec<f64> = (0..k).map(weight).collect();
@@ -272,8 +273,9 @@ fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
     }
 }
 
-/// Warning about results that depend on the units of forces and moments, if some contacts are moments and others forces. Without
-/// redundancy, the laws of Newton and Poisson do not depend on them: a change of a unit scales rows of W.
+/// Warning about results that depend on the units of forces and moments; `None` unless some contacts are moments and others forces.
+///
+/// A change of a unit scales rows and columns of W. Without redundant contacts, the laws of Newton and Poisson do not change.
 pub(crate) fn unit_finding(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
@@ -287,13 +289,13 @@ pub(crate) fn unit_finding(
     let mut reasons = Vec::new();
     if question.stiffness_ratios.is_empty() {
         reasons.push(format!(
-            "the energetic law takes equal stiffnesses of 1 N/m and 1 N·m/rad: give their ratios{}",
+            "the energetic law uses equal stiffnesses by default, 1 N·m/rad for each 1 N/m; expected their ratios{}",
             Field::StiffnessRatio.hint(names)
         ));
     }
-    // The expansion of Poisson's law follows from the impulses of compression, of which redundant contacts leave the distribution open. With
-    // one coefficient of restitution it depends on their determinate sum W p only.
-    // Impulses of one unit are distributed in the same way in all units.
+    // Poisson's law multiplies the impulses p of compression by the coefficients of restitution. Redundant contacts leave the distribution
+    // of p open. With equal coefficients, the speeds depend only on W p, which is determinate. A distribution among forces only, or among
+    // moments only, does not depend on the units.
     let is_open = |is_moment: bool| {
         let of_kind = |law: &SimultaneousLawRecord| {
             let mut impulses = record.contacts.iter().zip(&law.impulses);
@@ -304,13 +306,13 @@ pub(crate) fn unit_finding(
     let differ = question.also_restitution.iter().any(|e| *e != question.restitution);
     if is_open(true) && is_open(false) && differ {
         reasons.push(format!(
-            "Poisson's law distributes the impulses of redundant contacts by their least sum of squares: leave out a redundant contact{}",
+            "Poisson's law distributes the impulses of redundant contacts by the least sum of squares of N·s and N·m·s; leave out a redundant contact{}",
             Field::Also.hint(names)
         ));
     }
     (!reasons.is_empty()).then(|| {
         let message = format!(
-            "forces and moments act together, so that results depend on the units N and N·m: {}",
+            "some contacts are forces and others moments, and some results depend on the units N and N·m: {}",
             reasons.join("; ")
         );
         Finding::about_result(FindingKind::UnitOfContacts, message)
@@ -334,7 +336,7 @@ fn rates_after(evaluated: &EvaluatedQuestion, rates: &JointRates) -> Vec<RatesAf
         .collect()
 }
 
-/// Largest difference of the opening speed of a contact between two laws.
+/// Largest difference between two laws in the opening speed of one contact.
 fn spread(laws: &[SimultaneousLawRecord], contact: usize) -> f64 {
     let speeds = laws.iter().filter_map(|law| law.opening_speeds.get(contact).copied());
     let (least, most) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));

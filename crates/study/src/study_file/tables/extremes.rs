@@ -94,9 +94,9 @@ pub struct ExtremesTable {
     pub ignore: Vec<String>,
     /// Quantity: mass, reflected:JOINT, held:JOINT, bearing:JOINT, peak:JOINT.
     ///
-    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint, a closure or the ground
-    /// (bearing:ground) per closing speed, of a plastic impact; an impact has (1+e) times this impulse. peak: peak force there with the
-    /// contact law of stiffness, restitution and speed.
+    /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint, per closing speed of a
+    /// plastic impact; an impact with the restitution e has (1+e) times this impulse. peak: peak force in a joint (N), with the contact law
+    /// given by stiffness, restitution and speed. For bearing and peak, JOINT can also be a loop closure, or ground.
     #[cfg_attr(feature = "flags", arg(long, value_name = "QUANTITY", help_heading = ANSWER))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
@@ -107,16 +107,16 @@ pub struct ExtremesTable {
     /// Coefficient of restitution, from 0 to 1, for peak:JOINT.
     #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true, help_heading = IMPACT))]
     pub restitution: Option<Ratio>,
-    /// Closing speed (m/s, km/h), for peak:JOINT.
+    /// Closing speed (m/s, km/h; rad/s for a moment), for peak:JOINT.
     #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
     pub speed: Option<Speed>,
-    /// Exponent p of the spring force k x^p.
+    /// Exponent p of the spring force k x^p, for peak:JOINT.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
     )]
     pub exponent: Option<Plain>,
-    /// Contact law (damp --list-laws).
+    /// Contact law (damp --list-laws), for peak:JOINT.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
@@ -187,7 +187,7 @@ impl ExtremesTable {
             _ if !matches!(self.quantity, Some(GivenQuantity::Peak(_))) => {
                 return refuse(
                     "extremes.quantity",
-                    "the contact law is that of a peak force; expected the quantity peak:JOINT",
+                    "a contact law applies only to a peak force; expected the quantity peak:JOINT, or no contact law",
                 );
             }
             (Some(stiffness), Some(restitution), Some(speed)) => {
@@ -198,7 +198,7 @@ impl ExtremesTable {
             _ => {
                 return refuse(
                     "extremes.stiffness",
-                    "the contact law requires `stiffness`, `restitution` and `speed`",
+                    "the contact law of a peak force is incomplete; expected `stiffness`, `restitution` and `speed`",
                 );
             }
         };

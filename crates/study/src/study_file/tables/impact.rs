@@ -78,9 +78,9 @@ pub struct ImpactTable {
     /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a moment, a cable, or JOINT:upper.
     ///
     /// A contact of the model; a point (link's frame) with its normal (out of the link, world axes); a moment LINK:about:X,Y,Z about an
-    /// axis (link's frame); a cable LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. Points and moments
-    /// are against the ground, or against another link: =OTHER at the end. Adds the laws of Newton, Poisson and the energetic law for all
-    /// contacts, without friction, and the Delassus matrix.
+    /// axis (link's frame); a cable LINK:X,Y,Z=LINK:X,Y,Z between two links; or the stop JOINT:lower or JOINT:upper. A point or a moment
+    /// acts against the ground, or with =OTHER at the end against the link OTHER. The report has the laws of Newton and Poisson and the
+    /// energetic law for all contacts, without friction, and the Delassus matrix.
     #[cfg_attr(feature = "flags", arg(long, value_name = "CONTACT", help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -197,8 +197,8 @@ pub struct ImpactTable {
     pub reflected: Vec<String>,
     /// Contact point with the least impulse in a joint, a closure or the ground.
     ///
-    /// JOINT: in the tangent plane. JOINT:X,Y,Z: along a line through the contact point (axes of the contact link). JOINT is the name of a
-    /// joint or a closure, or ground for the reaction of the ground on the root link.
+    /// JOINT: point in the tangent plane. JOINT:X,Y,Z: point on a line through the contact point (axes of the contact link). JOINT is the
+    /// name of a joint or of a loop closure, or the word ground for the reaction of the ground on the root link.
     #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT[:X,Y,Z]", help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -323,7 +323,7 @@ impl ImpactTable {
     }
 }
 
-/// Contact law of a stiffness; Kelvin–Voigt without a name. `key`: key of the law, for errors.
+/// Contact law with a stiffness; Kelvin–Voigt if no law is given. `key`: key of the law, for errors.
 pub(super) fn contact_law(
     key: &'static str,
     restitution: f64,
