@@ -134,11 +134,11 @@ pub enum Fault {
         /// Similar names; if there are none, the first twelve names of bearings.
         names: Vec<String>,
     },
-    /// Peak force in a bearing without a contact law.
+    /// Peak force in a bearing without a contact law, or another quantity with one.
     #[error(
-        "the peak force in a bearing depends on the contact law; expected the stiffness, the restitution and the closing speed of the contact"
+        "expected a contact law (stiffness, restitution and closing speed) for the peak force in a bearing, peak:JOINT, and for no other quantity"
     )]
-    PeakWithoutLaw,
+    PeakAndLaw,
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),

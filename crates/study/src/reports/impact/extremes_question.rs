@@ -119,6 +119,9 @@ impl GivenQuantity {
         is_moment: bool,
         law: Option<&DampingQuestion>,
     ) -> Result<(SearchedQuantity, &'static str), StudyError> {
+        if law.is_some() && !matches!(self, Self::Peak(_)) {
+            return Err(StudyError::input(Field::Quantity, Fault::PeakAndLaw));
+        }
         let Some(name) = self.joint() else {
             return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
         };
@@ -129,7 +132,7 @@ impl GivenQuantity {
                 return Ok((quantity, if is_moment { "kg·m" } else { "kg" }));
             }
             Self::Peak(_) => {
-                let law = law.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakWithoutLaw))?;
+                let law = law.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakAndLaw))?;
                 let law = peak_force_law(law)?;
                 return Ok((SearchedQuantity::BearingPeakForce { bearing: bearing()?, law }, "N"));
             }
@@ -146,7 +149,7 @@ impl GivenQuantity {
 /// Peak force of a contact law at its closing speed, as a function force · m̄^power of the effective mass.
 fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
     let force = damper(law, 1.0)?.peak_force;
-    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakWithoutLaw))?;
+    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakAndLaw))?;
     Ok(PeakForceLaw { force, power: law.exponent / (law.exponent + 1.0) })
 }
 

@@ -182,8 +182,9 @@ impl ExtremesTable {
         if !(1..=MOST_STARTS).contains(&starts) {
             return refuse("extremes.starts", "expected a number from 1 to 2000");
         }
+        let is_shaped = self.exponent.is_some() || self.law.is_some();
         let law = match (self.stiffness, self.restitution, self.speed) {
-            (None, None, None) => None,
+            (None, None, None) if !is_shaped => None,
             _ if !matches!(self.quantity, Some(GivenQuantity::Peak(_))) => {
                 return refuse(
                     "extremes.quantity",

@@ -318,7 +318,15 @@ impl ImpactTable {
 
     /// Contact law of the peak forces; `None` without a stiffness.
     fn law(&self, restitution: f64) -> Result<Option<DampingQuestion>, InvalidKey> {
-        let Some(stiffness) = self.stiffness else { return Ok(None) };
+        let Some(stiffness) = self.stiffness else {
+            return match self.exponent.is_some() || self.law.is_some() {
+                true => Err(InvalidKey::new(
+                    "impact.stiffness",
+                    "`law` and `exponent` describe a contact of this stiffness; give it",
+                )),
+                false => Ok(None),
+            };
+        };
         contact_law("impact.law", restitution, stiffness, self.exponent, self.law.as_ref()).map(Some)
     }
 }
