@@ -28,6 +28,7 @@ RENAMED = {"MapReport": "MapRecord"}
 ANSWERS = {
     "DampingReport": {"damping": "", "dissipation": "", "achieved_restitution": "", "peak_force": "N"},
     "MassReport": {"effective_mass": "kg", "effective_mass_error": "kg", "status": ""},
+    "FrictionThresholdsRecord": {"sticking": "", "jamming": ""},
     "Explanation": {"effective_mass": "", "links": ""},
     "ToleranceReport": {"effective_mass": "", "root_sum_square": "", "worst_case": ""},
     "SweepReport": {"link": "", "rows": ""},

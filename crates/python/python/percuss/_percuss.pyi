@@ -33,6 +33,7 @@ __all__ = [
     "effective_mass",
     "effective_masses",
     "explain",
+    "friction_thresholds",
     "extremes",
     "impact",
     "impact_history",
@@ -856,6 +857,8 @@ def map_point_report(model: Model, contact: Contact | str, conditions: Condition
     """Report on directions at a point."""
 def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str:
     """Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass."""
+def friction_thresholds(model: Model, contact: Contact | str, conditions: Conditions) -> str:
+    """Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass."""
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
 ) -> str:

@@ -69,6 +69,17 @@ pub fn explain(
     contact_report(py, model, contact, &conditions, study::explain)
 }
 
+/// Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass.
+#[pyfunction]
+pub fn friction_thresholds(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+) -> PyResult<String> {
+    contact_report(py, model, contact, &conditions, study::friction_thresholds)
+}
+
 /// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
 /// and seed.
 #[pyfunction]

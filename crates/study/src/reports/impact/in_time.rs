@@ -11,6 +11,7 @@ use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::STROKES;
+use crate::values::drives::GivenSpring;
 use percuss_contact::{Damper, Separation, VaryingMassImpact};
 use percuss_dynamics::Pose;
 use percuss_impact::{
@@ -150,21 +151,13 @@ pub(crate) fn in_time(
 
 /// Springs of the joints.
 fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
-    let spring = |(number, (name, values)): (usize, &(String, Vec<f64>))| {
+    let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
         if impact.joint_springs[..number].iter().any(|(earlier, _)| earlier == name) {
             return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
         }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let (stiffness, damping, free_position) = match **values {
-            [stiffness] => (stiffness, 0.0, None),
-            [stiffness, damping] => (stiffness, damping, None),
-            [stiffness, damping, free] => (stiffness, damping, Some(free)),
-            _ => {
-                let fault = Fault::SpringCount { joint: name.clone(), got: values.len() };
-                return Err(StudyError::input(Field::JointSpring, fault));
-            }
-        };
-        Ok(JointSpring { joint, stiffness, damping, free_position })
+        let kind = pose.mechanism().joint(joint).kind();
+        given.at_joint(joint, kind, name).map_err(|fault| StudyError::input(Field::JointSpring, fault))
     };
     impact.joint_springs.iter().enumerate().map(spring).collect()
 }
