@@ -35,6 +35,7 @@ pub use friction::thresholds::{FrictionThresholds, friction_thresholds};
 pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
+pub use motion::reachable_speed::{ReachableSpeed, reachable_closing_speed};
 pub use percussion::{
     PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
     worst_reaction_within,

@@ -529,7 +529,8 @@ fn impacts_change_at_the_thresholds() {
             let before = Vector3::new(-1.0, 0.0, 0.0);
             let above = sticking * sides[1];
             let stuck_at_once = frictional_collision(&w, &before, above, 0.4, RestitutionLaw::Energetic);
-            let sticks = first[1] == Some(PhaseKind::Stick) || stuck_at_once.is_ok_and(|found| found.is_wedged);
+            let sticks =
+                first[1] == Some(PhaseKind::Stick) || stuck_at_once.is_ok_and(|found| found.is_wedged);
             assert!(first[0] == Some(PhaseKind::Slip) && sticks, "{}: {first:?}", case.name);
             stuck += 1;
         }

@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NoSubstitute, NormalRange, RigidImpact, SearchedContact,
-    SearchedQuantity, extreme_effective_mass, extreme_quantity, reflected_inertia_over,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NoSubstitute, NormalRange, RigidImpact,
+    SearchedContact, SearchedQuantity, extreme_effective_mass, extreme_quantity, reflected_inertia_over,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
@@ -384,7 +384,8 @@ fn substitutes_with_mimic_joints_are_their_own_trees() {
         let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
         let mut builder = MechanismBuilder::new("substitute");
         for link in mechanism.links() {
-            builder = builder.link(LinkDescription::new(link.name(), link.inertial().copied().unwrap_or(none)));
+            builder =
+                builder.link(LinkDescription::new(link.name(), link.inertial().copied().unwrap_or(none)));
         }
         for id in mechanism.joint_ids() {
             let joint = mechanism.joint(id);
@@ -409,7 +410,8 @@ fn substitutes_with_mimic_joints_are_their_own_trees() {
             let exact = exact.inertia.held.expect("a driver").kilograms().expect("finite");
             differences.push((value, exact));
         }
-        let error = |a: f64| differences.iter().map(|(tree, all)| ((tree + a) / all - 1.0).abs()).fold(0.0, f64::max);
+        let error =
+            |a: f64| differences.iter().map(|(tree, all)| ((tree + a) / all - 1.0).abs()).fold(0.0, f64::max);
         assert!((error(found.armature) / found.largest_error - 1.0).abs() < 1e-6, "{found:?}");
         // The crank has no armature that could be reduced.
         for other in [-1e-3, -1e-5, 1e-5, 1e-3].map(|step| found.armature + step) {
@@ -423,6 +425,7 @@ fn substitutes_with_mimic_joints_are_their_own_trees() {
     let arm = arm(1.0, 1.0);
     let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
     let elbow = arm.find_joint("elbow").expect("a joint");
-    let range = reflected_inertia_over(&system, &system.configuration(), elbow, &[0.1, 0.5]).expect("a range");
+    let range =
+        reflected_inertia_over(&system, &system.configuration(), elbow, &[0.1, 0.5]).expect("a range");
     assert_eq!(range.substitute, Err(NoSubstitute::NoDependentJoint));
 }

@@ -106,6 +106,9 @@ CASES: dict[str, Call] = {
     "impact_history": Call(percuss.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
     "explain": Call(percuss.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
     "friction_thresholds": Call(percuss.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "reflected_inertias": Call(
+        percuss.reflected_inertias, {"model": BAR, "joints": ["crank_hinge"], "conditions": None}
+    ),
     "tolerate": Call(
         percuss.tolerate,
         {"model": ARM, "contact": TOOL, "tolerance": "mass=2%", "conditions": None, "samples": 5, "seed": 0},

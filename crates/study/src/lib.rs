@@ -124,13 +124,14 @@ pub use reports::mass_report::{
 };
 pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{
-    AlongRecord, Limit, LimitError, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
-    safe_speed, safe_speed_along, safe_speed_directions,
+    AlongRecord, Limit, LimitError, ReachableSpeedRecord, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord,
+    StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
 pub use reports::tolerance::{
     SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
     tolerance_report,
 };
+pub use study_file::additions::{StudyAdditions, WithAdditions};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};

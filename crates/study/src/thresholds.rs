@@ -225,6 +225,9 @@ pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
 /// with six digits.
 pub(crate) const SAME_SPEED: f64 = 1e-5;
 
+/// Restitution above 1 of an impact in time that is no error of the integration.
+pub(crate) const CREATED_RESTITUTION: f64 = 1e-6;
+
 /// Largest number of iterations for a closing speed of a given peak force: the first one is exact for contact laws that scale.
 pub(crate) const SPEED_ITERATIONS: usize = 20;
 

@@ -15,8 +15,8 @@ use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
     DampingQuestion, EstimateRecord, FrictionThresholdsRecord, MassQuestion, MassReport, Model, Sampling,
-    SheetPoint, Status, StudyMass, Tolerance, contact_names, explain, friction_thresholds, mass,
-    mass_with_damper, tolerance_report,
+    SheetPoint, Status, StudyAdditions, StudyMass, Tolerance, WithAdditions, contact_names, explain,
+    friction_thresholds, mass, mass_with_damper, tolerance_report,
 };
 use std::fmt::Write;
 
@@ -43,6 +43,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         damping.as_ref(),
         args.format,
         &MassRequests::from_study(&requests),
+        &StudyAdditions::default(),
         args.model.reading.strict,
     )
 }
@@ -136,13 +137,14 @@ pub struct Expected {
     tolerance: f64,
 }
 
-/// Computes a result and writes it.
+/// Computes a result and writes it. `additions`: further keys of the JSON.
 pub fn show(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
     requested: &MassRequests,
+    additions: &StudyAdditions,
     strict: bool,
 ) -> Result<(), Failure> {
     let answer = match damping {
@@ -163,7 +165,7 @@ pub fn show(
     }
     let expected = requested.expected;
     match format {
-        MassFormat::Json => write_json(&report)?,
+        MassFormat::Json => write_json(&WithAdditions { report: &report, additions })?,
         MassFormat::Csv if report.damper.is_some() => {
             note("CSV does not contain the damper; use --format text or json");
             write_out(&csv::mass_row(&report, &report.assumptions.set))?;
@@ -217,7 +219,10 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     if report.effective_mass.is_some() {
         out += &contribution_text(report);
     }
-    out += &report.explanation.as_ref().map_or_else(String::new, |found| explanation::explanation(found, report.unit));
+    out += &report
+        .explanation
+        .as_ref()
+        .map_or_else(String::new, |found| explanation::explanation(found, report.unit));
     out += &report
         .tolerance
         .as_ref()

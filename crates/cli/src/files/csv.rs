@@ -300,7 +300,8 @@ pub fn line(cells: &[String]) -> String {
 /// Table in SI units: header and rows.
 pub fn table(columns: &[String], rows: &[Vec<Cell>]) -> String {
     let style = TableStyle::default();
-    let row = |cells: &Vec<Cell>| line(&cells.iter().map(|cell| styled_cell(cell, style)).collect::<Vec<_>>());
+    let row =
+        |cells: &Vec<Cell>| line(&cells.iter().map(|cell| styled_cell(cell, style)).collect::<Vec<_>>());
     line(columns) + &rows.iter().map(row).collect::<String>()
 }
 

@@ -4,8 +4,8 @@ use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
 use crate::terminal::wrap::fact_line;
 use percuss_study::{
-    EstimateRecord, Explanation, FrictionThresholdsRecord, MotionRatioRecord, NamedContactRecord, ToleranceReport, UPWARDS,
-    WheelTravelRecord,
+    EstimateRecord, Explanation, FrictionThresholdsRecord, MotionRatioRecord, NamedContactRecord,
+    ToleranceReport, UPWARDS, WheelTravelRecord,
 };
 use std::fmt::Write;
 
@@ -119,9 +119,9 @@ pub fn friction_thresholds(found: &FrictionThresholdsRecord) -> Option<String> {
             threshold(found.sticking),
             threshold(found.jamming)
         )),
-        Some(_) => {
-            found.jamming.map(|wedges| format!("the contact wedges from a coefficient of {}", short_number(wedges)))
-        }
+        Some(_) => found
+            .jamming
+            .map(|wedges| format!("the contact wedges from a coefficient of {}", short_number(wedges))),
     }
 }
 

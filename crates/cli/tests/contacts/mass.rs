@@ -300,5 +300,9 @@ fn thresholds_of_friction_require_a_contact_point_and_a_mass() {
     let all = "mass models/suspensions/double-wishbone.toml --at all --friction-thresholds";
     refused(all, &["--friction-thresholds", "one contact"]);
     let immovable = percuss(&format!("{} --friction-thresholds", PENDULUM.replace("1,0,0", "0,1,0")));
-    assert!(immovable.code == 0 && immovable.stderr.contains("--friction-thresholds: they require"), "{}", immovable.stderr);
+    assert!(
+        immovable.code == 0 && immovable.stderr.contains("--friction-thresholds: they require"),
+        "{}",
+        immovable.stderr
+    );
 }

@@ -79,7 +79,8 @@ pub(crate) fn mimic_substitute(
             _ => return Ok(Err(NoSubstitute::NotHeld)),
         }
     }
-    let missing: Vec<(f64, f64)> = exact.iter().zip(&inertias).map(|(all, tree)| (all - tree, *all)).collect();
+    let missing: Vec<(f64, f64)> =
+        exact.iter().zip(&inertias).map(|(all, tree)| (all - tree, *all)).collect();
     let least = 0.0 - first.armature(driver).first().copied().unwrap_or(0.0);
     let (armature, largest_error) = best_constant(&missing, least);
     Ok(Ok(MimicSubstitute { joints, inertias, armature, largest_error }))
@@ -91,7 +92,8 @@ fn mimic_joints(poses: &[Pose], driver: JointId) -> Result<Vec<MimicJoint>, Join
     let count = poses.len() as f64;
     let values = |at: usize| poses.iter().map(move |pose| pose.positions()[at]);
     let range = |at: usize| {
-        let (least, most) = values(at).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let (least, most) =
+            values(at).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
         most - least
     };
     let own = first_position(mechanism, driver);
@@ -146,7 +148,11 @@ fn tree_pose(system: &System, pose: &Pose, driver: JointId, joints: &[MimicJoint
 }
 
 /// Inertia of the open tree at the driving joint: the mimic joints follow, all other joints are at rest, and a floating base is free.
-fn tree_inertia(pose: &Pose, driver: JointId, joints: &[MimicJoint]) -> Result<EffectiveMass, ReflectedError> {
+fn tree_inertia(
+    pose: &Pose,
+    driver: JointId,
+    joints: &[MimicJoint],
+) -> Result<EffectiveMass, ReflectedError> {
     let system = PoseMatrices::new(pose);
     let coordinates = pose.coordinate_joints();
     let row = |joint: JointId, k: usize, multiplier: f64| -> Vec<f64> {
@@ -160,7 +166,8 @@ fn tree_inertia(pose: &Pose, driver: JointId, joints: &[MimicJoint]) -> Result<E
     let multiplier = |joint: JointId| {
         joints.iter().find(|mimic| mimic.joint == joint).map_or(0.0, |mimic| mimic.multiplier)
     };
-    let others = coordinates.iter().filter_map(|&(joint, k)| Some((joint?, k))).filter(|(joint, _)| *joint != driver);
+    let others =
+        coordinates.iter().filter_map(|&(joint, k)| Some((joint?, k))).filter(|(joint, _)| *joint != driver);
     let prescribed: Vec<Vec<f64>> = others.map(|(joint, k)| row(joint, k, multiplier(joint))).collect();
     let own: Vec<f64> =
         coordinates.iter().map(|(joint, _)| if *joint == Some(driver) { 1.0 } else { 0.0 }).collect();

@@ -209,11 +209,7 @@ impl PoseMatrices {
     }
 
     /// min { vᵀMv : Av = 0, held v = 0, row v = 1 }.
-    pub(crate) fn least_mass(
-        &self,
-        row: &[f64],
-        held: &[Vec<f64>],
-    ) -> Result<EffectiveMass, MatrixError> {
+    pub(crate) fn least_mass(&self, row: &[f64], held: &[Vec<f64>]) -> Result<EffectiveMass, MatrixError> {
         let n = row.len();
         let rows: Vec<&Vec<f64>> = self.constraints.iter().chain(held).collect();
         let options = MatrixOptions::new().lengths(&self.lengths);

@@ -345,6 +345,15 @@ def friction_thresholds(
 
 
 @checked
+def reflected_inertias(
+    model: Model, joints: Sequence[str], conditions: Conditions | None = None
+) -> records.ReflectedReport:
+    """Inertias reflected to joints: with all other joints free, and with the other drivers at rest. joints: "JOINT", or "JOINT=FROM:TO:COUNT"
+    over a range of positions, with two substitutes for simulators without loops. As ``percuss impact --reflected`` without a contact."""
+    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), _asked(conditions))))
+
+
+@checked
 def tolerate(
     model: Model,
     contact: Contact | str,
@@ -543,13 +552,18 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 
 @checked
 def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
-    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Safe speeds
-    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
+    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. With the tables [impact] and
+    [extremes], the keys "impact" and "extremes" of the report are those of ``impact`` and ``extremes``. Safe speeds in several directions
+    are a list under the key "reports". Writes no file. As ``percuss run``."""
     found = _with_rows(_percuss.run_study(path))
     if isinstance(found, list):
         speeds = [records.SafeSpeedReport.of(one) for one in found]
         return cast("records.AnyRecord", speeds[0] if len(speeds) == 1 else Report(reports=speeds))
-    return cast("records.AnyRecord", _BY_SCHEMA[found["schema"].split("/")[0]].of(found))
+    report = _BY_SCHEMA[found["schema"].split("/")[0]].of(found)
+    for key, record in (("impact", records.ImpactReport), ("extremes", records.ExtremesReport)):
+        if key in found:
+            report[key] = record.of(found[key])
+    return cast("records.AnyRecord", report)
 
 
 @checked

@@ -9,10 +9,8 @@ use percuss_dynamics::Direction;
 /// at a point.
 pub(crate) fn contact_without_point(evaluated: &EvaluatedQuestion) -> Option<&'static str> {
     let prepared = &evaluated.prepared;
-    let is_line = matches!(
-        evaluated.contact.normal,
-        Direction::TurningToward(..) | Direction::TurningAwayFrom(..)
-    );
+    let is_line =
+        matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..));
     if prepared.question.stop_of_joint(&prepared.model.mechanism).is_some() {
         Some("the stop of a joint")
     } else if is_line {

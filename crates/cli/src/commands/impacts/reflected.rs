@@ -6,6 +6,7 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::{parquet_rows, xlsx_rows};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
+use crate::terminal::limits;
 use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, rounded, short_number};
 use crate::terminal::wrap::fact_line;
@@ -50,8 +51,7 @@ pub fn facts(
     ranges: &[ReflectedRangeRecord],
     drivers: &[String],
 ) -> Vec<(&'static str, String)> {
-    let mut facts: Vec<_> =
-        records.iter().map(|record| ("reflected", reflected(record, drivers))).collect();
+    let mut facts: Vec<_> = records.iter().map(|record| ("reflected", reflected(record, drivers))).collect();
     for range in ranges {
         facts.push(("armature", armature(range)));
         facts.extend(range.substitute.as_ref().map(|found| ("mimic joints", substitute(range, found))));
@@ -129,6 +129,14 @@ fn is_held(range: &ReflectedRangeRecord) -> bool {
     range.held.iter().any(Option::is_some)
 }
 
+/// True if the free and the held inertia are equal up to rounding at all positions, as for one degree of freedom.
+fn has_equal_curves(range: &ReflectedRangeRecord) -> bool {
+    range.free.iter().zip(&range.held).all(|(free, held)| match (free, held) {
+        (Some(free), Some(held)) => (free - held).abs() <= limits::EQUAL_CURVES * held,
+        (free, held) => free == held,
+    })
+}
+
 /// Error for an output without contents.
 pub fn no_output(path: &str) -> Failure {
     Failure::bad_input(format!(
@@ -180,7 +188,7 @@ fn table(ranges: &[ReflectedRangeRecord]) -> (Vec<String>, Vec<Vec<Cell>>) {
 }
 
 /// Figure for each joint: inertia over the position, free and held, and the best constant.
-fn sheet(ranges: &[ReflectedRangeRecord], model: &str) -> Sheet {
+pub fn sheet(ranges: &[ReflectedRangeRecord], model: &str) -> Sheet {
     let figure = |range: &ReflectedRangeRecord| {
         let turns = range.unit == "kg·m²";
         let dimension = if turns { Dimension::Angle } else { Dimension::Length };
@@ -189,11 +197,17 @@ fn sheet(ranges: &[ReflectedRangeRecord], model: &str) -> Sheet {
             range.positions.iter().zip(values).map(|(x, y)| (scale * x, *y)).collect()
         };
         let series = |name: String, style, points| Series { name, style, points };
-        let mut curves = vec![series("other joints free".into(), Style::Line, curve(&range.free))];
-        if is_held(range) {
-            curves.push(series("other drivers held".into(), Style::Line, curve(&range.held)));
+        let mut curves = Vec::new();
+        if has_equal_curves(range) {
+            curves.push(series("other joints free or held".into(), Style::Line, curve(&range.free)));
+        } else {
+            curves.push(series("other joints free".into(), Style::Line, curve(&range.free)));
+            if is_held(range) {
+                curves.push(series("other drivers held".into(), Style::Line, curve(&range.held)));
+            }
         }
-        if let (Some(constant), Some(error)) = (range.best_constant, range.largest_error) {
+        let constant = range.best_constant.zip(range.largest_error);
+        if let Some((constant, error)) = constant.filter(|(_, error)| *error > limits::EQUAL_CURVES) {
             let name = format!("best constant, ± {} %", percent(error));
             let constant = vec![Some(constant); range.positions.len()];
             curves.push(series(name, Style::Dashed, curve(&constant)));

@@ -1,11 +1,11 @@
-"""Records of reports: ImpactReport, ExtremesReport. Written by tests/records.py."""
+"""Records of reports: ImpactReport, ExtremesReport, ReflectedReport. Written by tests/records.py."""
 
 from __future__ import annotations
 
 from typing import Literal
 
-from .damping import DiagnosticRecord, VaryingMassImpact
-from .mass import MassReport
+from .mass import ConditionsRecord, MassReport
+from .damping import DiagnosticRecord, Input, VaryingMassImpact
 from .record import Record
 
 
@@ -372,7 +372,7 @@ class GreatestSpeedRecord(Record):
     joint: str
     """Joint that limits it."""
     limit: str
-    """Limit that is reached: "rate" or "gear"."""
+    """Limit that is reached: "rate", "gear" (impulse in the gear) or "gear-torque"."""
 
 
 class ReflectedRecord(Record):
@@ -382,6 +382,9 @@ class ReflectedRecord(Record):
     """The joint."""
     component: int
     """Index of the velocity within the joint."""
+    direction: str | None
+    """Velocity within a joint with several velocities: "about x", "along y" and so on, in the axes of the joint; None for one
+    velocity."""
     unit: str
     """Unit: "kg·m²" or "kg"."""
     free: float | None
@@ -392,6 +395,32 @@ class ReflectedRecord(Record):
     """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
     held_status: Literal["finite", "immovable", "massless"] | None
     """Kind of "held"; None for a joint that is no driver."""
+
+
+class MimicJointRecord(Record):
+    """Joint that follows the driving joint: position = multiplier · position of the driving joint + offset."""
+
+    joint: str
+    """The joint."""
+    multiplier: float
+    """Ratio of the positions: least-squares fit over the range."""
+    offset: float
+    """Position at the zero of the driving joint, rad or m."""
+    position_error: float
+    """Largest difference from the position in the linkage, rad or m."""
+
+
+class MimicSubstituteRecord(Record):
+    """Open tree of a linkage in which all dependent joints are mimic joints of the driving joint."""
+
+    joints: list[MimicJointRecord]
+    """Mimic joints."""
+    inertias: list[float]
+    """Inertia of this tree at the driving joint at each position, kg·m² or kg; without the additional armature."""
+    armature: float
+    """Armature to add to that of the driving joint, kg·m² or kg: the one with the smallest largest relative error."""
+    largest_error: float
+    """Largest relative error of the reflected inertia."""
 
 
 class ReflectedRangeRecord(Record):
@@ -415,6 +444,11 @@ class ReflectedRangeRecord(Record):
     """Constant with the smallest largest relative error: the harmonic mean of both."""
     largest_error: float | None
     """Largest relative error of this constant."""
+    substitute: MimicSubstituteRecord | None
+    """Substitute for simulators without loops: the open tree with mimic joints and an additional armature; None if no other
+    joint moves with the joint, if the joint is no driver, and if a joint with several velocities moves with it."""
+    substitute_refused_by: str | None
+    """Joint with several velocities that moves with the joint, so that there is no substitute."""
 
 
 class PercussionRecord(Record):
@@ -426,6 +460,8 @@ class PercussionRecord(Record):
     """Direction of the line, axes of the contact link; None for the tangent plane."""
     point_link: list[float]
     """Best contact point, frame of the contact link, m."""
+    point_world: list[float]
+    """The same point in the world, m."""
     distance: float
     """Displacement from the given contact point, m."""
     given_ratio: float
@@ -608,3 +644,28 @@ class ExtremesReport(Record):
     """Largest value of the quantity."""
     diagnostics: list[DiagnosticRecord]
     """Findings about the ranges, or about the rows of the path."""
+
+
+class ReflectedReport(Record):
+    """Reflected inertias without a contact, as JSON."""
+
+    _answer = {"drivers": "", "reflected_inertia": "", "reflected_over": ""}
+
+    schema: str
+    """"percuss.reflected/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    pose: dict[str, list[float]]
+    """Joint positions."""
+    conditions: ConditionsRecord
+    """Conditions."""
+    drivers: list[str]
+    """Driving joints: the drivers of the loops, and the joints outside loops."""
+    reflected_inertia: list[ReflectedRecord]
+    """Reflected inertias at the pose."""
+    reflected_over: list[ReflectedRangeRecord]
+    """Reflected inertias over ranges of positions."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""

@@ -25,6 +25,8 @@ pub struct PercussionRecord {
     pub direction: Option<[f64; 3]>,
     /// Best contact point, frame of the contact link, m.
     pub point_link: [f64; 3],
+    /// The same point in the world, m.
+    pub point_world: [f64; 3],
     /// Displacement from the given contact point, m.
     pub distance: f64,
     /// Impulse at the joint for the given point, per impulse at the contact.
@@ -96,6 +98,7 @@ pub(crate) fn percussion(
             joint: request.joint.clone(),
             direction: request.direction,
             point_link: found.point.into(),
+            point_world: pose.link(contact.link).point(&found.point).into(),
             distance: found.displacement.norm(),
             given_ratio: found.given_reaction,
             remaining_ratio: found.remaining_reaction,
@@ -134,7 +137,8 @@ pub(crate) fn greatest_speed(
     let (response, e) = (&evaluated.result.response, question.restitution);
     let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
     let (mut impulses, mut torques) = gear_limits(evaluated, question)?;
-    [&mut impulses, &mut torques].map(|limits| limits.retain(|(joint, _, _)| is_changed(*joint)));
+    impulses.retain(|(joint, _, _)| is_changed(*joint));
+    torques.retain(|(joint, _, _)| is_changed(*joint));
     let by_impulses = greatest_closing_speed_of_gears(&evaluated.pose, response, e, &impulses);
     let by_torques = greatest_speed_of_torques(evaluated, question, &torques)?;
     let by_gears = by_impulses.map(|found| (found, "gear")).into_iter();

@@ -1,5 +1,7 @@
 //! Impact in time with the contact law, as a record.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -10,7 +12,7 @@ use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
-use crate::thresholds::STROKES;
+use crate::thresholds::{CREATED_RESTITUTION, STROKES};
 use crate::values::drives::GivenSpring;
 use percuss_contact::{Damper, Separation, VaryingMassImpact};
 use percuss_dynamics::Pose;
@@ -147,6 +149,18 @@ pub(crate) fn in_time(
         joints: joints(pose, &found),
         bearings: bearings(pose, &found, rigid, held),
     }))
+}
+
+/// Warning about an impact in time in which the sides separate faster than they approach.
+pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
+    let reached = found.restitution;
+    (reached > 1.0 + CREATED_RESTITUTION).then(|| {
+        let message = format!(
+            "the impact in time reaches a restitution of {reached:.4}, above 1: gravity, joint springs or the change of the effective mass \
+             accelerate the separation; check them, or use a stiffer contact"
+        );
+        Finding::about_result(FindingKind::RestitutionAboveOne, message)
+    })
 }
 
 /// Springs of the joints.

@@ -165,7 +165,12 @@ pub fn reflected_inertias(
     Ok(ReflectedReport {
         schema: "percuss.reflected/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.iter().chain(question.pose.iter().filter_map(GivenPose::file)).cloned().collect(),
+        inputs: model
+            .inputs
+            .iter()
+            .chain(question.pose.iter().filter_map(GivenPose::file))
+            .cloned()
+            .collect(),
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         conditions: ConditionsRecord::of(question),
         drivers: driving_joints(&pose).into_iter().map(name).collect(),
@@ -176,10 +181,7 @@ pub fn reflected_inertias(
 }
 
 /// Reflected inertias of the requested joints, one record for each velocity.
-pub(crate) fn reflected(
-    posed: &PosedModel,
-    joints: &[String],
-) -> Result<Vec<ReflectedRecord>, StudyError> {
+pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<ReflectedRecord>, StudyError> {
     let mechanism = &posed.model.mechanism;
     let mut records = Vec::new();
     for name in joints.iter().filter(|name| range_of(mechanism, name).is_none()) {

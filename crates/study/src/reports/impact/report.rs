@@ -19,7 +19,7 @@ use crate::reports::impact::additions::{
 };
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
-use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
+use crate::reports::impact::in_time::{ImpactTimeRecord, in_time, restitution_finding};
 use crate::reports::impact::masses::{MassStateRecord, mass_states};
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
@@ -232,6 +232,8 @@ pub fn impact(
     if let Some(law) = &mut contact_law {
         law.motion_force = motion_force(&evaluated, &rigid, &held, &reactions);
     }
+    let in_time = in_time(&evaluated, impact, &rigid, &held)?;
+    diagnostics.extend(in_time.iter().filter_map(restitution_finding).map(DiagnosticRecord::from));
     let posed = PosedModel::from(&evaluated);
     let (reflected_over, found) = reflected_over(&posed, &impact.reflected)?;
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
@@ -263,7 +265,7 @@ pub fn impact(
             .map(|mass| OtherBodyRecord { mass, speed_change: rigid.impulse / mass }),
         reactions,
         reaction_residual: rigid.reactions.residual,
-        in_time: in_time(&evaluated, impact, &rigid, &held)?,
+        in_time,
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         limits_without_effect: limits_without_effect(&evaluated, impact),

@@ -293,6 +293,18 @@ impl ImpactTable {
         if !self.joint_spring.is_empty() && !self.in_time {
             return refuse("impact.joint_spring", "it requires `in_time`: a rigid impact is instantaneous");
         }
+        let needs = [
+            ("impact.restitution_law", self.restitution_law.is_some(), "friction", self.friction.is_some()),
+            ("impact.exponent", self.exponent.is_some(), "stiffness", self.stiffness.is_some()),
+            ("impact.law", self.law.is_some(), "stiffness", self.stiffness.is_some()),
+            ("impact.stiffness_ratio", !self.stiffness_ratio.is_empty(), "also", !self.also.is_empty()),
+            ("impact.contact_exponent", self.contact_exponent.is_some(), "also", !self.also.is_empty()),
+        ];
+        for (key, is_given, needed, is_there) in needs {
+            if is_given && !is_there {
+                return refuse(key, &format!("it has no effect without `{needed}`"));
+            }
+        }
         if self.point_error.is_some() && self.percussion.is_empty() {
             return refuse("impact.point_error", "it requires `percussion`, the joints");
         }
