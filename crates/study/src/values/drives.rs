@@ -1,10 +1,8 @@
 //! Springs of joints and limits of gears as given by the user.
 
-use crate::question::errors::question_error::Fault;
 use crate::values::rates::rate_dimension;
 use crate::values::value::{self, NumberOrText, OneOrMany};
-use percuss_impact::JointSpring;
-use percuss_mechanism::{JointId, JointKind};
+use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity, QuantityError};
 use serde::Deserializer;
 use std::fmt::Display;
@@ -78,7 +76,7 @@ pub struct GivenSpring(Vec<Quantity>);
 
 impl FromStr for GivenSpring {
     type Err = QuantityError;
-    /// Reads `K`, `K,D` or `K,D,FREE` with optional units: `900,4`, `10N·m/deg,0.2,30deg`. The count is checked with the joint.
+    /// Reads `K`, `K,D` or `K,D,FREE` with optional units: `900,4`, `10N·m/deg,0.2,30deg`. The count is not checked.
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let number = |(k, part): (usize, &str)| Quantity::parse_as(part, &OF_SPRING[k.min(2)]);
         text.split(',').enumerate().map(number).collect::<Result<_, _>>().map(Self)
@@ -94,23 +92,13 @@ impl GivenSpring {
         numbers(given).map(Self)
     }
 
-    /// Spring at a joint, if the units match its kind.
-    pub(crate) fn at_joint(&self, joint: JointId, kind: JointKind, name: &str) -> Result<JointSpring, Fault> {
+    /// Values in SI units, if the units match the kind of the joint. Their number is not checked.
+    pub(crate) fn values_for_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
         let turns = rate_dimension(kind, 0) == Dimension::AngularSpeed;
-        let value = |k: usize| {
-            let dimension = OF_SPRING[k][usize::from(!turns)];
-            let value = self.0.get(k).map(|given| given.in_dimension(dimension, &given.to_string()));
-            value.transpose().map_err(|source| Fault::Position { joint: name.to_owned(), source })
+        let value = |(k, given): (usize, &Quantity)| {
+            given.in_dimension(OF_SPRING[k.min(2)][usize::from(!turns)], &given.to_string())
         };
-        match (value(0)?, self.0.len()) {
-            (Some(stiffness), 1..=3) => Ok(JointSpring {
-                joint,
-                stiffness,
-                damping: value(1)?.unwrap_or(0.0),
-                free_position: value(2)?,
-            }),
-            (_, got) => Err(Fault::SpringCount { joint: name.to_owned(), got }),
-        }
+        self.0.iter().enumerate().map(value).collect()
     }
 }
 

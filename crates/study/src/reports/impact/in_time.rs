@@ -170,8 +170,18 @@ fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, Stu
             return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
         }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let kind = pose.mechanism().joint(joint).kind();
-        given.at_joint(joint, kind, name).map_err(|fault| StudyError::input(Field::JointSpring, fault))
+        let refuse = |fault| StudyError::input(Field::JointSpring, fault);
+        let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
+        let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
+        let (stiffness, damping, free_position) = match values[..] {
+            [stiffness] => (stiffness, 0.0, None),
+            [stiffness, damping] => (stiffness, damping, None),
+            [stiffness, damping, free] => (stiffness, damping, Some(free)),
+            _ => {
+                return Err(refuse(Fault::SpringCount { joint: name.clone(), got: values.len() }));
+            }
+        };
+        Ok(JointSpring { joint, stiffness, damping, free_position })
     };
     impact.joint_springs.iter().enumerate().map(spring).collect()
 }
