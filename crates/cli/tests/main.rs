@@ -21,10 +21,12 @@ mod impacts {
     mod cables_and_stops;
     mod damp;
     mod designs;
+    mod drives;
     mod extremes;
     mod free_body;
     mod masses_and_peaks;
     mod moments;
+    mod reflected;
     mod rigid_impact;
     mod safe_speed;
 }

@@ -31,9 +31,11 @@ pub use error::ImpactError;
 pub use friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
 pub use friction::impulse::{Friction, FrictionLaw, FrictionalCompression, LawResult};
 pub use friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw};
+pub use friction::thresholds::{FrictionThresholds, friction_thresholds};
 pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
+pub use motion::reachable_speed::{ReachableSpeed, reachable_closing_speed};
 pub use percussion::{
     PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
     worst_reaction_within,
@@ -44,6 +46,7 @@ pub use ranges::extreme_question::{
 };
 pub use ranges::extremes::{extreme_along_path, extreme_effective_mass, extreme_quantity};
 pub use ranges::extremes_error::ExtremesError;
+pub use ranges::mimic_substitute::{MimicJoint, MimicSubstitute, NoSubstitute};
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, locked_body_masses, reflected_inertia,
 };

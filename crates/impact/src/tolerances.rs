@@ -77,6 +77,21 @@ pub const CREATED_ENERGY: f64 = 1e-10;
 /// constant. It corresponds to a turn of about 1e-4 rad.
 pub const SAME_DIRECTION: f64 = 1e-9;
 
+/// Closing speed of the admissible motions, relative to that of the joints, which is rounding: no motion closes the gap.
+pub const CLOSES: f64 = 1e-10;
+
+/// Rate at a limit, and multiplier of a limit, relative to the largest, that is rounding.
+pub const ACTIVE_RATE: f64 = 1e-9;
+
+/// Largest number of vertices of the polytope of rates that are examined: far more than the search of a mechanism visits.
+pub const MOST_VERTICES: usize = 10_000;
+
+/// Change of a joint position over a range, rad or m, up to which the joint is at rest: loops are closed to about 1e-12.
+pub const UNMOVED_JOINT: f64 = 1e-9;
+
+/// Halvings of the interval of the best constant armature: to rounding, from any interval.
+pub const ARMATURE_STEPS: u32 = 120;
+
 /// Error of one step of an impact in time, relative to the penetration and the largest rate.
 pub const TIME_STEP_ERROR: f64 = 1e-12;
 

@@ -318,7 +318,7 @@ fn friction_of_one_motion_has_the_energetic_restitution() {
         let friction = impact.friction.expect("friction");
         let product = coefficient * slope;
         assert!(
-            (friction.slope.expect("one motion") - slope).abs() < ROUNDING
+            (friction.thresholds.slope.expect("one motion") - slope).abs() < ROUNDING
                 && friction.is_wedged == (product >= 1.0)
         );
         let compression = m * c / (1.0 + product);

@@ -4,8 +4,8 @@ use crate::cases::all;
 use nalgebra::{DVector, Matrix3, Vector2, Vector3};
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
-    Delassus, FrictionLaw, ImpactError, PhaseKind, RestitutionLaw, RigidImpact, frictional_collision,
-    jamming_threshold, sticking_threshold,
+    Delassus, FrictionLaw, ImpactError, PhaseKind, RestitutionLaw, RigidImpact, friction_thresholds,
+    frictional_collision, jamming_threshold, sticking_threshold,
 };
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
@@ -375,7 +375,7 @@ fn friction_of_mechanisms_balances_momentum_and_energy() {
             assert!(error < 1e-8 * fast, "{}: {error:e}", case.name);
             assert!(impact.reactions.residual < 1e-9, "{}", case.name);
             impacts += 1;
-            several += usize::from(friction.slope.is_none());
+            several += usize::from(friction.thresholds.slope.is_none());
         }
     }
     println!("{impacts} impacts, {several} with several motions");
@@ -457,7 +457,7 @@ fn the_compression_has_the_work_of_its_mass() {
         let velocities = delassus.velocities(pose, &impact.before);
         let before = Vector3::new(-speed, velocities[1], velocities[2]);
         let stiffness = 1e4 * mass;
-        let found = compliant(&w, &before, 0.3, stiffness, friction.slope.is_none());
+        let found = compliant(&w, &before, 0.3, stiffness, friction.thresholds.slope.is_none());
         let Some((peak, impulse)) = found else {
             unfinished += 1;
             continue;
@@ -467,11 +467,12 @@ fn the_compression_has_the_work_of_its_mass() {
         let expected = speed * (stiffness * compression.equivalent_mass).sqrt();
         assert!((peak / expected - 1.0).abs() < 5e-3, "{}: {peak} {expected}", case.name);
         let normal = impulse[0] / compression.normal_impulse;
-        assert!((normal - 1.0).abs() < 5e-3, "{}: {normal}, slope {:?}, {before}", case.name, friction.slope);
+        let slope = friction.thresholds.slope;
+        assert!((normal - 1.0).abs() < 5e-3, "{}: {normal}, slope {slope:?}, {before}", case.name);
         let tangential = impulse.fixed_rows::<2>(1).norm();
         let expected = compression.tangential_impulse.norm();
         assert!((tangential - expected).abs() < 5e-3 * compression.normal_impulse, "{}", case.name);
-        if let Some(slope) = friction.slope {
+        if let Some(slope) = slope {
             let expected = mass / (1.0 + 0.3 * slope);
             assert!((compression.equivalent_mass / expected - 1.0).abs() < ROUNDING, "{}", case.name);
         }
@@ -480,4 +481,69 @@ fn the_compression_has_the_work_of_its_mass() {
     }
     println!("{cases} compressions, {unfinished} without an end of the integration");
     assert!(cases > 80 && 5 * unfinished < cases, "{cases} {unfinished}");
+}
+
+/// For random mechanisms, the behaviour of an impact changes at the thresholds: a contact of one relative motion wedges, a contact without
+/// sliding sticks, and a sliding contact jams.
+#[test]
+fn impacts_change_at_the_thresholds() {
+    let (mut wedged, mut stuck, mut jammed) = (0, 0, 0);
+    for case in all(1) {
+        let pose = &case.pose;
+        let response = pose.respond(&case.contact).expect("a contact");
+        let EffectiveMass::Finite(_) = response.effective_mass else { continue };
+        if !pose.rank().clear || pose.constraint_groups().iter().any(|g| g.least_singular_value < 1e-4) {
+            continue;
+        }
+        let found = match friction_thresholds(pose, &response) {
+            Ok(found) => found,
+            Err(ImpactError::Mobility(_)) => continue,
+            Err(error) => panic!("{}: {error}", case.name),
+        };
+        // Both sides of a threshold, apart from its rounding.
+        let sides = [1.0 - 1e-6, 1.0 + 1e-6];
+        if found.slope.is_some() {
+            let Some(jamming) = found.jamming else { continue };
+            assert_eq!(found.sticking, None, "{}", case.name);
+            let is_wedged = sides.map(|side| {
+                let law = FrictionLaw { coefficient: jamming * side, restitution: RestitutionLaw::Energetic };
+                let impact = RigidImpact::with_friction(pose, &response, 0.7, 0.4, law, None);
+                impact.expect("an impact").friction.expect("friction").is_wedged
+            });
+            assert_eq!(is_wedged, [false, true], "{}", case.name);
+            wedged += 1;
+            continue;
+        }
+        let w = Delassus::new(pose, &[response.contact]).expect("a mobility").block(0);
+        if w.norm() > 1e3 * w[(0, 0)] {
+            continue;
+        }
+        let first_phase = |friction: f64, sliding: Vector2<f64>| {
+            let before = Vector3::new(-1.0, sliding[0], sliding[1]);
+            let found = frictional_collision(&w, &before, friction, 0.4, RestitutionLaw::Energetic);
+            found.ok().and_then(|found| found.phases.first().map(|phase| phase.kind))
+        };
+        if let Some(sticking) = found.sticking.filter(|sticking| *sticking > 1e-3) {
+            let first = sides.map(|side| first_phase(sticking * side, Vector2::zeros()));
+            // A sticking contact without motion along the normal wedges at once.
+            let before = Vector3::new(-1.0, 0.0, 0.0);
+            let above = sticking * sides[1];
+            let stuck_at_once = frictional_collision(&w, &before, above, 0.4, RestitutionLaw::Energetic);
+            let sticks =
+                first[1] == Some(PhaseKind::Stick) || stuck_at_once.is_ok_and(|found| found.is_wedged);
+            assert!(first[0] == Some(PhaseKind::Slip) && sticks, "{}: {first:?}", case.name);
+            stuck += 1;
+        }
+        // Fast sliding along the coupling: the friction presses the sides together.
+        let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
+        if let Some(jamming) = found.jamming.filter(|jamming| *jamming < 10.0) {
+            let sliding = coupling.normalize() * 1e3;
+            let first = sides.map(|side| first_phase(jamming * side, sliding));
+            assert_eq!(first[1], Some(PhaseKind::Jam), "{}", case.name);
+            assert_ne!(first[0], Some(PhaseKind::Jam), "{}", case.name);
+            jammed += 1;
+        }
+    }
+    println!("{wedged} wedge, {stuck} stick, {jammed} jam");
+    assert!(wedged > 20 && stuck > 20 && jammed > 20, "{wedged} {stuck} {jammed}");
 }

@@ -4,12 +4,12 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    Bearing, ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, PeakForceLaw, RigidImpact,
-    SearchedContact, SearchedQuantity, extreme_effective_mass, extreme_quantity, reactions_to_unit_impulse,
-    reflected_inertia_over,
+    Bearing, ExtremeKind, ExtremeMass, ExtremesError, JointRange, NoSubstitute, NormalRange, PeakForceLaw,
+    RigidImpact, SearchedContact, SearchedQuantity, extreme_effective_mass, extreme_quantity,
+    reactions_to_unit_impulse, reflected_inertia_over,
 };
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
 };
 use percuss_spatial::Transform;
 use std::sync::Arc;
@@ -494,4 +494,68 @@ fn the_best_constant_armature_of_the_four_bar() {
     // Both ends have the same relative error, and no other constant has a smaller one.
     assert!((constant / least - 1.0 - worst).abs() < 1e-12 && (1.0 - constant / most - worst).abs() < 1e-12);
     assert_eq!(range.samples.len(), 361);
+}
+
+/// Substitutes of a four-bar over ranges: an own tree with mimic joints has the stated inertias, and no other armature has a smaller error.
+/// Over a small range the substitute is exact to second order in the range.
+#[test]
+fn substitutes_with_mimic_joints_are_their_own_trees() {
+    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let crank = mechanism.find_joint("crank_hinge").expect("the crank");
+    let mut errors = Vec::new();
+    for (middle, half) in [(0.4, 0.5), (0.4, 0.05), (0.4, 0.005), (2.0, 0.6), (3.0, 0.1)] {
+        let positions: Vec<f64> = (0..=40).map(|k| middle + half * (f64::from(k) / 20.0 - 1.0)).collect();
+        let range =
+            reflected_inertia_over(&system, &system.configuration(), crank, &positions).expect("a range");
+        let found = range.substitute.expect("a substitute");
+        // The tree of the model with its joints as mimic joints.
+        let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
+        let mut builder = MechanismBuilder::new("substitute");
+        for link in mechanism.links() {
+            builder =
+                builder.link(LinkDescription::new(link.name(), link.inertial().copied().unwrap_or(none)));
+        }
+        for id in mechanism.joint_ids() {
+            let joint = mechanism.joint(id);
+            let [parent, child] = [joint.parent(), joint.child()].map(|link| mechanism.link(link).name());
+            let mut own = JointDescription::new(joint.name(), JointKind::Continuous, parent, child);
+            (own.origin, own.axis) = (*joint.origin(), *joint.axis());
+            own.mimic = found.joints.iter().find(|mimic| mimic.joint == id).map(|mimic| MimicDescription {
+                joint: "crank_hinge".into(),
+                multiplier: mimic.multiplier,
+                offset: mimic.offset,
+            });
+            builder = builder.joint(own);
+        }
+        let tree = Arc::new(builder.build().expect("a tree").mechanism);
+        let tree = System::new(tree, &Conditions::new()).expect("a system");
+        assert_eq!(found.joints.len(), 2);
+        let own = reflected_inertia_over(&tree, &tree.configuration(), crank, &positions).expect("a range");
+        let mut differences = Vec::new();
+        for ((sample, exact), stated) in own.samples.iter().zip(&range.samples).zip(&found.inertias) {
+            let value = sample.inertia.held.expect("a driver").kilograms().expect("finite");
+            assert!((value / stated - 1.0).abs() < 1e-12, "{value} {stated}");
+            let exact = exact.inertia.held.expect("a driver").kilograms().expect("finite");
+            differences.push((value, exact));
+        }
+        let error =
+            |a: f64| differences.iter().map(|(tree, all)| ((tree + a) / all - 1.0).abs()).fold(0.0, f64::max);
+        assert!((error(found.armature) / found.largest_error - 1.0).abs() < 1e-6, "{found:?}");
+        // The crank has no armature that could be reduced.
+        for other in [-1e-3, -1e-5, 1e-5, 1e-3].map(|step| found.armature + step) {
+            assert!(other < 0.0 || error(other) >= found.largest_error * (1.0 - 1e-9), "{other}: {found:?}");
+        }
+        errors.push(found.largest_error);
+    }
+    // Ten times the range: the error of the ratio is linear in it.
+    assert!(errors[1] / errors[2] > 8.0, "{errors:?}");
+    // A tree has no substitute.
+    let arm = arm(1.0, 1.0);
+    let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
+    let elbow = arm.find_joint("elbow").expect("a joint");
+    let range =
+        reflected_inertia_over(&system, &system.configuration(), elbow, &[0.1, 0.5]).expect("a range");
+    assert_eq!(range.substitute, Err(NoSubstitute::NoDependentJoint));
 }

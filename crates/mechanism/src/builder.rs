@@ -333,6 +333,9 @@ impl MechanismBuilder {
                 _ => joint.armature.clone(),
             },
             mimic,
+            rate_limit: joint
+                .rate_limit
+                .filter(|rate| rate.is_finite() && *rate > 0.0 && joint.kind.dofs() == 1),
             independent: joint.independent,
         };
         self.joints.iter().zip(ends).zip(mimics).map(make).collect()

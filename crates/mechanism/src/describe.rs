@@ -92,6 +92,7 @@ impl Mechanism {
                 origin: joint.origin,
                 axis: joint.axis,
                 limits: joint.limits,
+                rate_limit: joint.rate_limit,
                 armature: joint.armature.clone(),
                 mimic: joint.mimic.filter(|_| mimics).map(|m| MimicDescription {
                     joint: self.joint(m.master).name.clone(),

@@ -33,6 +33,7 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
         origin: *joint.origin(),
         axis: *joint.axis(),
         limits: joint.limits(),
+        rate_limit: joint.rate_limit(),
         armature: joint.armature().to_vec(),
         mimic: joint.mimic().map(|mimic| MimicDescription {
             joint: mechanism.joint(mimic.master).name().to_owned(),

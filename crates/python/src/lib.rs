@@ -42,8 +42,9 @@ mod module {
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]
     use crate::questions::reports::{
-        check, compare, compare_study, explain, map_point_report, map_report, mass_report, run_study,
-        safe_speed, starting_study, study_schema, sweep_report, tolerate,
+        check, compare, compare_study, explain, friction_thresholds, map_point_report, map_report,
+        mass_report, reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
+        tolerate,
     };
     #[pymodule_export]
     use crate::sweep::{Sweep, sweep, sweep_of_arrays};

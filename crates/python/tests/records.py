@@ -19,7 +19,7 @@ MODULES = {
     "damping": ["DampingReport"],
     "mass": ["MassReport"],
     "sweep": ["SweepReport", "ComparisonReport", "KinematicsReport"],
-    "impact": ["ImpactReport", "ExtremesReport"],
+    "impact": ["ImpactReport", "ExtremesReport", "ReflectedReport"],
     "surfaces": ["MapReport", "PointMapReport", "SafeSpeedReport", "CheckReport"],
 }
 #: Reports whose name is that of a class with arrays in the package, and the name of their record.
@@ -28,6 +28,8 @@ RENAMED = {"MapReport": "MapRecord"}
 ANSWERS = {
     "DampingReport": {"damping": "", "dissipation": "", "achieved_restitution": "", "peak_force": "N"},
     "MassReport": {"effective_mass": "kg", "effective_mass_error": "kg", "status": ""},
+    "ReflectedReport": {"drivers": "", "reflected_inertia": "", "reflected_over": ""},
+    "FrictionThresholdsRecord": {"sticking": "", "jamming": ""},
     "Explanation": {"effective_mass": "", "links": ""},
     "ToleranceReport": {"effective_mass": "", "root_sum_square": "", "worst_case": ""},
     "SweepReport": {"link": "", "rows": ""},

@@ -105,6 +105,10 @@ CASES: dict[str, Call] = {
     ),
     "impact_history": Call(percuss.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
     "explain": Call(percuss.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "friction_thresholds": Call(percuss.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "reflected_inertias": Call(
+        percuss.reflected_inertias, {"model": BAR, "joints": ["crank_hinge"], "conditions": None}
+    ),
     "tolerate": Call(
         percuss.tolerate,
         {"model": ARM, "contact": TOOL, "tolerance": "mass=2%", "conditions": None, "samples": 5, "seed": 0},
@@ -118,7 +122,7 @@ CASES: dict[str, Call] = {
         percuss.impact,
         {"model": ARM, "contact": TOOL, "restitution": 0.5, "conditions": None, "speed": 1.0, "friction": None, "rates": None,
          "base_twist": None, "stiffness": None, "exponent": None, "law": "kelvin-voigt", "rate_limit": None, "reflected": [],
-         "percussion": [], "restitution_law": "energetic", "also": [], "sticking": False, "stiffness_ratio": [],
+         "percussion": [], "restitution_law": None, "also": [], "sticking": False, "stiffness_ratio": [],
          "contact_exponent": None, "in_time": False, "gravity": None, "also_restitution": [], "gear_limit": None,
          "point_error": None, "joint_spring": None},
     ),

@@ -29,9 +29,10 @@ STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
 #: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
     "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
-    "explain": "explain", "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
+    "explain": "explain", "extremes": "extremes",
+    "friction_thresholds": "friction_thresholds", "impact": "impact", "impact_history": "impact_history",
     "kinematics": "kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
-    "matrix_findings": "MatrixBatch", "run_study": "run_study", "safe_speed": "safe_speed",
+    "matrix_findings": "MatrixBatch", "run_study": "run_study", "reflected_inertias": "reflected_inertias", "safe_speed": "safe_speed",
     "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
     "tolerate": "tolerate",
 }  # fmt: skip
@@ -102,6 +103,8 @@ CASES: dict[str, Callable[[], Any]] = {
     "damp_stop": lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper").damping,
     "impact_history": lambda: percuss.impact_history(2.0, DAMPING, 20).tolist(),
     "explain": lambda: percuss.explain(ARM, TOOL),
+    "friction_thresholds": lambda: percuss.friction_thresholds(ARM, TOOL),
+    "reflected_inertias": lambda: percuss.reflected_inertias(BAR, ["crank_hinge"]),
     "tolerate": lambda: percuss.tolerate(ARM, TOOL, "mass=2%", samples=20),
     "compare": lambda: percuss.compare(DESIGNS).designs,
     "compare_study": lambda: percuss.compare_study(ROOT / "models/studies/variants.toml").designs,

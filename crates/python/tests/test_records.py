@@ -43,6 +43,10 @@ CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
     "damp a contact": (lambda: percuss.damp_contact(CORNER, "bump_stop", DAMPING), "DampingReport", " N"),
     "damp a stop": (lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper"), "DampingReport", " N"),
     "explain": (lambda: percuss.explain(CORNER, "bump_stop"), "Explanation", "links"),
+    "friction_thresholds": (lambda: percuss.friction_thresholds(CORNER, "bump_stop"), "FrictionThresholdsRecord", "jamming"),
+    "reflected_inertias": (
+        lambda: percuss.reflected_inertias(ARM, ["elbow", "elbow=0:1:3"]), "ReflectedReport", "reflected_over",
+    ),
     "tolerate": (lambda: percuss.tolerate(CORNER, "bump_stop", "mass=2%,point=0.5mm", samples=10), "ToleranceReport", "worst_case"),
     "compare": (lambda: percuss.compare(DESIGNS, vary=TRAVEL), "ComparisonReport", "designs: 2"),
     "impact": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, **MORE, **AT_ONCE), "ImpactReport", "impulse: 5."),

@@ -39,6 +39,7 @@ pub use damper::exported_impact::{
 pub use damper::joint_stop::{JointStop, StopEnd};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
+pub use evaluation::friction_thresholds::{FrictionThresholdsRecord, friction_thresholds};
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use evaluation::status::Status;
 pub use map::given_contacts::{GivenContact, given_contact_masses};
@@ -86,9 +87,7 @@ pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
 pub use reports::generated_code::{CodeError, generate_code};
-pub use reports::impact::additions::{
-    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
-};
+pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
@@ -101,6 +100,10 @@ pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,
+};
+pub use reports::impact::reflected::{
+    MimicJointRecord, MimicSubstituteRecord, ReflectedRangeRecord, ReflectedRecord, ReflectedReport,
+    reflected_inertias,
 };
 pub use reports::impact::report::{
     BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
@@ -123,13 +126,14 @@ pub use reports::mass_report::{
 };
 pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{
-    AlongRecord, Limit, LimitError, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
-    safe_speed, safe_speed_along, safe_speed_directions,
+    AlongRecord, Limit, LimitError, ReachableSpeedRecord, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord,
+    StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
 pub use reports::tolerance::{
     SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
     tolerance_report,
 };
+pub use study_file::additions::{StudyAdditions, WithAdditions};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
@@ -157,6 +161,7 @@ pub use study_file::variant::Variant;
 pub use sweep::row_gradient::{GradientLayout, RowGradient};
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
+pub use values::drives::{GivenGearLimits, GivenSpring};
 #[cfg(feature = "flags")]
 pub use values::named::point_shift;
 pub use values::position::GivenPosition;

@@ -226,6 +226,15 @@ pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
 /// Relative difference between a given closing speed and that of given rates, up to which both agree: numbers typed
 /// with six digits.
 pub(crate) const SAME_SPEED: f64 = 1e-5;
+
+/// Restitution above 1 of an impact in time that is no error of the integration.
+pub(crate) const CREATED_RESTITUTION: f64 = 1e-6;
+
+/// Largest number of iterations for a closing speed of a given peak force: the first one is exact for contact laws that scale.
+pub(crate) const SPEED_ITERATIONS: usize = 20;
+
+/// Relative change of this speed that is rounding.
+pub(crate) const CONVERGED_SPEED: f64 = 1e-13;
 /// Relative difference up to which values of two designs are equal: the rounding of conversions between units.
 pub(crate) const EQUAL_VALUES: f64 = 1e-12;
 /// Largest ratio of the smallest to the largest principal moment of a slender rod: zero, plus the rounding of rotated moments.

@@ -124,6 +124,22 @@ impl Quantity {
         Self::checked(unit.map_or(number, |unit| unit.to_si(number)), unit.map(|unit| unit.dimension), text)
     }
 
+    /// Reads a number in SI units, or with a unit of one of the dimensions.
+    ///
+    /// # Errors
+    /// [`QuantityError`]: no number with one of these units, or no finite number of at most 1e100.
+    pub fn parse_as(text: &str, dimensions: &[Dimension]) -> Result<Self, QuantityError> {
+        let Some((number, unit)) = number_and_unit(text, dimensions) else {
+            let units: Vec<&str> = dimensions.iter().map(|dimension| dimension.si_unit()).collect();
+            return Err(QuantityError::NoMeasure {
+                text: text.to_owned(),
+                first: format!(" in {}", units.join(" or ")),
+                units: unit_names(dimensions, ", "),
+            });
+        };
+        Self::checked(unit.map_or(number, |unit| unit.to_si(number)), unit.map(|unit| unit.dimension), text)
+    }
+
     fn checked(value: f64, dimension: Option<Dimension>, text: &str) -> Result<Self, QuantityError> {
         if value.abs() <= LARGEST_NUMBER {
             Ok(Self { value, dimension })
@@ -239,6 +255,11 @@ mod tests {
             (Dimension::RotationalStiffness, "2 N·m/deg", 360.0 / std::f64::consts::PI),
             (Dimension::RotationalStiffness, "2e3Nm/rad", 2e3),
             (Dimension::AngularSpeed, "180deg/s", std::f64::consts::PI),
+            (Dimension::AngularSpeed, "30rpm", std::f64::consts::PI),
+            (Dimension::Moment, "2 kN·m", 2e3),
+            (Dimension::AngularMomentum, "0.5Nms", 0.5),
+            (Dimension::RotationalDamping, "1N·m·s/deg", 180.0 / std::f64::consts::PI),
+            (Dimension::Damping, "3 N·s/mm", 3e3),
             (Dimension::Speed, "500mm/s", 0.5),
             (Dimension::Speed, "3.6km/h", 1.0),
             (Dimension::Speed, "0.5m/s", 0.5),

@@ -18,12 +18,18 @@ pub enum Dimension {
     Stiffness,
     /// Rotational stiffness, N·m/rad.
     RotationalStiffness,
+    /// Damping, N·s/m.
+    Damping,
+    /// Rotational damping, N·m·s/rad.
+    RotationalDamping,
     /// Speed, m/s.
     Speed,
     /// Angular speed, rad/s.
     AngularSpeed,
     /// Force, N.
     Force,
+    /// Moment of a force, N·m.
+    Moment,
     /// Pressure, Pa. A number without a unit is in N/cm².
     Pressure,
     /// Area, m². A number without a unit is in cm².
@@ -32,6 +38,8 @@ pub enum Dimension {
     Energy,
     /// Momentum, N·s.
     Momentum,
+    /// Angular momentum, N·m·s.
+    AngularMomentum,
     /// Time, s.
     Time,
     /// Ratio: a plain number or per cent.
@@ -100,15 +108,28 @@ static UNITS: &[Unit] = &[
     unit("Nm/rad", Dimension::RotationalStiffness, 1.0, 1.0),
     unit("N·m/deg", Dimension::RotationalStiffness, 180.0, PI),
     unit("Nm/deg", Dimension::RotationalStiffness, 180.0, PI),
+    unit("N·s/m", Dimension::Damping, 1.0, 1.0),
+    unit("Ns/m", Dimension::Damping, 1.0, 1.0),
+    unit("N·s/mm", Dimension::Damping, 1e3, 1.0),
+    unit("Ns/mm", Dimension::Damping, 1e3, 1.0),
+    unit("N·m·s/rad", Dimension::RotationalDamping, 1.0, 1.0),
+    unit("Nms/rad", Dimension::RotationalDamping, 1.0, 1.0),
+    unit("N·m·s/deg", Dimension::RotationalDamping, 180.0, PI),
+    unit("Nms/deg", Dimension::RotationalDamping, 180.0, PI),
     unit("m/s", Dimension::Speed, 1.0, 1.0),
     unit("mm/s", Dimension::Speed, 1.0, 1e3),
     unit("cm/s", Dimension::Speed, 1.0, 100.0),
     unit("km/h", Dimension::Speed, 1.0, 3.6),
     unit("rad/s", Dimension::AngularSpeed, 1.0, 1.0),
     unit("deg/s", Dimension::AngularSpeed, PI, 180.0),
+    unit("rpm", Dimension::AngularSpeed, PI, 30.0),
     unit("N", Dimension::Force, 1.0, 1.0),
     unit("kN", Dimension::Force, 1e3, 1.0),
     unit("lbf", Dimension::Force, POUND_FORCE, 1.0),
+    unit("N·m", Dimension::Moment, 1.0, 1.0),
+    unit("Nm", Dimension::Moment, 1.0, 1.0),
+    unit("kN·m", Dimension::Moment, 1e3, 1.0),
+    unit("kNm", Dimension::Moment, 1e3, 1.0),
     unit("N/cm2", Dimension::Pressure, 1e4, 1.0),
     unit("N/mm2", Dimension::Pressure, 1e6, 1.0),
     unit("MPa", Dimension::Pressure, 1e6, 1.0),
@@ -123,6 +144,9 @@ static UNITS: &[Unit] = &[
     unit("N·s", Dimension::Momentum, 1.0, 1.0),
     unit("Ns", Dimension::Momentum, 1.0, 1.0),
     unit("kg·m/s", Dimension::Momentum, 1.0, 1.0),
+    unit("N·m·s", Dimension::AngularMomentum, 1.0, 1.0),
+    unit("Nms", Dimension::AngularMomentum, 1.0, 1.0),
+    unit("kg·m²/s", Dimension::AngularMomentum, 1.0, 1.0),
     unit("s", Dimension::Time, 1.0, 1.0),
     unit("ms", Dimension::Time, 1.0, 1e3),
     unit("us", Dimension::Time, 1.0, 1e6),
@@ -183,13 +207,17 @@ impl Dimension {
             Dimension::Inertia => "kg·m²",
             Dimension::Stiffness => "N/m",
             Dimension::RotationalStiffness => "N·m/rad",
+            Dimension::Damping => "N·s/m",
+            Dimension::RotationalDamping => "N·m·s/rad",
             Dimension::Speed => "m/s",
             Dimension::AngularSpeed => "rad/s",
             Dimension::Force => "N",
+            Dimension::Moment => "N·m",
             Dimension::Pressure => "Pa",
             Dimension::Area => "m²",
             Dimension::Energy => "J",
             Dimension::Momentum => "N·s",
+            Dimension::AngularMomentum => "N·m·s",
             Dimension::Time => "s",
             Dimension::Ratio | Dimension::Plain => "",
         }
@@ -206,13 +234,17 @@ impl fmt::Display for Dimension {
             Dimension::Inertia => "a moment of inertia",
             Dimension::Stiffness => "a stiffness",
             Dimension::RotationalStiffness => "a rotational stiffness",
+            Dimension::Damping => "a damping",
+            Dimension::RotationalDamping => "a rotational damping",
             Dimension::Speed => "a speed",
             Dimension::AngularSpeed => "an angular speed",
             Dimension::Force => "a force",
+            Dimension::Moment => "a moment",
             Dimension::Pressure => "a pressure",
             Dimension::Area => "an area",
             Dimension::Energy => "an energy",
             Dimension::Momentum => "a momentum",
+            Dimension::AngularMomentum => "an angular momentum",
             Dimension::Time => "a time",
             Dimension::Ratio => "a ratio",
             Dimension::Plain => "a plain number",

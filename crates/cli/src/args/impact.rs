@@ -4,7 +4,7 @@ use super::{CheckFormat, ContactArgs, ModelArgs};
 use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{ExtremesQuestion, ExtremesTable, GivenPath, ImpactTable};
+use percuss_study::{ContactTable, ExtremesQuestion, ExtremesTable, GivenPath, ImpactTable};
 use std::path::Path;
 
 /// Flags of `percuss impact`.
@@ -16,14 +16,25 @@ pub struct ImpactArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub impact: ImpactTable,
-    /// Impact in time: .svg .png .pdf .csv
+    /// Impact in time, or --reflected over a range: .svg .png .pdf .csv
     ///
-    /// The figure shows the forces of contact and bearings, the penetration and the effective mass over time; CSV has the numbers.
-    #[arg(long, short, value_name = "FILE", requires = "in_time", help_heading = OUTPUT)]
+    /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time; that of a
+    /// range the inertia, free and held. CSV has the numbers; a range can be written as .xlsx and .parquet too.
+    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
+}
+
+impl ImpactArgs {
+    /// True if reflected inertias alone are requested, without a contact and an impact.
+    pub fn needs_no_contact(&self) -> bool {
+        let without_reflected = ImpactTable { reflected: Vec::new(), ..self.impact.clone() };
+        !self.impact.reflected.is_empty()
+            && self.contact.contact == ContactTable::default()
+            && without_reflected == ImpactTable::default()
+    }
 }
 
 /// Flags of `percuss extremes`.

@@ -4,7 +4,7 @@ use crate::args::{MassArgs, MassFormat};
 use crate::commands::contact_list;
 use crate::files::csv;
 use crate::terminal::escape::line;
-use crate::terminal::explanation::{estimate_ratio, explanation, motion_ratio, named_contact};
+use crate::terminal::explanation::{self, estimate_ratio, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{
@@ -14,8 +14,9 @@ use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, SheetPoint, Status,
-    StudyMass, Tolerance, contact_names, explain, mass, mass_with_damper, tolerance_report,
+    DampingQuestion, EstimateRecord, FrictionThresholdsRecord, MassQuestion, MassReport, Model, Sampling,
+    SheetPoint, Status, StudyAdditions, StudyMass, Tolerance, WithAdditions, contact_names, explain,
+    friction_thresholds, mass, mass_with_damper, tolerance_report,
 };
 use std::fmt::Write;
 
@@ -42,6 +43,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         damping.as_ref(),
         args.format,
         &MassRequests::from_study(&requests),
+        &StudyAdditions::default(),
         args.model.reading.strict,
     )
 }
@@ -58,6 +60,7 @@ fn show_all_contacts(
     let single = [
         ("--expect", args.requests.expect.is_some()),
         ("--explain", args.requests.explain),
+        ("--friction-thresholds", args.requests.friction_thresholds),
         ("--tolerance", !args.requests.tolerance.is_empty()),
     ];
     if let Some((flag, _)) = single.into_iter().find(|(_, is_given)| *is_given) {
@@ -83,6 +86,7 @@ pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -
 pub struct MassRequests {
     expected: Option<Expected>,
     explain: bool,
+    friction_thresholds: bool,
     tolerance: Option<Tolerance>,
     sampling: Option<Sampling>,
 }
@@ -92,10 +96,16 @@ impl MassRequests {
     pub fn from_study(study: &StudyMass) -> Self {
         let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
         let expected = study.expect.map(|mass| Expected { mass, tolerance });
-        Self { expected, explain: study.explain, tolerance: study.tolerance, sampling: study.sampling }
+        Self {
+            expected,
+            explain: study.explain,
+            friction_thresholds: study.friction_thresholds,
+            tolerance: study.tolerance,
+            sampling: study.sampling,
+        }
     }
 
-    /// Adds the sensitivities and the effects of tolerances to the report.
+    /// Adds the sensitivities, the thresholds of friction and the effects of tolerances to the report.
     pub fn add_to(
         &self,
         report: &mut MassReport,
@@ -104,6 +114,9 @@ impl MassRequests {
     ) -> Result<(), Failure> {
         if self.explain {
             report.explanation = explain(model, question)?;
+        }
+        if self.friction_thresholds {
+            report.friction_thresholds = friction_thresholds(model, question)?;
         }
         if let Some(tolerance) = self.tolerance {
             report.tolerance = tolerance_report(model, question, tolerance, self.sampling)?;
@@ -124,13 +137,14 @@ pub struct Expected {
     tolerance: f64,
 }
 
-/// Computes a result and writes it.
+/// Computes a result and writes it. `additions`: further keys of the JSON.
 pub fn show(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
     requested: &MassRequests,
+    additions: &StudyAdditions,
     strict: bool,
 ) -> Result<(), Failure> {
     let answer = match damping {
@@ -146,9 +160,12 @@ pub fn show(
     if unanswered {
         note("--explain and --tolerance: sensitivities require a single finite effective mass as the result");
     }
+    if requested.friction_thresholds && report.friction_thresholds.is_none() {
+        note("--friction-thresholds: they require a single finite effective mass as the result");
+    }
     let expected = requested.expected;
     match format {
-        MassFormat::Json => write_json(&report)?,
+        MassFormat::Json => write_json(&WithAdditions { report: &report, additions })?,
         MassFormat::Csv if report.damper.is_some() => {
             note("CSV does not contain the damper; use --format text or json");
             write_out(&csv::mass_row(&report, &report.assumptions.set))?;
@@ -202,11 +219,14 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     if report.effective_mass.is_some() {
         out += &contribution_text(report);
     }
-    out += &report.explanation.as_ref().map_or_else(String::new, |found| explanation(found, report.unit));
+    out += &report
+        .explanation
+        .as_ref()
+        .map_or_else(String::new, |found| explanation::explanation(found, report.unit));
     out += &report
         .tolerance
         .as_ref()
-        .map_or_else(String::new, |found| crate::terminal::explanation::tolerances(found, report.unit));
+        .map_or_else(String::new, |found| explanation::tolerances(found, report.unit));
     out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
             Gravity, springs, dampers and speed have no effect: a finite force does no work\n\
             in an instantaneous impact. See docs/explanation/LIMITS.md.\n";
@@ -279,8 +299,16 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let mut facts = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
     facts.extend(conditions(report));
     facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
+    let thresholds = report.friction_thresholds.as_ref();
+    facts.extend(thresholds.map(|found| ("friction", thresholds_text(found))));
     facts.push(method(report));
     facts
+}
+
+/// Coefficients of friction for sticking, jamming and wedging.
+pub fn thresholds_text(found: &FrictionThresholdsRecord) -> String {
+    explanation::friction_thresholds(found)
+        .unwrap_or_else(|| "no effect: the contact point does not slide while the gap closes".to_owned())
 }
 
 /// True if the output has the details of the solution: for any model that is no suspension, and with --notes.

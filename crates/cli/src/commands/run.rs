@@ -15,9 +15,12 @@ use crate::commands::sweep::SweepOutput;
 use crate::files::output::record_input;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, write_out};
+use crate::terminal::report::{note, write_diagnostics, write_out};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{MassQuestion, Names, RowSource, StudyFile, StudyMap, StudyMass};
+use clap::ValueEnum;
+use percuss_study::{
+    DiagnosticRecord, MassQuestion, Names, RowSource, StudyAdditions, StudyFile, StudyMap, StudyMass,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -170,15 +173,17 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
             // Without a file the rows are on the standard output, which is one table.
             if output.is_some() { write_main_number(study, question) } else { Ok(()) }
         }
-        None => run_mass(study, question, MassFormat::Text, strict),
+        None => run_mass(study, question, &StudyAdditions::default(), MassFormat::Text, strict),
     }
 }
 
-/// Reports the tables whose results are omitted, because an output with `--format` contains only the contact at its pose.
-fn note_left_out(study: &StudyFile) {
+/// Reports the tables whose results are omitted, because an output with `--format` contains only the contact at its pose, and in JSON the
+/// impact and the extremes.
+fn note_left_out(study: &StudyFile, format: MassFormat) {
+    let is_json = format == MassFormat::Json;
     let tables = [
-        ("[impact]", study.impact.is_some()),
-        ("[extremes]", study.extremes.is_some()),
+        ("[impact]", study.impact.is_some() && !is_json),
+        ("[extremes]", study.extremes.is_some() && !is_json),
         ("[kinematics]", study.kinematics.is_some()),
         ("[map]", study.map.is_some()),
         ("[safe_speed]", study.safe_speed.is_some()),
@@ -187,10 +192,24 @@ fn note_left_out(study: &StudyFile) {
         tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
     if !left_out.is_empty() {
         note(&format!(
-            "--format prints the contact at its pose, without {}; omit --format, or run the commands for these tables",
+            "--format {} prints the contact at its pose, without {}; omit --format, or run the commands for these tables",
+            format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()),
             left_out.join(", ")
         ));
     }
+}
+
+/// Writes the findings of the impact and the extremes that are not findings about the model.
+fn write_additional_findings(
+    study: &StudyFile,
+    additions: &StudyAdditions,
+    strict: bool,
+) -> Result<(), Failure> {
+    let of_impact = additions.impact.iter().flat_map(|report| &report.diagnostics);
+    let all = of_impact.chain(additions.extremes.iter().flat_map(|report| &report.diagnostics));
+    let own: Vec<DiagnosticRecord> =
+        all.filter(|found| !study.model.diagnostics.contains(found)).cloned().collect();
+    write_diagnostics(&own, strict)
 }
 
 /// Notes the tables that apply to the first of several contacts only.
@@ -228,11 +247,13 @@ fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), F
 fn run_mass(
     study: &StudyFile,
     question: &MassQuestion,
+    additions: &StudyAdditions,
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
     let damping = study.damping.as_ref().map(|damping| &damping.question);
-    mass::show(&study.model, question, damping, format, &MassRequests::from_study(&study.mass), strict)
+    let requests = MassRequests::from_study(&study.mass);
+    mass::show(&study.model, question, damping, format, &requests, additions, strict)
 }
 
 /// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.
@@ -241,8 +262,13 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
         return contact_list::write(&contact_list::of_study(study)?, format, strict);
     }
     if let Some(question) = &study.question {
-        note_left_out(study);
-        return run_mass(study, question, format, strict);
+        note_left_out(study, format);
+        let additions = match format {
+            MassFormat::Json => study.additions()?,
+            MassFormat::Text | MassFormat::Csv => StudyAdditions::default(),
+        };
+        write_additional_findings(study, &additions, strict)?;
+        return run_mass(study, question, &additions, format, strict);
     }
     let plain = match format {
         MassFormat::Text => Ok(CheckFormat::Text),

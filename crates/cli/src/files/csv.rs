@@ -297,6 +297,14 @@ pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quote(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
+/// Table in SI units: header and rows.
+pub fn table(columns: &[String], rows: &[Vec<Cell>]) -> String {
+    let style = TableStyle::default();
+    let row =
+        |cells: &Vec<Cell>| line(&cells.iter().map(|cell| styled_cell(cell, style)).collect::<Vec<_>>());
+    line(columns) + &rows.iter().map(row).collect::<String>()
+}
+
 /// Formats a number with the decimal sign of the style.
 pub fn styled_number(x: f64, style: TableStyle) -> String {
     if style.comma { number(x).replace('.', ",") } else { number(x) }

@@ -6,10 +6,15 @@ use crate::terminal::failure::Failure;
 
 pub(crate) mod parquet_rows {
     use super::*;
+    use crate::files::csv::Cell;
     use indicatif::ProgressBar;
     use percuss_study::{Model, Sweep, SweepEnd};
 
     pub fn write(_: Sweep, _: &Model, path: &str, _: &ProgressBar) -> Result<SweepEnd, Failure> {
+        Err(not_built(path, "Parquet", "tables"))
+    }
+
+    pub fn write_table(path: &str, _: &[String], _: &[Vec<Cell>]) -> Result<(), Failure> {
         Err(not_built(path, "Parquet", "tables"))
     }
 }

@@ -1,6 +1,6 @@
 //! Rows of a sweep in Parquet (apache/parquet-format): the columns of the CSV, in row groups.
 
-use crate::files::csv::{FIXED_COLUMNS, SweepTable};
+use crate::files::csv::{Cell, FIXED_COLUMNS, SweepTable};
 use crate::files::output::{Output, cannot_write};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
@@ -52,6 +52,54 @@ pub fn write(
     // The footer with the schema is written last.
     writer.into_inner().map_err(|error| cannot_write(path, &io_cause(error)))?.finish()?;
     Ok(end)
+}
+
+/// Writes a table of numbers and texts as Parquet, in one row group: a column with a text is a column of texts, any other of doubles. Empty
+/// cells are nulls.
+pub fn write_table(path: &str, columns: &[String], rows: &[Vec<Cell>]) -> std::result::Result<(), Failure> {
+    let out = Output::open(Some(path))?;
+    let bytes = table_bytes(columns, rows, out).map_err(|error| cannot_write(path, &io_cause(error)))?;
+    bytes.finish()
+}
+
+/// Writes the columns of a table.
+fn table_bytes(columns: &[String], rows: &[Vec<Cell>], out: Output) -> Result<Output> {
+    let has_text = |at: usize| rows.iter().any(|row| matches!(row[at], Cell::Text(_)));
+    let field = |(at, name): (usize, &String)| {
+        let physical = if has_text(at) { Physical::BYTE_ARRAY } else { Physical::DOUBLE };
+        let text = has_text(at).then_some(LogicalType::String);
+        let column = Type::primitive_type_builder(name, physical).with_repetition(Repetition::OPTIONAL);
+        column.with_logical_type(text).build().map(Arc::new)
+    };
+    let fields = columns.iter().enumerate().map(field).collect::<Result<Vec<_>>>()?;
+    let schema = Type::group_type_builder("percuss").with_fields(fields).build()?;
+    let properties = WriterProperties::builder()
+        .set_created_by(format!("percuss {}", env!("CARGO_PKG_VERSION")))
+        .set_compression(Compression::SNAPPY)
+        .build();
+    let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
+    let mut group = writer.next_row_group()?;
+    for at in 0..columns.len() {
+        if has_text(at) {
+            let mut texts = Nullable::new();
+            rows.iter().for_each(|row| match &row[at] {
+                Cell::Text(text) => texts.push(Some(ByteArray::from(text.as_ref()))),
+                _ => texts.push(None),
+            });
+            let (values, levels) = (&texts.values, Some(&texts.levels[..]));
+            write_column(&mut group, |c| c.typed::<ByteArrayType>().write_batch(values, levels, None))?;
+        } else {
+            let mut numbers = Nullable::new();
+            rows.iter().for_each(|row| match &row[at] {
+                Cell::Number(number) => numbers.push(Some(*number)),
+                _ => numbers.push(None),
+            });
+            let (values, levels) = (&numbers.values, Some(&numbers.levels[..]));
+            write_column(&mut group, |c| c.typed::<DoubleType>().write_batch(values, levels, None))?;
+        }
+    }
+    group.close()?;
+    writer.into_inner()
 }
 
 /// Error of the operating system inside a Parquet error, if any.

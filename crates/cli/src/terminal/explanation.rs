@@ -4,8 +4,8 @@ use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
 use crate::terminal::wrap::fact_line;
 use percuss_study::{
-    EstimateRecord, Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, UPWARDS,
-    WheelTravelRecord,
+    EstimateRecord, Explanation, FrictionThresholdsRecord, MotionRatioRecord, NamedContactRecord,
+    ToleranceReport, UPWARDS, WheelTravelRecord,
 };
 use std::fmt::Write;
 
@@ -108,6 +108,21 @@ pub fn tolerances(report: &ToleranceReport, unit: &str) -> String {
         }
     }
     out
+}
+
+/// Coefficients of friction for sticking, jamming and wedging; `None` for a contact without sliding.
+pub fn friction_thresholds(found: &FrictionThresholdsRecord) -> Option<String> {
+    let threshold = |value: Option<f64>| value.map_or_else(|| "none (it cannot)".to_owned(), short_number);
+    match found.slope {
+        None => Some(format!(
+            "the contact can stick from a coefficient of {}, and jam from {}",
+            threshold(found.sticking),
+            threshold(found.jamming)
+        )),
+        Some(_) => found
+            .jamming
+            .map(|wedges| format!("the contact wedges from a coefficient of {}", short_number(wedges))),
+    }
 }
 
 /// Motion ratio with its definition.

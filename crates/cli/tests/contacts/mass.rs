@@ -1,6 +1,6 @@
 //! `percuss mass` and `percuss check`: output that scripts rely on, and messages for mistakes.
 
-use crate::support::{command, json, percuss, percuss_with_stdin, root};
+use crate::support::{Scratch, command, json, percuss, percuss_with_stdin, refused, root};
 
 const PENDULUM: &str = "mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0";
 const ARM: &str = "mass models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1";
@@ -244,4 +244,65 @@ fn a_reader_that_leaves_early_is_no_error() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
+/// Rounding of a few operations.
+const ROUNDING: f64 = 1e-12;
+
+/// Free rod of mass 1 and length 2: µ_s = 3sc/(1+3s²), µ_j = (tan θ + 4/tan θ)/3 at the angle θ above the surface. Coupler of a four-bar: it
+/// wedges from 1/t.
+#[test]
+fn thresholds_of_friction_have_their_closed_forms() {
+    let folder = Scratch::new("friction-thresholds");
+    let rod = r#"<robot name="rod"><link name="rod"><inertial><mass value="1"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="0.333333333333333333" iyz="0" izz="0.333333333333333333"/></inertial></link></robot>"#;
+    let rod = folder.write("rod.urdf", rod);
+    let value = |found: &serde_json::Value| found.as_f64().expect("a number");
+    for degrees in [10.0_f64, 35.0, 60.0, 80.0] {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let line = format!("mass {rod} --base floating --link rod --point 1,0,0 --normal {s},0,{}", -c);
+        let report = json(&format!("{line} --friction-thresholds --format json"));
+        let found = &report["friction_thresholds"];
+        let (sticking, jamming) = (3.0 * s * c / (1.0 + 3.0 * s * s), (s / c + 4.0 * c / s) / 3.0);
+        assert!((value(&found["sticking"]) / sticking - 1.0).abs() < ROUNDING, "{degrees}: {found}");
+        assert!((value(&found["jamming"]) / jamming - 1.0).abs() < ROUNDING, "{degrees}: {found}");
+        assert!(found["slope"].is_null());
+        assert!(json(&format!("{line} --format json"))["friction_thresholds"].is_null());
+    }
+    let bar = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
+    let found = &json(&format!("mass {bar} --friction-thresholds --format json"))["friction_thresholds"];
+    let slope = (0.3 - 0.5 / 21.0) * 12.0;
+    assert!((value(&found["jamming"]) * slope - 1.0).abs() < ROUNDING, "{found}");
+    assert!(found["sticking"].is_null());
+    let text = percuss(&format!("mass {bar} --friction-thresholds")).stdout;
+    assert!(text.contains("the contact wedges from a coefficient of 0.3017"), "{text}");
+    // The impact reports the same thresholds.
+    let arm = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg";
+    let found = &json(&format!("mass {arm} --friction-thresholds --format json"))["friction_thresholds"];
+    let impact = json(&format!("impact {arm} --restitution 0.2 --speed 1 --friction 0.1 --format json"));
+    assert_eq!(found["sticking"], impact["friction"]["sticking_threshold"]);
+    assert_eq!(found["jamming"], impact["friction"]["jamming_threshold"]);
+    let study = format!(
+        "[model]\npath = \"{}\"\n[contact]\nlink = \"outer\"\npoint = [0.4, 0, 0]\nnormal = [0, 1, 0]\n[pose]\nset.elbow = \"40deg\"\n\
+         [mass]\nfriction_thresholds = true\n",
+        root().join("models/planar_2r.urdf").display()
+    );
+    let study = folder.write("study.toml", &study);
+    assert_eq!(&json(&format!("run {study} --format json"))["friction_thresholds"], found);
+}
+
+#[test]
+fn thresholds_of_friction_require_a_contact_point_and_a_mass() {
+    let stop = "mass models/six_r_arm.urdf --at elbow:upper --friction-thresholds";
+    refused(stop, &["--friction-thresholds", "the stop of a joint", "no contact point"]);
+    let about = "mass models/planar_2r.urdf --link outer --about-axis 0,0,1 --friction-thresholds";
+    refused(about, &["--friction-thresholds", "a moment about an axis"]);
+    let all = "mass models/suspensions/double-wishbone.toml --at all --friction-thresholds";
+    refused(all, &["--friction-thresholds", "one contact"]);
+    let immovable = percuss(&format!("{} --friction-thresholds", PENDULUM.replace("1,0,0", "0,1,0")));
+    assert!(
+        immovable.code == 0 && immovable.stderr.contains("--friction-thresholds: they require"),
+        "{}",
+        immovable.stderr
+    );
 }

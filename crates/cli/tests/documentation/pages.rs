@@ -24,7 +24,7 @@ const PAGES: [(&str, usize); 41] = [
     ("docs/howto/EXPLORER.md", 0),
     ("docs/howto/GALLERY.md", 0),
     ("docs/howto/IMPACT.md", 14),
-    ("docs/howto/IMPACT_RECIPES.md", 9),
+    ("docs/howto/IMPACT_RECIPES.md", 15),
     ("docs/howto/KINEMATICS.md", 3),
     ("docs/howto/LOOPS.md", 2),
     ("docs/howto/MAPS.md", 2),

@@ -1,6 +1,6 @@
 //! `percuss run`: a study acts like the flags; mistakes in a study are reported with their position.
 
-use crate::support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
+use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
 
 /// Study of a model of the repository, with an absolute path.
 fn study(model: &str, contact: &str, more: &str) -> String {
@@ -305,4 +305,40 @@ fn a_study_takes_units_and_names_itself_in_errors() {
         assert_eq!(outcome.code, 2, "{contact}");
         assert!(outcome.stderr.starts_with(&plain) && outcome.stderr.contains(word), "{}", outcome.stderr);
     }
+}
+
+/// `--format json` of a study contains the impact and the extremes of their commands, also in the file beside a page.
+#[test]
+fn json_of_a_study_has_its_impact_and_its_extremes() {
+    let folder = Scratch::new("run-additions");
+    let model = root().join("models/planar_2r.urdf");
+    let contact = "link = \"outer\"\npoint = [0.4, 0, 0]\nnormal = [0, 1, 0]\n";
+    let base =
+        format!("[model]\npath = '{}'\n[contact]\n{contact}[pose]\nset.elbow = \"40deg\"\n", model.display());
+    let tables = "[impact]\nrestitution = 0.3\nspeed = 1\nfriction = 0.2\n[extremes]\nrange = \"shoulder=-1:1\"\nstarts = 4\n";
+    let study = folder.write("study.toml", &format!("{base}{tables}"));
+    let outcome = percuss(&format!("run {study} --format json"));
+    assert!(outcome.code == 0 && !outcome.stderr.contains("without"), "{}", outcome.stderr);
+    let mut report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    assert_eq!(report["schema"], "percuss.mass/1");
+    let printed = report.clone();
+    let flags = format!(
+        "{} --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg --format json",
+        model.display()
+    );
+    let command = json(&format!("impact {flags} --restitution 0.3 --speed 1 --friction 0.2"));
+    // The study is an input file too.
+    report["impact"]["mass"]["inputs"] = command["mass"]["inputs"].clone();
+    assert_eq!(report["impact"], command);
+    assert_eq!(report["extremes"], json(&format!("extremes {flags} --range shoulder=-1:1 --starts 4")));
+    let page = folder.path("page.html");
+    assert_eq!(percuss(&format!("run {study} --report {page}")).code, 0);
+    let beside = std::fs::read_to_string(folder.path("page.json")).expect("the JSON beside the page");
+    let beside: serde_json::Value = serde_json::from_str(&beside).expect("JSON");
+    assert_eq!(beside, printed);
+    let plain = folder.write("plain.toml", &base);
+    let plain = json(&format!("run {plain} --format json"));
+    assert!(plain.get("impact").is_none() && plain.get("extremes").is_none());
+    let csv = percuss(&format!("run {study} --format csv"));
+    assert!(csv.stderr.contains("without [impact], [extremes]"), "{}", csv.stderr);
 }

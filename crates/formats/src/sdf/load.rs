@@ -14,7 +14,7 @@ use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, Source};
 use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes. The name `FILE#MODEL` selects a model of the
 /// file.

@@ -41,6 +41,7 @@ pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
             lower: parse_checked_number(lower),
             upper: parse_checked_number(upper),
         }),
+        rate_limit: text.rate_limit,
         armature: text.armature.clone(),
         mimic,
         independent: text.independent,

@@ -172,14 +172,17 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     if kind.has_axis() {
         append(out, format_args!("    <axis xyz=\"{}\"/>\n", format_vector(joint.axis())));
     }
+    let rate = format_number(joint.rate_limit().unwrap_or(0.0));
     if let Some(limits) = joint.limits() {
         let (lower, upper) = (format_number(limits.lower), format_number(limits.upper));
         append(
             out,
-            format_args!("    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"0\"/>\n"),
+            format_args!(
+                "    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"{rate}\"/>\n"
+            ),
         );
-    } else if let JointKind::Revolute | JointKind::Prismatic = kind {
-        out.push_str("    <limit effort=\"0\" velocity=\"0\"/>\n");
+    } else if matches!(kind, JointKind::Revolute | JointKind::Prismatic) || joint.rate_limit().is_some() {
+        append(out, format_args!("    <limit effort=\"0\" velocity=\"{rate}\"/>\n"));
     }
     if joint.armature().iter().any(|a| *a != 0.0) {
         let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();

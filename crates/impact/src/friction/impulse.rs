@@ -1,10 +1,10 @@
 //! Friction of an impact of a mechanism.
 
 use crate::error::ImpactError;
-use crate::friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
+use crate::friction::collision::frictional_collision;
 use crate::friction::one_motion::OneMotion;
 use crate::friction::phases::{Phase, PhaseKind, RestitutionLaw, add_phase};
-use crate::mobility::delassus::Delassus;
+use crate::friction::thresholds::{FrictionThresholds, check_contact_point, contact_mobility};
 use crate::motion::joint_rates::JointRates;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::ReactionMap;
@@ -30,8 +30,8 @@ pub struct Friction {
     pub coefficient: f64,
     /// Meaning of the coefficient of restitution.
     pub law: RestitutionLaw,
-    /// t: sliding speed per closing speed of a contact of one relative motion; `None` for others.
-    pub slope: Option<f64>,
+    /// Coefficients of friction at which the behaviour changes.
+    pub thresholds: FrictionThresholds,
     /// The contact sticks and does not rebound; µt ≥ 1 for one relative motion.
     pub is_wedged: bool,
     /// Separation speed divided by closing speed.
@@ -44,11 +44,6 @@ pub struct Friction {
     pub sliding_after: Vector3<f64>,
     /// Phases of the impact in order.
     pub phases: Vec<Phase>,
-    /// µ_s = |A_tt⁻¹ a_tn|: coefficient of friction above which the contact can stick; `None` for one relative motion.
-    pub sticking_threshold: Option<f64>,
-    /// µ_j = a_nn/|a_tn|: coefficient of friction above which sliding can jam; for one relative motion 1/t, above which it
-    /// wedges. `None` if no sliding jams.
-    pub jamming_threshold: Option<f64>,
     /// Compression phase, by the energetic law.
     pub compression: FrictionalCompression,
     /// Results of all laws of restitution with the same e.
@@ -133,12 +128,7 @@ pub(crate) fn frictional_impulse(
     if !(coefficient.is_finite() && coefficient >= 0.0) {
         return Err(ImpactError::Friction { got: coefficient });
     }
-    if response.contact.is_moment {
-        return Err(ImpactError::FrictionOfMoment);
-    }
-    if !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
-        return Err(ImpactError::Immovable);
-    }
+    check_contact_point(response)?;
     match OneMotion::new(pose, response) {
         Some(motion) => one_motion_impulse(pose, map, response, &motion, speed, restitution, law),
         None => general_impulse(pose, map, response, speed, restitution, law, before),
@@ -192,15 +182,13 @@ fn one_motion_impulse(
     let friction = Friction {
         coefficient: law.coefficient,
         law: law.restitution,
-        slope: Some(motion.slope),
+        thresholds: FrictionThresholds::of_one_motion(motion),
         is_wedged: found.is_wedged,
         kinematic_restitution: found.kinematic_restitution,
         tangential_impulse,
         sliding_before: motion.direction * (motion.slope * speed),
         sliding_after: motion.direction * (-motion.slope * speed * found.kinematic_restitution),
         phases,
-        sticking_threshold: None,
-        jamming_threshold: (motion.slope > 0.0).then(|| 1.0 / motion.slope),
         compression,
         laws: all.to_vec(),
     };
@@ -229,13 +217,8 @@ fn general_impulse(
     before: &JointRates,
 ) -> Result<FrictionalImpulse, ImpactError> {
     let contact = &response.contact;
-    let mut delassus = Delassus::new(pose, std::slice::from_ref(contact))?;
+    let delassus = contact_mobility(pose, response)?;
     let velocities = delassus.velocities(pose, before);
-    let share = response.contributions.as_ref().and_then(|c| c.other_mass);
-    if let (Some(share), EffectiveMass::Finite(mass)) = (share, response.effective_mass) {
-        // The share of a free body of mass M is m̄/M.
-        delassus.add_free_body(0, mass / share);
-    }
     let mobility = delassus.block(0);
     let velocity = Vector3::new(-speed, velocities[1], velocities[2]);
     let solve = |law_of| frictional_collision(&mobility, &velocity, law.coefficient, restitution, law_of);
@@ -281,15 +264,13 @@ fn general_impulse(
     let friction = Friction {
         coefficient: law.coefficient,
         law: law.restitution,
-        slope: None,
+        thresholds: FrictionThresholds::of_mobility(&mobility),
         is_wedged: found.is_wedged,
         kinematic_restitution: found.after[0] / speed,
         tangential_impulse,
         sliding_before: in_link(&velocity),
         sliding_after: in_link(&found.after),
         phases: found.phases,
-        sticking_threshold: sticking_threshold(&mobility),
-        jamming_threshold: jamming_threshold(&mobility),
         compression,
         laws: all.to_vec(),
     };

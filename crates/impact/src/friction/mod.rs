@@ -9,3 +9,4 @@ pub(crate) mod one_motion;
 pub(crate) mod phases;
 pub(crate) mod planar;
 pub(crate) mod spatial;
+pub(crate) mod thresholds;

@@ -2,4 +2,5 @@
 
 pub(crate) mod driver_rates;
 pub(crate) mod joint_rates;
+pub(crate) mod reachable_speed;
 pub(crate) mod undetermined;

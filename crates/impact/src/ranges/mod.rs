@@ -5,6 +5,7 @@ pub(crate) mod extreme_question;
 pub(crate) mod extremes;
 pub(crate) mod extremes_error;
 mod kept_points;
+pub(crate) mod mimic_substitute;
 mod path;
 mod quasi_newton;
 pub(crate) mod reflected;

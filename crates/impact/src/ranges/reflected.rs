@@ -185,7 +185,7 @@ pub fn driving_joints(pose: &Pose) -> Vec<JointId> {
 }
 
 /// M and independent rows of A at a pose.
-struct PoseMatrices {
+pub(crate) struct PoseMatrices {
     coordinates: Vec<(Option<JointId>, usize)>,
     lengths: Vec<f64>,
     mass: DMatrix<f64>,
@@ -193,7 +193,7 @@ struct PoseMatrices {
 }
 
 impl PoseMatrices {
-    fn new(pose: &Pose) -> Self {
+    pub(crate) fn new(pose: &Pose) -> Self {
         let coordinates = pose.coordinate_joints();
         let n = coordinates.len();
         let mut constraints = Vec::new();
@@ -209,7 +209,7 @@ impl PoseMatrices {
     }
 
     /// min { vᵀMv : Av = 0, held v = 0, row v = 1 }.
-    fn least_mass(&self, row: &[f64], held: &[Vec<f64>]) -> Result<EffectiveMass, MatrixError> {
+    pub(crate) fn least_mass(&self, row: &[f64], held: &[Vec<f64>]) -> Result<EffectiveMass, MatrixError> {
         let n = row.len();
         let rows: Vec<&Vec<f64>> = self.constraints.iter().chain(held).collect();
         let options = MatrixOptions::new().lengths(&self.lengths);

@@ -1,7 +1,8 @@
 //! Reflected inertia over the range of a driving joint, and the best constant armature.
 
+use crate::ranges::mimic_substitute::{MimicSubstitute, NoSubstitute, mimic_substitute};
 use crate::ranges::reflected::{ReflectedError, ReflectedInertia, reflected_inertia};
-use percuss_dynamics::{AssemblyError, Configuration, ConfigurationError, EffectiveMass, System};
+use percuss_dynamics::{AssemblyError, Configuration, ConfigurationError, EffectiveMass, Pose, System};
 use percuss_mechanism::JointId;
 
 /// Error of a reflected inertia over a range.
@@ -48,11 +49,14 @@ pub struct ReflectedRange {
     pub best_constant: Option<f64>,
     /// Largest relative error of this constant, (b−a)/(b+a).
     pub largest_error: Option<f64>,
+    /// Open tree with mimic joints and an armature, for simulators without loops.
+    pub substitute: Result<MimicSubstitute, NoSubstitute>,
 }
 
-/// Reflected inertia of velocity 0 of a joint with one velocity at `positions` (rad or m), from the other positions of `configuration`.
+/// Reflected inertia of velocity 0 of a joint with one velocity at `positions` (rad or m), from the other positions of `configuration`, whose position of
+/// this joint has no effect.
 /// Each pose is followed from the one before. Simulators of trees approximate a linkage by a constant armature: the best constant and its
-/// error show the quality of this approximation.
+/// error show the quality of this approximation. The substitute with mimic joints keeps the links of the linkage.
 ///
 /// # Errors
 /// [`RangeError`].
@@ -63,18 +67,18 @@ pub fn reflected_inertia_over(
     positions: &[f64],
 ) -> Result<ReflectedRange, RangeError> {
     let name = system.mechanism().joint(joint).name().to_owned();
-    let mut pose = None;
+    let mut poses: Vec<Pose> = Vec::with_capacity(positions.len());
     let mut samples = Vec::with_capacity(positions.len());
     for &position in positions {
         let mut wanted = configuration.clone();
-        wanted.set(&name, &[position])?;
-        let next = match &pose {
+        wanted.replace(&name, &[position])?;
+        let next = match poses.last() {
             None => system.pose(&wanted),
             Some(last) => system.pose_from(last, &wanted),
         };
         let next = next.map_err(|error| RangeError::Position { joint: name.clone(), position, error })?;
         samples.push(ReflectedSample { position, inertia: reflected_inertia(&next, joint, 0)? });
-        pose = Some(next);
+        poses.push(next);
     }
     let value = |sample: &ReflectedSample| match sample.inertia.held.unwrap_or(sample.inertia.free) {
         EffectiveMass::Finite(value) => Some(value),
@@ -83,11 +87,17 @@ pub fn reflected_inertia_over(
     let least = samples.iter().filter_map(value).min_by(f64::total_cmp);
     let most = samples.iter().filter_map(value).max_by(f64::total_cmp);
     let both = least.zip(most);
+    let held: Option<Vec<f64>> = samples.iter().map(|s| s.inertia.held?.kilograms()).collect();
+    let substitute = match held {
+        Some(held) => mimic_substitute(&poses, joint, &held)?,
+        None => Err(NoSubstitute::NotHeld),
+    };
     Ok(ReflectedRange {
         samples,
         least,
         most,
         best_constant: both.map(|(a, b)| 2.0 * a * (b / (a + b))),
         largest_error: both.map(|(a, b)| (b - a) / (b + a)),
+        substitute,
     })
 }

@@ -55,6 +55,8 @@ pub struct JointDescription {
     pub axis: Vector3<f64>,
     /// Position limits.
     pub limits: Option<Limits>,
+    /// Largest magnitude of the rate of a joint with one velocity, rad/s or m/s; a number that is not positive and finite is none.
+    pub rate_limit: Option<f64>,
     /// Rotor inertia reflected to the joint: empty, one value for all velocities, or one per velocity.
     pub armature: Vec<f64>,
     /// Mimic relation.
@@ -79,6 +81,7 @@ impl JointDescription {
             origin: Transform::identity(),
             axis: Vector3::x(),
             limits: None,
+            rate_limit: None,
             armature: Vec::new(),
             mimic: None,
             independent: None,

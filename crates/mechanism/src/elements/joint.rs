@@ -162,6 +162,7 @@ pub struct Joint {
     pub(crate) origin: Transform<f64>,
     pub(crate) axis: Vector3<f64>,
     pub(crate) limits: Option<Limits>,
+    pub(crate) rate_limit: Option<f64>,
     pub(crate) armature: Vec<f64>,
     pub(crate) mimic: Option<Mimic>,
     pub(crate) independent: Option<bool>,
@@ -201,6 +202,11 @@ impl Joint {
     /// Declared position limits.
     pub fn limits(&self) -> Option<Limits> {
         self.limits
+    }
+
+    /// Largest magnitude of the rate of a joint with one velocity, rad/s or m/s, if declared. It has no effect on effective masses.
+    pub fn rate_limit(&self) -> Option<f64> {
+        self.rate_limit
     }
 
     /// Rotor inertia reflected to the joint, one value per velocity (kg·m² or kg).

@@ -34,6 +34,7 @@ __all__ = [
     "effective_masses",
     "explain",
     "extremes",
+    "friction_thresholds",
     "impact",
     "impact_history",
     "joint_of_parts",
@@ -47,6 +48,7 @@ __all__ = [
     "mass_report",
     "matrix_findings",
     "model_of_bytes",
+    "reflected_inertias",
     "regions",
     "run_command",
     "run_study",
@@ -856,6 +858,10 @@ def map_point_report(model: Model, contact: Contact | str, conditions: Condition
     """Report on directions at a point."""
 def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str:
     """Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass."""
+def friction_thresholds(model: Model, contact: Contact | str, conditions: Conditions) -> str:
+    """Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass."""
+def reflected_inertias(model: Model, joints: Sequence[str], conditions: Conditions) -> str:
+    """Inertias reflected to joints, "JOINT" or over a range of positions "JOINT=FROM:TO:COUNT"."""
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
 ) -> str:
@@ -904,7 +910,7 @@ def compare(
 def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]:
     """Compares the designs of a study file: its model under a name, then its variants."""
 def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
-    """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep."""
+    """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep, with the impact and the extremes."""
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Initial study file for a model, which the file refers to by a path."""
 def study_schema() -> str:

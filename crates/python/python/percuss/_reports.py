@@ -108,7 +108,7 @@ class _Impact:
     restitution: float
     speed: float | None
     friction: float | None
-    restitution_law: str
+    restitution_law: str | None
     also: Sequence[str]
     also_restitution: Sequence[float]
     sticking: bool
@@ -119,9 +119,9 @@ class _Impact:
     law: Damping | None
     in_time: bool
     gravity: Sequence[float] | None
-    joint_springs: Mapping[str, float | Sequence[float]]
+    joint_springs: Mapping[str, Position]
     rate_limits: Mapping[str, Position]
-    gear_limits: Mapping[str, float | Sequence[float]]
+    gear_limits: Mapping[str, Position]
     point_error: float | None
     reflected: Sequence[str]
     percussion: Sequence[str]
@@ -335,6 +335,25 @@ def explain(model: Model, contact: Contact | str, conditions: Conditions | None 
 
 
 @checked
+def friction_thresholds(
+    model: Model, contact: Contact | str, conditions: Conditions | None = None
+) -> records.FrictionThresholdsRecord | None:
+    """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None as for ``explain``,
+    and at a singular pose. As ``percuss mass --friction-thresholds``."""
+    found = json.loads(_percuss.friction_thresholds(model, contact, _asked(conditions)))
+    return None if found is None else records.FrictionThresholdsRecord.of(found)
+
+
+@checked
+def reflected_inertias(
+    model: Model, joints: Sequence[str], conditions: Conditions | None = None
+) -> records.ReflectedReport:
+    """Inertias reflected to joints: with all other joints free, and with the other drivers at rest. joints: "JOINT", or "JOINT=FROM:TO:COUNT"
+    over a range of positions, with two substitutes for simulators without loops. As ``percuss impact --reflected`` without a contact."""
+    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), _asked(conditions))))
+
+
+@checked
 def tolerate(
     model: Model,
     contact: Contact | str,
@@ -393,7 +412,7 @@ def impact(
     rate_limit: Mapping[str, Position] | None = None,
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
-    restitution_law: Literal["energetic", "poisson", "newton", "algebraic"] = "energetic",
+    restitution_law: Literal["energetic", "poisson", "newton", "algebraic"] | None = None,
     also: Sequence[str] = (),
     sticking: bool = False,
     stiffness_ratio: Sequence[float] = (),
@@ -401,13 +420,13 @@ def impact(
     in_time: bool = False,
     gravity: Sequence[float] | None = None,
     also_restitution: Sequence[float] = (),
-    gear_limit: Mapping[str, float | Sequence[float]] | None = None,
+    gear_limit: Mapping[str, Position] | None = None,
     point_error: float | None = None,
-    joint_spring: Mapping[str, float | Sequence[float]] | None = None,
+    joint_spring: Mapping[str, Position] | None = None,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
-    speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge), "poisson", "newton" or
+    speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge, default), "poisson", "newton" or
     "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
     base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
@@ -418,7 +437,7 @@ def impact(
     "JOINT:upper"; "=OTHER" after a point or a moment gives another link on the other side. stiffness_ratio and contact_exponent:
     their stiffnesses relative to the first, and the exponent of their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
-    gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
+    gears, N·m·s or N·s, or as text largest torques, "80N·m" (with stiffness), for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
     impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
     if in_time and stiffness is None:
@@ -537,13 +556,18 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 
 @checked
 def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
-    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Safe speeds
-    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
+    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. With the tables [impact] and
+    [extremes], the keys "impact" and "extremes" of the report are those of ``impact`` and ``extremes``. Safe speeds in several directions
+    are a list under the key "reports". Writes no file. As ``percuss run``."""
     found = _with_rows(_percuss.run_study(path))
     if isinstance(found, list):
         speeds = [records.SafeSpeedReport.of(one) for one in found]
         return cast("records.AnyRecord", speeds[0] if len(speeds) == 1 else Report(reports=speeds))
-    return cast("records.AnyRecord", _BY_SCHEMA[found["schema"].split("/")[0]].of(found))
+    report = _BY_SCHEMA[found["schema"].split("/")[0]].of(found)
+    for key, record in (("impact", records.ImpactReport), ("extremes", records.ExtremesReport)):
+        if key in found:
+            report[key] = record.of(found[key])
+    return cast("records.AnyRecord", report)
 
 
 @checked

@@ -7,10 +7,12 @@ use crate::questions::question::{Conditions, Damping, GivenContact, optional_row
 use crate::questions::reports::contact_report;
 use percuss::impact::RestitutionLaw;
 use percuss::study::{
-    self, ExtremesQuestion, FurtherContact, GivenRange, GivenRates, ImpactQuestion, Keep, PercussionRequest,
+    self, ExtremesQuestion, FurtherContact, GivenGearLimits, GivenRange, GivenRates, GivenSpring,
+    ImpactQuestion, Keep, PercussionRequest, QuantityError,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
+use std::str::FromStr;
 
 /// Python class `percuss._reports._Impact`.
 #[derive(FromPyObject)]
@@ -18,7 +20,7 @@ pub struct Impact<'py> {
     restitution: f64,
     speed: Option<f64>,
     friction: Option<f64>,
-    restitution_law: String,
+    restitution_law: Option<String>,
     also: Vec<String>,
     also_restitution: Vec<f64>,
     sticking: bool,
@@ -40,26 +42,20 @@ pub struct Impact<'py> {
 /// Rows of a path: ranges, file with ignored columns, random rows.
 type PathRows<'py> = (Option<Vec<Bound<'py, PyAny>>>, Option<(String, Vec<String>)>, Option<(usize, u64)>);
 
-/// Rates by joint, from numbers or text such as "30deg/s".
-fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRates)>> {
+/// Values by joint, from numbers or text with units such as "30deg/s".
+fn by_joint<T: FromStr<Err = QuantityError>>(
+    given: &Bound<'_, PyDict>,
+    what: &str,
+    from_numbers: impl Fn(&[f64]) -> Result<T, QuantityError>,
+) -> PyResult<Vec<(String, T)>> {
     let one = |(joint, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let joint: String = joint.extract()?;
-        let rates = match value.extract::<String>() {
+        let read = match value.extract::<String>() {
             Ok(text) => text.parse(),
-            Err(_) => GivenRates::from_numbers(&list(&value, &format!("{what} of \"{joint}\""))?),
+            Err(_) => from_numbers(&list(&value, &format!("{what} of \"{joint}\""))?),
         };
-        let rates = rates.map_err(|error| input(format_args!("{what} of \"{joint}\": {error}")))?;
-        Ok((joint, rates))
-    };
-    given.iter().map(one).collect()
-}
-
-/// Numbers by joint.
-fn numbers(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, Vec<f64>)>> {
-    let one = |(joint, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-        let joint: String = joint.extract()?;
-        let values = list(&value, &format!("{what} of \"{joint}\""))?;
-        Ok((joint, values))
+        let read = read.map_err(|error| input(format_args!("{what} of \"{joint}\": {error}")))?;
+        Ok((joint, read))
     };
     given.iter().map(one).collect()
 }
@@ -82,25 +78,28 @@ impl Impact<'_> {
         let further = |text: &String| {
             text.parse::<FurtherContact>().map_err(|error| input(format_args!("also: \"{text}\": {error}")))
         };
+        if self.restitution_law.is_some() && self.friction.is_none() {
+            return Err(input("restitution_law: without friction it has no effect; give friction too"));
+        }
         Ok(ImpactQuestion {
             dimensions: [None; 2],
             restitution: self.restitution,
             speed: self.speed,
             friction: self.friction,
-            restitution_law: law(&self.restitution_law)?,
+            restitution_law: self.restitution_law.as_deref().map(law).transpose()?.unwrap_or_default(),
             also: self.also.iter().map(further).collect::<PyResult<_>>()?,
             also_restitution: self.also_restitution.clone(),
             sticking: self.sticking,
             stiffness_ratios: self.stiffness_ratios.clone(),
             contact_exponent: self.contact_exponent,
-            rates: rates(&self.rates, "rates")?,
+            rates: by_joint(&self.rates, "rates", GivenRates::from_numbers)?,
             base_twist: self.base_twist,
             law: self.law.as_ref().map(Damping::question).transpose()?,
             in_time: self.in_time,
             gravity: self.gravity,
-            joint_springs: numbers(&self.joint_springs, "joint_spring")?,
-            rate_limits: rates(&self.rate_limits, "rate_limit")?,
-            gear_limits: numbers(&self.gear_limits, "gear_limit")?,
+            joint_springs: by_joint(&self.joint_springs, "joint_spring", GivenSpring::from_numbers)?,
+            rate_limits: by_joint(&self.rate_limits, "rate_limit", GivenRates::from_numbers)?,
+            gear_limits: by_joint(&self.gear_limits, "gear_limit", GivenGearLimits::from_numbers)?,
             point_error: self.point_error,
             reflected: self.reflected.clone(),
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,

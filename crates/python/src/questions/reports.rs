@@ -8,7 +8,7 @@ use crate::questions::question::{Conditions, Damping, GivenContact, optional_row
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::study::{
     self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
-    StatedLimits, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance,
+    StatedLimits, StudyAdditions, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance, WithAdditions,
 };
 use percuss::{DEFAULT_MAX_SIZE, interruption};
 use pyo3::prelude::*;
@@ -69,6 +69,30 @@ pub fn explain(
     contact_report(py, model, contact, &conditions, study::explain)
 }
 
+/// Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass.
+#[pyfunction]
+pub fn friction_thresholds(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+) -> PyResult<String> {
+    contact_report(py, model, contact, &conditions, study::friction_thresholds)
+}
+
+/// Inertias reflected to joints, "JOINT" or over a range of positions "JOINT=FROM:TO:COUNT".
+#[pyfunction]
+pub fn reflected_inertias(
+    py: Python<'_>,
+    model: &Model,
+    joints: Vec<String>,
+    conditions: Conditions<'_>,
+) -> PyResult<String> {
+    let question = conditions.question()?;
+    let found = interruptible(py, || study::reflected_inertias(&model.read, &question, &joints))?;
+    json(&found.map_err(errors::study)?)
+}
+
 /// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
 /// and seed.
 #[pyfunction]
@@ -94,10 +118,11 @@ type RowParts = (String, Vec<String>);
 /// Rows of a JSON list.
 const ROWS_PER_LIST: usize = 1 << 12;
 
-/// JSON of a report in parts; `take_rows` moves the rows out of it.
+/// JSON of a report in parts; `take_rows` moves the rows out of it. `additions`: further keys.
 fn row_parts<R: Serialize, Row: Serialize + Sync + Send + 'static>(
     py: Python<'_>,
     mut report: R,
+    additions: &StudyAdditions,
     take_rows: impl FnOnce(&mut R) -> Vec<Row>,
 ) -> PyResult<RowParts> {
     let rows = Deferred(take_rows(&mut report));
@@ -106,7 +131,7 @@ fn row_parts<R: Serialize, Row: Serialize + Sync + Send + 'static>(
         serde_json::to_string(rows)
     };
     let lists = interruptible(py, || rows.0.par_chunks(ROWS_PER_LIST).map(list).collect::<Result<_, _>>())?;
-    Ok((json(&report)?, lists.map_err(errors::no_answer)?))
+    Ok((json(&WithAdditions { report: &report, additions })?, lists.map_err(errors::no_answer)?))
 }
 
 /// Rows that are freed on a separate thread: freeing millions of rows takes some tenths of a second.
@@ -135,14 +160,16 @@ pub fn sweep_report<'py>(
 ) -> PyResult<RowParts> {
     let question = conditions.question_at(&model.read.mechanism, &contact)?;
     let source = rows(vary, input, random)?;
-    run_sweep(py, &model.read, gradient, || Sweep::new(&model.read, &question, source))
+    let additions = StudyAdditions::default();
+    run_sweep(py, &model.read, gradient, &additions, || Sweep::new(&model.read, &question, source))
 }
 
-/// Runs a sweep; stops on Ctrl-C.
+/// Runs a sweep; stops on Ctrl-C. `additions`: further keys of the report.
 fn run_sweep<'a>(
     py: Python<'_>,
     model: &study::Model,
     has_gradient: bool,
+    additions: &StudyAdditions,
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
 ) -> PyResult<RowParts> {
     let run = || {
@@ -160,7 +187,7 @@ fn run_sweep<'a>(
         Ok(study::SweepReport { heading, rows: std::mem::take(&mut rows.0), diagnostics })
     };
     let report = interruptible(py, run)?.map_err(errors::study)?;
-    row_parts(py, report, |report| std::mem::take(&mut report.rows))
+    row_parts(py, report, additions, |report| std::mem::take(&mut report.rows))
 }
 
 /// Facets of a link as arrays.
@@ -334,7 +361,7 @@ pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<RowP
 fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<RowParts> {
     let report = interruptible(py, || study::compare(designs))?;
     let report = report.map_err(|error| input(error.message(Names::Fields)))?;
-    row_parts(py, report, |report| std::mem::take(&mut report.rows))
+    row_parts(py, report, &StudyAdditions::default(), |report| std::mem::take(&mut report.rows))
 }
 
 /// JSON schema of study files.
@@ -350,7 +377,7 @@ pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<
     interruptible(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
 }
 
-/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
+/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep, with the impact and the extremes.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     let path = path.to_string_lossy().into_owned();
@@ -360,14 +387,19 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
             let rows = sweep.rows.clone();
-            run_sweep(py, &study.model, sweep.gradient, || Sweep::new(&study.model, question, rows))
+            let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
+            run_sweep(py, &study.model, sweep.gradient, &additions, || {
+                Sweep::new(&study.model, question, rows)
+            })
         }
         (Some(question), None) => {
             let report = interruptible(py, || match &study.damping {
                 Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
                 None => study::mass(&study.model, question),
             })?;
-            Ok((json(&report.map_err(errors::study)?)?, Vec::new()))
+            let report = report.map_err(errors::study)?;
+            let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
+            Ok((json(&WithAdditions { report: &report, additions: &additions })?, Vec::new()))
         }
         (None, _) => Ok((run_without_contact(py, &study)?, Vec::new())),
     }

@@ -91,6 +91,7 @@ finding_kinds! {
     PointMassBase = "point-mass-base", Warning, Model;
     PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
     RackMoved = "rack-moved", Warning, Report;
+    RestitutionAboveOne = "restitution-above-one", Warning, Report;
     RestitutionNotReached = "restitution-not-reached", Warning, Report;
     ReversedAxis = "reversed-axis", Note, Model;
     RigidLoops = "rigid-loops", Warning, Model;

@@ -1,6 +1,8 @@
 //! Evaluation of one contact at one pose.
 
+pub(crate) mod contact_point;
 pub(crate) mod estimate;
+pub(crate) mod friction_thresholds;
 pub(crate) mod named_contact;
 pub(crate) mod passed_stops;
 pub(crate) mod prepared_question;

@@ -55,6 +55,8 @@ pub enum Field {
     Move,
     /// Point of a motion ratio.
     RatioAt,
+    /// Coefficients of friction for sticking and jamming.
+    FrictionThresholds,
     /// Tolerances of the parts of a model.
     Tolerance,
     /// Number of samples.
@@ -99,6 +101,8 @@ pub enum Field {
     RestitutionLaw,
     /// Further contacts of an impact.
     Also,
+    /// Plastic impact with sticking points.
+    Sticking,
     /// Stiffness ratios of several contacts.
     StiffnessRatio,
     /// Rates of driving joints before an impact.
@@ -154,6 +158,7 @@ impl Field {
             Field::LinkInertia => ("--link-inertia", "model.link_inertia"),
             Field::Move => ("--move", "model.move"),
             Field::RatioAt => ("--ratio-at", "contact.ratio_at"),
+            Field::FrictionThresholds => ("--friction-thresholds", "mass.friction_thresholds"),
             Field::Tolerance => ("--tolerance", "mass.tolerance"),
             Field::Samples => ("--samples", "mass.samples"),
             Field::Lock => ("--lock", "conditions.lock"),
@@ -176,6 +181,7 @@ impl Field {
             Field::Friction => ("--friction", "impact.friction"),
             Field::RestitutionLaw => ("--restitution-law", "impact.restitution_law"),
             Field::Also => ("--also", "impact.also"),
+            Field::Sticking => ("--sticking", "impact.sticking"),
             Field::StiffnessRatio => ("--stiffness-ratio", "impact.stiffness_ratio"),
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),

@@ -2,6 +2,7 @@
 
 use crate::damper::damping::DampingReport;
 use crate::evaluation::estimate::EstimateRecord;
+use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
@@ -216,6 +217,8 @@ pub struct MassReport {
     /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the
     /// ratio holds for every motion, and of requested points.
     pub motion_ratios: Vec<MotionRatioRecord>,
+    /// Coefficients of friction for sticking and jamming, if requested; null without a single finite effective mass.
+    pub friction_thresholds: Option<FrictionThresholdsRecord>,
     /// Sensitivities of m̄, if requested.
     pub explanation: Option<Explanation>,
     /// Variation of m̄ within tolerances, if given.
@@ -317,6 +320,7 @@ impl MassReport {
             branch_limits: answer.limits.limits.iter().map(limit_of).collect(),
             estimate: answer.estimate.clone(),
             motion_ratios: Vec::new(),
+            friction_thresholds: None,
             explanation: None,
             tolerance: None,
             damper: None,

@@ -14,6 +14,7 @@ use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
+use percuss_impact::reachable_closing_speed;
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -138,6 +139,9 @@ pub struct SafeSpeedReport {
     pub standard: SpeedRecord,
     /// Speed for the effective mass at the contact.
     pub reflected: SpeedRecord,
+    /// Greatest closing speed within the rate limits of the joints (`velocity` of a URDF); null if a motion without limited joints closes the
+    /// gap, or none does.
+    pub reachable: Option<ReachableSpeedRecord>,
     /// Contact normal, out of the robot, world axes.
     pub normal_world: [f64; 3],
     /// M: mass of all links that can move, kg.
@@ -148,6 +152,15 @@ pub struct SafeSpeedReport {
     pub along: Option<AlongRecord>,
     /// Findings.
     pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Greatest closing speed within the rate limits of the joints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReachableSpeedRecord {
+    /// Closing speed at the pose, m/s.
+    pub speed: f64,
+    /// Joints at their rate limits.
+    pub limited_by: Vec<String>,
 }
 
 /// Slowest row of a list of positions.
@@ -236,11 +249,23 @@ pub fn safe_speed(
         energy: safe.map_or(0.0, |safe| safe.energy),
         standard,
         reflected,
+        reachable: reachable(&evaluated),
         normal_world: evaluated.result.response.contact.normal_world.into(),
         moving_mass,
         load: limit_question.load,
         along: None,
         diagnostics,
+    })
+}
+
+/// Greatest closing speed within the rate limits of the joints.
+fn reachable(evaluated: &EvaluatedQuestion) -> Option<ReachableSpeedRecord> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let found = reachable_closing_speed(&evaluated.pose, &evaluated.result.response.contact)?;
+    let name = |joint| mechanism.joint(joint).name().to_owned();
+    Some(ReachableSpeedRecord {
+        speed: found.speed,
+        limited_by: found.limited_by.into_iter().map(name).collect(),
     })
 }
 

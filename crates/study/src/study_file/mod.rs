@@ -1,5 +1,6 @@
 //! Study files (TOML): keys, tables, schema.
 
+pub(crate) mod additions;
 pub(crate) mod closure;
 pub(crate) mod contacts;
 pub(crate) mod file;

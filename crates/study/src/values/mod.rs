@@ -1,5 +1,6 @@
 //! Numbers and positions with units as text; excerpts of texts for messages.
 
+pub(crate) mod drives;
 pub(crate) mod message_text;
 #[cfg(feature = "flags")]
 pub(crate) mod named;

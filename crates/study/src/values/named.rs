@@ -1,5 +1,6 @@
 //! Values of flags with a name: `NAME=VALUE`.
 
+use crate::values::drives::{GivenGearLimits, GivenSpring};
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::rates::GivenRates;
@@ -32,6 +33,16 @@ pub fn joint_armature(text: &str) -> Result<(String, Vec<f64>), String> {
     let (joint, values): (String, String) = named(text, "JOINT=VALUE, such as elbow=0.3")?;
     let values = percuss_units::parse_list(&values, |_| Dimension::Plain).map_err(|e| e.to_string())?;
     Ok((joint, values))
+}
+
+/// `JOINT=LIMIT` of a flag: limits of a gear, with optional units.
+pub fn gear_limit(text: &str) -> Result<(String, GivenGearLimits), String> {
+    named(text, "JOINT=LIMIT, such as elbow=0.5N·m·s or elbow=80N·m")
+}
+
+/// `JOINT=K,D` of a flag: spring and damper of a joint, with optional units.
+pub fn joint_spring(text: &str) -> Result<(String, GivenSpring), String> {
+    named(text, "JOINT=K,D, such as elbow=900,4")
 }
 
 /// `LINK=KG` of a flag.

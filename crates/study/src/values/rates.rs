@@ -1,6 +1,5 @@
 //! Velocities of a joint as given by the user.
 
-use crate::values::quantities::Speed;
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity, QuantityError};
 use std::str::FromStr;
@@ -14,31 +13,10 @@ pub struct GivenRates {
 
 impl FromStr for GivenRates {
     type Err = QuantityError;
-    /// Reads comma-separated numbers with optional units: `2`, `30deg/s`, `0.1,0,2`.
+    /// Reads comma-separated numbers with optional units: `2`, `30deg/s`, `1500rpm`, `0.1,0,2`.
     fn from_str(text: &str) -> Result<Self, QuantityError> {
-        let value = |part: &str| {
-            let sliding = part.parse::<Speed>().map(|speed| speed.0);
-            sliding.map_err(|error| match Dimension::AngularSpeed.parse(part) {
-                Err(turning) => with_units_of_both(error, turning),
-                Ok(_) => error,
-            })
-        };
+        let value = |part: &str| Quantity::parse_as(part, &[Dimension::AngularSpeed, Dimension::Speed]);
         Ok(Self { values: text.split(',').map(value).collect::<Result<_, _>>()? })
-    }
-}
-
-/// Error for a text that is neither a speed nor an angular speed, with the units of both.
-fn with_units_of_both(sliding: QuantityError, turning: QuantityError) -> QuantityError {
-    match (sliding, turning) {
-        (
-            QuantityError::NoMeasure { text, first, units },
-            QuantityError::NoMeasure { first: turning_first, units: turning_units, .. },
-        ) => QuantityError::NoMeasure {
-            text,
-            first: format!("{turning_first} or{}", first.trim_start_matches(" in")),
-            units: format!("{turning_units}, {units}"),
-        },
-        (error, _) => error,
     }
 }
 
@@ -84,6 +62,9 @@ mod tests {
         let values = rates.values_for_joint(JointKind::Revolute).expect("an angular speed");
         assert!((values[0] - std::f64::consts::PI).abs() < 1e-15);
         assert!(rates.values_for_joint(JointKind::Prismatic).is_err());
+        let turning: GivenRates = "30rpm".parse().expect("a rate");
+        let values = turning.values_for_joint(JointKind::Continuous).expect("an angular speed");
+        assert!((values[0] - std::f64::consts::PI).abs() < 1e-15);
         let wrong = "2deg".parse::<GivenRates>().expect_err("an angle is no rate").to_string();
         assert!(
             wrong.contains("in rad/s or m/s") && wrong.contains("deg/s") && wrong.contains("mm/s"),

@@ -1,9 +1,10 @@
 //! Command `percuss impact`.
 
 use crate::args::{CheckFormat, ImpactArgs};
-use crate::commands::impacts::{in_time, simultaneous};
+use crate::commands::impacts::{in_time, reflected, simultaneous};
 use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
+use crate::terminal::explanation::friction_thresholds;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
@@ -11,7 +12,7 @@ use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
     FrictionRecord, ImpactQuestion, ImpactReport, JointConstraintKind, MassQuestion, Model, ReactionRecord,
-    ReflectedRangeRecord, ReflectedRecord, Status, impact,
+    Status, impact,
 };
 
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
@@ -19,14 +20,29 @@ const SMALL_MOTION_FORCE: f64 = 0.01;
 
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
+    if args.needs_no_contact() {
+        return reflected::run(args);
+    }
     let contact = args.contact.question()?;
     let question = args.impact.question()?;
     let model = args.model.load()?;
     let report = answer(&model, &contact, &question, args.model.reading.strict)?;
     if let Some(path) = &args.output {
-        in_time::write_history(&report, path)?;
+        write_output(&report, path)?;
     }
     write(&report, args.format)
+}
+
+/// Writes the impact in time or the reflected inertias over ranges to a file.
+fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
+    match (&report.in_time, &report.reflected_over[..]) {
+        (Some(_), []) => in_time::write_history(report, path),
+        (None, ranges @ [_, ..]) => reflected::write_ranges(ranges, &report.mass.inputs, path),
+        (Some(_), _) => Err(Failure::bad_input(format!(
+            "--output {path}: both --in-time and a range of --reflected have an output; run the command once for each"
+        ))),
+        (None, []) => Err(reflected::no_output(path)),
+    }
 }
 
 /// Computes an impact and writes it.
@@ -184,7 +200,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     }));
     facts.extend(in_time::facts(report));
     if let Some(greatest) = &report.greatest_closing_speed {
-        let gear = if greatest.limit == "gear" { "the gear of " } else { "" };
+        let gear = match greatest.limit {
+            "gear" => "the impulse in the gear of ",
+            "gear-torque" => "the peak torque in the gear of ",
+            _ => "",
+        };
         let by = format!("{} {speed}, limited by {gear}{}", number(greatest.speed), greatest.joint);
         facts.push(("greatest speed", by));
     }
@@ -193,10 +213,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             format!("the limit of {joint} has no effect: the impact does not change the rate of this joint");
         facts.push(("greatest speed", note));
     }
-    facts.extend(
-        report.reflected_inertia.iter().map(|record| ("reflected", reflected(record, &report.mass.drivers))),
-    );
-    facts.extend(report.reflected_over.iter().map(|range| ("armature", armature(range))));
+    facts.extend(reflected::facts(&report.reflected_inertia, &report.reflected_over, &report.mass.drivers));
     for centre in &report.percussion {
         let along = if centre.direction.is_some() { "along the line" } else { "in the tangent plane" };
         let open = if centre.open_by.is_empty() {
@@ -259,22 +276,7 @@ fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'st
     if !phases.is_empty() {
         facts.push(("phases", phases.join(", ")));
     }
-    let threshold = |value: Option<f64>, none: &str| value.map_or_else(|| none.to_owned(), short_number);
-    if friction.slope.is_none() {
-        facts.push((
-            "thresholds",
-            format!(
-                "the contact can stick from a coefficient of {}, and jam from {}",
-                threshold(friction.sticking_threshold, "none (it cannot)"),
-                threshold(friction.jamming_threshold, "none (it cannot)"),
-            ),
-        ));
-    } else if let Some(wedges) = friction.jamming_threshold {
-        facts.push((
-            "thresholds",
-            format!("the contact wedges from a coefficient of {}", short_number(wedges)),
-        ));
-    }
+    facts.extend(friction_thresholds(&friction.thresholds()).map(|text| ("thresholds", text)));
     facts
 }
 
@@ -339,41 +341,6 @@ pub fn law_note(report: &ImpactReport) -> String {
     format!(
         "{warning}Rigid contact without tangential compliance: a ball with a soft surface can spin back. The laws differ in the meaning \
          of the restitution (docs/howto/IMPACT.md).\n"
-    )
-}
-
-/// Inertias reflected to a joint as text, with the unit: with all other joints free, and with the other drivers held.
-fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
-    let value = |status: Status, value: Option<f64>| match (status, value) {
-        (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),
-        (status, _) => status.name().to_owned(),
-    };
-    let free = value(record.free_status, record.free);
-    let held = record.held_status.map_or_else(
-        || format!("no driving joint (the loops are driven by {})", drivers.join(", ")),
-        |status| format!("{} with the other drivers held", value(status, record.held)),
-    );
-    format!("{}: {free} free; {held}", record.joint)
-}
-
-/// Reflected inertia over a range as text.
-fn armature(range: &ReflectedRangeRecord) -> String {
-    let (Some(least), Some(most), Some(constant), Some(error)) =
-        (range.least, range.most, range.best_constant, range.largest_error)
-    else {
-        return format!("{}: not finite over the range", range.joint);
-    };
-    let unit = range.unit;
-    let state = if range.held.iter().any(Option::is_some) { "with the other drivers held" } else { "free" };
-    format!(
-        "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It includes the inertia \
-         of the links: in a simulator whose model contains the links, set only the missing part as armature",
-        range.joint,
-        number(least),
-        number(most),
-        range.positions.len(),
-        number(constant),
-        short_number(rounded(100.0 * error, 100.0)),
     )
 }
 

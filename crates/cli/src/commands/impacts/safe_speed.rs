@@ -110,6 +110,14 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     if let Some(along) = &report.along {
         fact("slowest of the rows", speed(&along.slowest, &format!("row {} of {}", along.row, along.rows)));
     }
+    if let Some(reachable) = &report.reachable {
+        let compared =
+            if reachable.speed <= report.reflected.speed { ", never above the greatest speed" } else { "" };
+        let joints = reachable.limited_by.join(", ");
+        let text =
+            format!("{} m/s at most with the velocity limits of {joints}{compared}", number(reachable.speed));
+        fact("the joints reach", text);
+    }
     match (&report.region, report.region_mass, report.region_stiffness) {
         (Some(region), Some(mass), Some(stiffness)) => {
             fact("body region", format!("{region}: {} kg on {} N/m", number(mass), number(stiffness)));

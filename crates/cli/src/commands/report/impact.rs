@@ -2,7 +2,7 @@
 
 use super::findings::add_warnings;
 use super::mechanism::drawing;
-use crate::commands::impacts::{extremes, in_time, rigid_impact, simultaneous};
+use crate::commands::impacts::{extremes, in_time, reflected, rigid_impact, simultaneous};
 use crate::files::html::Page;
 use crate::terminal::text::short_number;
 use percuss_render::{Drawing, DrawnArrow, SkinMark};
@@ -67,6 +67,11 @@ pub(super) fn add_impact(report: &ImpactReport, mechanism: &DrawnMechanism, page
     if let Some(table) = rigid_impact::joint_constraint_table(report) {
         page.table(table.rows());
         page.paragraph("soft", &rigid_impact::joint_constraint_note(report).replace('\n', " "));
+    }
+    if !report.reflected_over.is_empty() {
+        page.heading("Reflected inertia");
+        let figure = reflected::sheet(&report.reflected_over, "").to_svg();
+        page.picture(&figure, "Reflected inertia over the position of the joint", "");
     }
     page.heading("Rates of the joints");
     add_rates(report, page);
@@ -183,7 +188,11 @@ fn impulse_drawing(report: &ImpactReport, mechanism: &DrawnMechanism) -> Drawing
         .chain(of_contact)
         .collect();
     let mark = (!contact.is_moment).then(|| SkinMark { at: contact.point_world, label: String::new() });
-    loaded_drawing(mechanism, arrows, mark.into_iter().collect())
+    let centres = report.percussion.iter().map(|centre| SkinMark {
+        at: centre.point_world,
+        label: format!("centre of percussion ({})", centre.joint),
+    });
+    loaded_drawing(mechanism, arrows, mark.into_iter().chain(centres).collect())
 }
 
 /// Vector with the determinate components of a reaction, world axes.

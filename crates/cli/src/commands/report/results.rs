@@ -12,8 +12,9 @@ use crate::terminal::failure::Failure;
 use percuss_study::{
     CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
     ExtremesReport, ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport,
-    SafeSpeedReport, StudyFile, StudyMapQuestion, check as check_of, draw_mechanism, extremes as extremes_of,
-    impact as impact_of, map as map_of, map_point, mass_with_drawing,
+    SafeSpeedReport, StudyAdditions, StudyFile, StudyMapQuestion, WithAdditions, check as check_of,
+    draw_mechanism, extremes as extremes_of, impact as impact_of, map as map_of, map_point,
+    mass_with_drawing,
 };
 
 /// Result of a map.
@@ -94,8 +95,13 @@ impl StudyResults {
         let speeds =
             study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
         let impact = question.zip(study.impact.as_ref());
-        let impact =
+        let mut impact =
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
+        if let Some(report) = &mut impact {
+            let contact = &report.mass.contact;
+            report.mass.point_in_sheet =
+                study.model.contact_in_sheet(&contact.point_world, &contact.normal_world);
+        }
         let extremes = question.zip(study.extremes.as_ref());
         let extremes = extremes
             .map(|(question, requested)| extremes_of(&study.model, question, requested))
@@ -190,7 +196,11 @@ impl StudyResults {
     pub fn json(&self) -> Result<String, Failure> {
         let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
             (Some(_), ..) if self.listed.is_some() => serde_json::to_string_pretty(&self.listed),
-            (Some(mass), ..) => serde_json::to_string_pretty(mass),
+            (Some(mass), ..) => {
+                let additions =
+                    StudyAdditions { impact: self.impact.clone(), extremes: self.extremes.clone() };
+                serde_json::to_string_pretty(&WithAdditions { report: mass, additions: &additions })
+            }
             (None, Some(stop), ..) => serde_json::to_string_pretty(stop),
             (None, None, Some(MapResult::Surfaces(answer)), _) => {
                 serde_json::to_string_pretty(&answer.report)

@@ -1,11 +1,11 @@
-"""Records of reports: ImpactReport, ExtremesReport. Written by tests/records.py."""
+"""Records of reports: ImpactReport, ExtremesReport, ReflectedReport. Written by tests/records.py."""
 
 from __future__ import annotations
 
 from typing import Literal
 
-from .damping import DiagnosticRecord, VaryingMassImpact
-from .mass import MassReport
+from .mass import ConditionsRecord, MassReport
+from .damping import DiagnosticRecord, Input, VaryingMassImpact
 from .record import Record
 
 
@@ -84,8 +84,8 @@ class TouchingRecord(Record):
     normal_world: list[float]
     """Normal out of the contact link, world axes."""
     gap: float | None
-    """Gap of a named contact at the pose, m; for the stop of a joint with limits its distance from the stop, rad or m. The
-    contact is taken as closed. None for others, and for the first contact."""
+    """Gap at the pose: of a named contact, m; of the stop of a joint with limits, the distance of the joint from the stop, rad
+    or m. The results assume a gap of zero. None for other contacts, and for the first contact."""
     closing_speed: float
     """Closing speed before the impact, m/s (rad/s for a moment, whose masses below are in kg·m²); negative if the gap opens."""
     effective_mass: float | None
@@ -173,8 +173,8 @@ class SimultaneousRecord(Record):
     """Results of the laws without friction; empty for one contact."""
     spread: float | None
     """Largest difference of an opening speed between two laws, divided by the largest closing speed; None for one contact. If
-    some contacts are moments and others forces, each speed is multiplied by the square root of the mass (inertia) of its
-    contact."""
+    some contacts are moments and others forces, each speed is first multiplied by the square root of the effective mass (kg,
+    or kg·m² for a moment) of its contact."""
     sticking: StickingRecord | None
     """Plastic impact with sticking points, if requested."""
 
@@ -254,8 +254,8 @@ class ReactionRecord(Record):
     gear: list[float]
     """Impulse in the gear of each velocity of the joint, armature · Δq̇, N·m·s or N·s; empty without a joint."""
     constraint: list[float | None]
-    """Sum of the impulses of lock, mimics and couplings on each velocity of the joint, N·m·s or N·s; empty without a joint. The
-    parts are in "joint_constraints" of the report."""
+    """Sum of the impulses of the lock, the mimics and the couplings on each velocity of the joint, N·m·s or N·s; empty without
+    a joint. "joint_constraints" of the report contains the single impulses."""
     peak_force: list[float | None] | None
     """Largest force along the axes in a compliant contact, N; None without a contact law."""
     peak_moment: list[float | None] | None
@@ -268,12 +268,12 @@ class JointConstraintRecord(Record):
     kind: Literal["lock", "mimic", "coupling"]
     """Kind."""
     name: str
-    """Name of the coupling; of the locked joint; of the joint that mimics another."""
+    """Name of the locked joint, of the joint that mimics another, or of the coupling."""
     joints: list[str]
-    """Joints, once for each velocity."""
+    """Joint of each impulse; a locked joint occurs once for each of its velocities."""
     impulses: list[float | None]
-    """Impulse on each velocity, N·m·s or N·s. None if redundant constraints leave it open, also if the sum on the joint
-    ("constraint" of its reaction) is determinate."""
+    """Impulse on each velocity, N·m·s or N·s. None if redundant constraints leave the impulse open; the sum on the joint
+    ("constraint" of its reaction) can still be determinate."""
     open_by: list[str]
     """Constraints that leave impulses open: loops, couplings, mimics and locks."""
 
@@ -392,7 +392,7 @@ class GreatestSpeedRecord(Record):
     joint: str
     """Joint that limits it."""
     limit: str
-    """Limit that is reached: "rate" or "gear"."""
+    """Limit that is reached: "rate", "gear" (impulse in the gear) or "gear-torque"."""
 
 
 class ReflectedRecord(Record):
@@ -402,6 +402,9 @@ class ReflectedRecord(Record):
     """The joint."""
     component: int
     """Index of the velocity within the joint."""
+    direction: str | None
+    """Velocity within a joint with several velocities: "about x", "along y" and so on, in the axes of the joint; None for one
+    velocity."""
     unit: str
     """Unit: "kg·m²" or "kg"."""
     free: float | None
@@ -412,6 +415,32 @@ class ReflectedRecord(Record):
     """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
     held_status: Literal["finite", "immovable", "massless"] | None
     """Kind of "held"; None for a joint that is no driver."""
+
+
+class MimicJointRecord(Record):
+    """Joint that follows the driving joint: position = multiplier · position of the driving joint + offset."""
+
+    joint: str
+    """The joint."""
+    multiplier: float
+    """Ratio of the positions: least-squares fit over the range."""
+    offset: float
+    """Position at the zero of the driving joint, rad or m."""
+    position_error: float
+    """Largest difference from the position in the linkage, rad or m."""
+
+
+class MimicSubstituteRecord(Record):
+    """Open tree of a linkage in which all dependent joints are mimic joints of the driving joint."""
+
+    joints: list[MimicJointRecord]
+    """Mimic joints."""
+    inertias: list[float]
+    """Inertia of this tree at the driving joint at each position, kg·m² or kg; without the additional armature."""
+    armature: float
+    """Armature to add to that of the driving joint, kg·m² or kg: the one with the smallest largest relative error."""
+    largest_error: float
+    """Largest relative error of the reflected inertia."""
 
 
 class ReflectedRangeRecord(Record):
@@ -435,17 +464,24 @@ class ReflectedRangeRecord(Record):
     """Constant with the smallest largest relative error: the harmonic mean of both."""
     largest_error: float | None
     """Largest relative error of this constant."""
+    substitute: MimicSubstituteRecord | None
+    """Substitute for simulators without loops: the open tree with mimic joints and an additional armature; None if no other
+    joint moves with the joint, if the joint is no driver, and if a joint with several velocities moves with it."""
+    substitute_refused_by: str | None
+    """Joint with several velocities that moves with the joint, so that there is no substitute."""
 
 
 class PercussionRecord(Record):
     """Centre of percussion of a joint, a closure or the ground."""
 
     joint: str
-    """Joint or closure with the least impulse, or the ground."""
+    """Bearing with the least impulse: name of a joint or of a closure, or "ground"."""
     direction: list[float] | None
     """Direction of the line, axes of the contact link; None for the tangent plane."""
     point_link: list[float]
     """Best contact point, frame of the contact link, m."""
+    point_world: list[float]
+    """The same point in the world, m."""
     distance: float
     """Displacement from the given contact point, m."""
     given_ratio: float
@@ -573,8 +609,8 @@ class ExtremeRecord(Record):
     value: float | None
     """Value of the quantity in the unit of the report; None if not finite."""
     status: Literal["finite", "immovable", "massless"]
-    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia. The largest load of a bearing is
-    "immovable" if it has no bound: it grows towards these positions, at which the contact is immovable."""
+    """Kind of the value; "immovable" is a valid largest value of a mass or an inertia. The largest impulse or peak force in a
+    bearing is "immovable" if it grows without bound towards these positions, at which the contact is immovable."""
     positions: list[ExtremePosition]
     """Positions of the varied joints."""
     gap: float | None
@@ -607,11 +643,11 @@ class ExtremesReport(Record):
     """Version of percuss."""
     quantity: str
     """Quantity: "effective_mass", "reflected_inertia", "held_inertia", "bearing_impulse" (impulse in the bearing per closing
-    speed, of a plastic impact) or "bearing_peak_force"."""
+    speed of a plastic impact) or "bearing_peak_force" (peak force in the bearing with the contact law)."""
     is_moment: bool
     """True for a moment about an axis, and for the stop of a revolute joint: closing speeds in rad/s."""
     joint: str | None
-    """Joint or bearing of the quantity; None for the effective mass."""
+    """Joint or bearing of the quantity: name of a joint or of a closure, or "ground"; None for the effective mass."""
     unit: str
     """Unit of the values: "kg" or "kg·m²"; "kg·m" for the impulse in a bearing per closing speed of a moment; "N" for a peak
     force."""
@@ -631,3 +667,28 @@ class ExtremesReport(Record):
     """Largest value of the quantity."""
     diagnostics: list[DiagnosticRecord]
     """Findings about the ranges, or about the rows of the path."""
+
+
+class ReflectedReport(Record):
+    """Reflected inertias without a contact, as JSON."""
+
+    _answer = {"drivers": "", "reflected_inertia": "", "reflected_over": ""}
+
+    schema: str
+    """"percuss.reflected/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    pose: dict[str, list[float]]
+    """Joint positions."""
+    conditions: ConditionsRecord
+    """Conditions."""
+    drivers: list[str]
+    """Driving joints: the drivers of the loops, and the joints outside loops."""
+    reflected_inertia: list[ReflectedRecord]
+    """Reflected inertias at the pose."""
+    reflected_over: list[ReflectedRangeRecord]
+    """Reflected inertias over ranges of positions."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""

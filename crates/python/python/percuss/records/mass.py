@@ -145,6 +145,20 @@ class MotionRatioRecord(Record):
     """Joint that is held for this ratio, although it moves in the impact: the rack of a steered axle; None if none is."""
 
 
+class FrictionThresholdsRecord(Record):
+    """Coefficients of friction at which the behaviour of a contact changes. They do not depend on the velocities."""
+
+    _answer = {"sticking": "", "jamming": ""}
+
+    slope: float | None
+    """Sliding speed per closing speed, t, of a contact of one relative motion; None for others."""
+    sticking: float | None
+    """Coefficient of friction above which the contact can stick; None for one relative motion, and if no friction suffices."""
+    jamming: float | None
+    """Coefficient of friction above which sliding can jam; for one relative motion, 1/t, above which the contact wedges. None
+    if no friction suffices."""
+
+
 class LinkSensitivity(Record):
     """Sensitivity of m̄ to a link."""
 
@@ -358,6 +372,8 @@ class MassReport(Record):
     motion_ratios: list[MotionRatioRecord]
     """Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the ratio holds for
     every motion, and of requested points."""
+    friction_thresholds: FrictionThresholdsRecord | None
+    """Coefficients of friction for sticking and jamming, if requested; None without a single finite effective mass."""
     explanation: Explanation | None
     """Sensitivities of m̄, if requested."""
     tolerance: ToleranceReport | None

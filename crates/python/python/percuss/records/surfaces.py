@@ -169,6 +169,15 @@ class SpeedRecord(Record):
     """Largest relative speed, m/s."""
 
 
+class ReachableSpeedRecord(Record):
+    """Greatest closing speed within the rate limits of the joints."""
+
+    speed: float
+    """Closing speed at the pose, m/s."""
+    limited_by: list[str]
+    """Joints at their rate limits."""
+
+
 class AlongRecord(Record):
     """Slowest row of a list of positions."""
 
@@ -215,6 +224,9 @@ class SafeSpeedReport(Record):
     """Speed for the standard's mass M/2 + m_L; without a region for the full moving mass, M + m_L."""
     reflected: SpeedRecord
     """Speed for the effective mass at the contact."""
+    reachable: ReachableSpeedRecord | None
+    """Greatest closing speed within the rate limits of the joints ("velocity" of a URDF); None if a motion without limited
+    joints closes the gap, or none does."""
     normal_world: list[float]
     """Contact normal, out of the robot, world axes."""
     moving_mass: float

@@ -217,6 +217,9 @@ pub enum Fault {
         /// Joint.
         joint: String,
     },
+    /// Limit of the torque in a gear without the stiffness of the contact.
+    #[error("a limit in N·m or N requires the stiffness of the contact, which determines the peak torque")]
+    NoContactStiffness,
     /// Joint without motion.
     #[error("joint \"{joint}\" is fixed; expected a joint that moves")]
     NoMotion {

@@ -1,63 +1,20 @@
-//! Additional results about an impact: reflected inertias, centres of percussion, greatest closing speed.
+//! Additional results about an impact: centres of percussion, greatest closing speed.
 
+use crate::damper::damping::damper;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::evaluation::status::Status;
+use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::travel::vary::Vary;
 use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
-use crate::thresholds::UNCHANGED_RATE;
+use crate::thresholds::{CONVERGED_SPEED, SPEED_ITERATIONS, UNCHANGED_RATE};
+use crate::values::drives::GearLimit;
 use crate::values::rates::GivenRates;
-use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
     Bearing, centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed,
-    greatest_closing_speed_of_gears, reflected_inertia, reflected_inertia_over, worst_reaction_within,
+    greatest_closing_speed_of_gears, worst_reaction_within,
 };
-use percuss_mechanism::{JointId, JointKind, Mechanism, near_names};
-use percuss_units::Dimension;
+use percuss_mechanism::{JointId, Mechanism, near_names};
 use serde::Serialize;
-
-/// Inertia reflected to a joint.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ReflectedRecord {
-    /// The joint.
-    pub joint: String,
-    /// Index of the velocity within the joint.
-    pub component: usize,
-    /// Unit: `kg·m²` or `kg`.
-    pub unit: &'static str,
-    /// Inertia with all other joints free; null if not finite.
-    pub free: Option<f64>,
-    /// Kind of `free`.
-    pub free_status: Status,
-    /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
-    pub held: Option<f64>,
-    /// Kind of `held`; null for a joint that is no driver.
-    pub held_status: Option<Status>,
-}
-
-/// Inertia reflected to a joint over a range of its positions.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ReflectedRangeRecord {
-    /// The joint.
-    pub joint: String,
-    /// Unit: `kg·m²` or `kg`.
-    pub unit: &'static str,
-    /// Positions of the joint, rad or m.
-    pub positions: Vec<f64>,
-    /// Inertia with all other joints free at each position; null if not finite.
-    pub free: Vec<Option<f64>>,
-    /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
-    pub held: Vec<Option<f64>>,
-    /// Smallest held inertia (free for a joint that is no driver); null without a finite one.
-    pub least: Option<f64>,
-    /// Largest held inertia.
-    pub most: Option<f64>,
-    /// Constant with the smallest largest relative error: the harmonic mean of both.
-    pub best_constant: Option<f64>,
-    /// Largest relative error of this constant.
-    pub largest_error: Option<f64>,
-}
 
 /// Centre of percussion of a joint, a closure or the ground.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -68,6 +25,8 @@ pub struct PercussionRecord {
     pub direction: Option<[f64; 3]>,
     /// Best contact point, frame of the contact link, m.
     pub point_link: [f64; 3],
+    /// The same point in the world, m.
+    pub point_world: [f64; 3],
     /// Displacement from the given contact point, m.
     pub distance: f64,
     /// Impulse at the joint for the given point, per impulse at the contact.
@@ -93,7 +52,7 @@ pub struct GreatestSpeedRecord {
     pub speed: f64,
     /// Joint that limits it.
     pub joint: String,
-    /// Limit that is reached: `rate` or `gear`.
+    /// Limit that is reached: `rate`, `gear` (impulse in the gear) or `gear-torque`.
     pub limit: &'static str,
 }
 
@@ -142,88 +101,6 @@ pub(crate) fn rates_of(
     Ok((joint, given.values_for_joint(mechanism.joint(joint).kind()).map_err(wrong)?))
 }
 
-/// Reflected inertias of the requested joints, one record for each velocity.
-pub(crate) fn reflected(
-    evaluated: &EvaluatedQuestion,
-    question: &ImpactQuestion,
-) -> Result<Vec<ReflectedRecord>, StudyError> {
-    let mechanism = &evaluated.prepared.model.mechanism;
-    let mut records = Vec::new();
-    for name in question.reflected.iter().filter(|name| range_of(evaluated, name).is_none()) {
-        let joint = find_joint(mechanism, Field::Reflected, name)?;
-        let columns = evaluated.pose.motion_subspace(joint);
-        if columns.is_empty() {
-            return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.clone() }));
-        }
-        for (component, column) in columns.iter().enumerate() {
-            let found = reflected_inertia(&evaluated.pose, joint, component)
-                .map_err(|error| StudyError::input(Field::Reflected, error))?;
-            let (free_status, free) = Status::classify(found.free);
-            let held = found.held.map(Status::classify);
-            records.push(ReflectedRecord {
-                joint: name.clone(),
-                component,
-                unit: if column.angular.norm() > 0.0 { "kg·m²" } else { "kg" },
-                free,
-                free_status,
-                held: held.and_then(|(_, mass)| mass),
-                held_status: held.map(|(status, _)| status),
-            });
-        }
-    }
-    Ok(records)
-}
-
-/// Joint and range of a request `JOINT=FROM:TO:COUNT`; `None` for the name of a joint.
-fn range_of<'t>(evaluated: &EvaluatedQuestion, text: &'t str) -> Option<(&'t str, &'t str)> {
-    let mechanism = &evaluated.prepared.model.mechanism;
-    if mechanism.find_joint(text).is_ok() { None } else { text.rsplit_once('=') }
-}
-
-/// Reflected inertias over the requested ranges of positions.
-pub(crate) fn reflected_over(
-    evaluated: &EvaluatedQuestion,
-    question: &ImpactQuestion,
-) -> Result<Vec<ReflectedRangeRecord>, StudyError> {
-    let prepared = &evaluated.prepared;
-    let mechanism = &prepared.model.mechanism;
-    let mut records = Vec::new();
-    for text in &question.reflected {
-        let Some((name, _)) = range_of(evaluated, text) else { continue };
-        let joint = find_joint(mechanism, Field::Reflected, name)?;
-        let kind = mechanism.joint(joint).kind();
-        let range: Vary = Vary::parse(text).map_err(|error| {
-            StudyError::input(Field::Reflected, Fault::RangeText { message: error.to_string() })
-        })?;
-        let dimension = match kind {
-            JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
-            JointKind::Prismatic => Dimension::Length,
-            _ => {
-                return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.to_owned() }));
-            }
-        };
-        let values = range
-            .values(dimension)
-            .map_err(|error| StudyError::input(Field::Reflected, Fault::Range(error)))?;
-        let positions: Vec<f64> = (0..values.count).map(|row| values.value_at(row)).collect();
-        let found = reflected_inertia_over(&prepared.system, &prepared.configuration, joint, &positions)
-            .map_err(|error| StudyError::input(Field::Reflected, error))?;
-        let known = |mass: EffectiveMass| mass.kilograms();
-        records.push(ReflectedRangeRecord {
-            joint: name.to_owned(),
-            unit: if dimension == Dimension::Angle { "kg·m²" } else { "kg" },
-            free: found.samples.iter().map(|s| known(s.inertia.free)).collect(),
-            held: found.samples.iter().map(|s| s.inertia.held.and_then(known)).collect(),
-            positions,
-            least: found.least,
-            most: found.most,
-            best_constant: found.best_constant,
-            largest_error: found.largest_error,
-        });
-    }
-    Ok(records)
-}
-
 /// Centres of percussion of the requested bearings.
 pub(crate) fn percussion(
     evaluated: &EvaluatedQuestion,
@@ -246,6 +123,7 @@ pub(crate) fn percussion(
             joint: request.joint.clone(),
             direction: request.direction,
             point_link: found.point.into(),
+            point_world: pose.link(contact.link).point(&found.point).into(),
             distance: found.displacement.norm(),
             given_ratio: found.given_reaction,
             remaining_ratio: found.remaining_reaction,
@@ -283,10 +161,14 @@ pub(crate) fn greatest_speed(
     }
     let (response, e) = (&evaluated.result.response, question.restitution);
     let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
-    let mut gears = gear_limits(evaluated, question)?;
-    gears.retain(|(joint, _, _)| is_changed(*joint));
-    let by_gears = greatest_closing_speed_of_gears(&evaluated.pose, response, e, &gears);
-    let found = by_rates.into_iter().chain(by_gears.map(|found| (found, "gear")));
+    let (mut impulses, mut torques) = gear_limits(evaluated, question)?;
+    impulses.retain(|(joint, _, _)| is_changed(*joint));
+    torques.retain(|(joint, _, _)| is_changed(*joint));
+    let by_impulses = greatest_closing_speed_of_gears(&evaluated.pose, response, e, &impulses);
+    let by_torques = greatest_speed_of_torques(evaluated, question, &torques)?;
+    let by_gears = by_impulses.map(|found| (found, "gear")).into_iter();
+    let by_gears = by_gears.chain(by_torques.map(|found| (found, "gear-torque")));
+    let found = by_rates.into_iter().chain(by_gears);
     let least = found.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b));
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
     Ok(least.map(|((speed, joint), limit)| GreatestSpeedRecord { speed, joint: name(joint), limit }))
@@ -317,27 +199,81 @@ fn unchanged_joints(evaluated: &EvaluatedQuestion) -> Vec<JointId> {
     joints.filter(|joint| size(&rates[joint.index()]) <= UNCHANGED_RATE * largest).collect()
 }
 
-/// Limits of the impulses in gears: joint, velocity, impulse.
+/// Limit of a gear: joint, velocity, and largest impulse or torque.
+type JointLimit = (JointId, usize, f64);
+
+/// Limits of gears: those of impulses, and those of torques.
 fn gear_limits(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
-) -> Result<Vec<(JointId, usize, f64)>, StudyError> {
+) -> Result<(Vec<JointLimit>, Vec<JointLimit>), StudyError> {
     let mechanism = &evaluated.prepared.model.mechanism;
-    let mut limits = Vec::new();
-    for (name, values) in &question.gear_limits {
+    let (mut impulses, mut torques) = (Vec::new(), Vec::new());
+    for (name, given) in &question.gear_limits {
         let refuse = |fault| StudyError::input(Field::GearLimit, fault);
         let joint = find_joint(mechanism, Field::GearLimit, name)?;
-        let (got, expected) = (values.len(), mechanism.joint(joint).kind().dofs());
+        let kind = mechanism.joint(joint).kind();
+        let wrong = |source| refuse(Fault::Position { joint: name.clone(), source });
+        let limits = given.limits_for_joint(kind).map_err(wrong)?;
+        let (got, expected) = (limits.len(), kind.dofs());
         if got != expected {
             return Err(refuse(Fault::LimitCount { joint: name.clone(), got, expected }));
-        }
-        if let Some(&value) = values.iter().find(|value| !(value.is_finite() && **value > 0.0)) {
-            return Err(refuse(Fault::RateLimit { joint: name.clone(), value }));
         }
         if evaluated.pose.armature(joint).iter().all(|armature| *armature == 0.0) {
             return Err(refuse(Fault::NoGear { joint: name.clone() }));
         }
-        limits.extend(values.iter().enumerate().map(|(k, value)| (joint, k, *value)));
+        for (k, limit) in limits.into_iter().enumerate() {
+            let (value, list) = match limit {
+                GearLimit::Impulse(value) => (value, &mut impulses),
+                GearLimit::Torque(value) => (value, &mut torques),
+            };
+            if value <= 0.0 {
+                return Err(refuse(Fault::RateLimit { joint: name.clone(), value }));
+            }
+            list.push((joint, k, value));
+        }
     }
-    Ok(limits)
+    Ok((impulses, torques))
+}
+
+/// Greatest closing speed at which the peak torque of no gear exceeds its limit, with the joint that limits it. `None` if the impact changes
+/// the rate of no limited rotor.
+///
+/// The impulse of a gear per impulse of the contact is armature · |v*|/m̄. The peak torque is this ratio times the peak force F of the
+/// contact. F grows as v^(2p/(p+1)) with the closing speed v, with p the exponent of the spring.
+fn greatest_speed_of_torques(
+    evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
+    limits: &[JointLimit],
+) -> Result<Option<(f64, JointId)>, StudyError> {
+    if limits.is_empty() {
+        return Ok(None);
+    }
+    let refuse = || StudyError::input(Field::GearLimit, Fault::NoContactStiffness);
+    let law = question.law.as_ref().ok_or_else(refuse)?;
+    let response = &evaluated.result.response;
+    let Some(mass) = response.effective_mass.kilograms() else { return Ok(None) };
+    let force = |&(joint, k, limit): &JointLimit| {
+        let armature = evaluated.pose.armature(joint).get(k)?.abs();
+        let ratio = armature * response.joint_velocities.get(joint.index())?.get(k)?.abs() / mass;
+        (ratio > 0.0).then_some((limit / ratio, joint))
+    };
+    let least = limits.iter().filter_map(force).min_by(|(a, _), (b, _)| a.total_cmp(b));
+    let Some((largest_force, joint)) = least else { return Ok(None) };
+    let peak_at = |speed: f64| -> Result<Option<f64>, StudyError> {
+        let law = DampingQuestion { restitution: question.restitution, speed: Some(speed), ..law.clone() };
+        Ok(damper(&law, mass)?.peak_force)
+    };
+    let mut speed = 1.0;
+    for _ in 0..SPEED_ITERATIONS {
+        let Some(peak) = peak_at(speed)?.filter(|peak| peak.is_finite() && *peak > 0.0) else {
+            return Ok(None);
+        };
+        let factor = (largest_force / peak).powf((law.exponent + 1.0) / (2.0 * law.exponent));
+        speed *= factor;
+        if (factor - 1.0).abs() < CONVERGED_SPEED {
+            break;
+        }
+    }
+    Ok(Some((speed, joint)))
 }

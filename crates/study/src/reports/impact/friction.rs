@@ -1,5 +1,6 @@
 //! Friction of an impact as a record.
 
+use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use percuss_impact::RigidImpact;
 use percuss_spatial::Vector3;
@@ -32,6 +33,17 @@ pub struct FrictionRecord {
     pub jamming_threshold: Option<f64>,
     /// Results of all laws of restitution with the same coefficients.
     pub laws: Vec<LawRecord>,
+}
+
+impl FrictionRecord {
+    /// Coefficients of friction at which the behaviour of the contact changes.
+    pub fn thresholds(&self) -> FrictionThresholdsRecord {
+        FrictionThresholdsRecord {
+            slope: self.slope,
+            sticking: self.sticking_threshold,
+            jamming: self.jamming_threshold,
+        }
+    }
 }
 
 /// Phase of an impact with friction.
@@ -84,15 +96,15 @@ pub(crate) fn friction_record(evaluated: &EvaluatedQuestion, rigid: &RigidImpact
     Some(FrictionRecord {
         coefficient: friction.coefficient,
         law: friction.law.name(),
-        slope: friction.slope,
+        slope: friction.thresholds.slope,
         wedged: friction.is_wedged,
         kinematic_restitution: friction.kinematic_restitution,
         tangential_impulse_world: world(&friction.tangential_impulse),
         sliding_before_world: world(&friction.sliding_before),
         sliding_after_world: world(&friction.sliding_after),
         phases: friction.phases.iter().map(phase).collect(),
-        sticking_threshold: friction.sticking_threshold,
-        jamming_threshold: friction.jamming_threshold,
+        sticking_threshold: friction.thresholds.sticking,
+        jamming_threshold: friction.thresholds.jamming,
         laws: friction.laws.iter().map(law).collect(),
     })
 }

@@ -1,5 +1,7 @@
 //! Impact in time with the contact law, as a record.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -10,7 +12,8 @@ use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
-use crate::thresholds::STROKES;
+use crate::thresholds::{CREATED_RESTITUTION, STROKES};
+use crate::values::drives::GivenSpring;
 use percuss_contact::{Damper, Separation, VaryingMassImpact};
 use percuss_dynamics::Pose;
 use percuss_impact::{
@@ -148,20 +151,34 @@ pub(crate) fn in_time(
     }))
 }
 
+/// Warning about an impact in time in which the sides separate faster than they approach.
+pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
+    let reached = found.restitution;
+    (reached > 1.0 + CREATED_RESTITUTION).then(|| {
+        let message = format!(
+            "the impact in time reaches a restitution of {reached:.4}, above 1: gravity, joint springs or the change of the effective mass \
+             accelerate the separation; check them, or use a stiffer contact"
+        );
+        Finding::about_result(FindingKind::RestitutionAboveOne, message)
+    })
+}
+
 /// Springs of the joints.
 fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
-    let spring = |(number, (name, values)): (usize, &(String, Vec<f64>))| {
+    let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
         if impact.joint_springs[..number].iter().any(|(earlier, _)| earlier == name) {
             return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
         }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let (stiffness, damping, free_position) = match **values {
+        let refuse = |fault| StudyError::input(Field::JointSpring, fault);
+        let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
+        let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
+        let (stiffness, damping, free_position) = match values[..] {
             [stiffness] => (stiffness, 0.0, None),
             [stiffness, damping] => (stiffness, damping, None),
             [stiffness, damping, free] => (stiffness, damping, Some(free)),
             _ => {
-                let fault = Fault::SpringCount { joint: name.clone(), got: values.len() };
-                return Err(StudyError::input(Field::JointSpring, fault));
+                return Err(refuse(Fault::SpringCount { joint: name.clone(), got: values.len() }));
             }
         };
         Ok(JointSpring { joint, stiffness, damping, free_position })

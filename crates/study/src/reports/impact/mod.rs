@@ -10,5 +10,6 @@ pub(crate) mod in_time;
 pub(crate) mod masses;
 pub(crate) mod question;
 pub(crate) mod reactions;
+pub(crate) mod reflected;
 pub(crate) mod report;
 pub(crate) mod simultaneous;

@@ -2,6 +2,7 @@
 
 use crate::question::damping_question::DampingQuestion;
 use crate::question::spelled_contact::FurtherContact;
+use crate::values::drives::{GivenGearLimits, GivenSpring};
 use crate::values::rates::GivenRates;
 use percuss_impact::RestitutionLaw;
 use percuss_units::Dimension;
@@ -40,13 +41,12 @@ pub struct ImpactQuestion {
     pub in_time: bool,
     /// Gravity during the impact in time, world axes, m/s²; `None` for none.
     pub gravity: Option<[f64; 3]>,
-    /// Springs and dampers of joints during the impact in time: stiffness (N·m/rad or N/m), then, if given, damping (N·m·s/rad or N·s/m)
-    /// and the position without force (rad or m).
-    pub joint_springs: Vec<(String, Vec<f64>)>,
+    /// Springs and dampers of joints during the impact in time.
+    pub joint_springs: Vec<(String, GivenSpring)>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,
-    /// Largest permitted impulses in gears, N·m·s or N·s, one for each velocity of the joint.
-    pub gear_limits: Vec<(String, Vec<f64>)>,
+    /// Largest permitted impulses or torques in gears.
+    pub gear_limits: Vec<(String, GivenGearLimits)>,
     /// Largest displacement of the contact point in the tangent plane, m: adds the worst impulse at the joints of `percussion`.
     pub point_error: Option<f64>,
     /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.

@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::damper::damping::damper;
+use crate::evaluation::contact_point::{contact_without_point, require_contact_point};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
@@ -14,22 +15,24 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::build_mass_report;
 use crate::reports::impact::additions::{
-    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord, greatest_speed,
-    limits_without_effect, percussion, rates_of, reflected, reflected_over,
+    GreatestSpeedRecord, PercussionRecord, greatest_speed, limits_without_effect, percussion, rates_of,
 };
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
 use crate::reports::impact::further_contacts::stop_findings;
-use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
+use crate::reports::impact::in_time::{ImpactTimeRecord, in_time, restitution_finding};
 use crate::reports::impact::masses::{MassStateRecord, mass_states};
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{
     JointConstraintRecord, ReactionPlace, ReactionRecord, joint_constraint_records, records,
 };
+use crate::reports::impact::reflected::{
+    PosedModel, ReflectedRangeRecord, ReflectedRecord, reflected, reflected_over,
+};
 use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous, unit_finding};
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
-use percuss_dynamics::{Base, Direction, Pose};
+use percuss_dynamics::{Base, Pose};
 use percuss_impact::{
     DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, forces_of_motion, held_point_mass,
     rates_from_drivers,
@@ -195,10 +198,8 @@ pub fn impact(
         (Field::ClosingSpeed, speed),
         response.contact.is_moment,
     )?;
-    let has_point = has_contact_point(&evaluated);
-    if !has_point {
-        refuse_results_at_point(&evaluated, impact)?;
-    }
+    let has_point = contact_without_point(&evaluated).is_none();
+    refuse_results_at_point(&evaluated, impact)?;
     if response.singular_pose {
         return Err(StudyError::SingularImpact);
     }
@@ -240,6 +241,11 @@ pub fn impact(
     if let Some(law) = &mut contact_law {
         law.motion_force = motion_force(&evaluated, &rigid, &held, &reactions);
     }
+    let in_time = in_time(&evaluated, impact, &rigid, &held)?;
+    diagnostics.extend(in_time.iter().filter_map(restitution_finding).map(DiagnosticRecord::from));
+    let posed = PosedModel::from(&evaluated);
+    let (reflected_over, found) = reflected_over(&posed, &impact.reflected)?;
+    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     let sticking = match has_point {
         true => {
             let alone = held_point_mass(pose, &response.contact);
@@ -269,45 +275,27 @@ pub fn impact(
         reactions,
         joint_constraints: joint_constraint_records(pose.mechanism(), &rigid.reactions),
         reaction_residual: rigid.reactions.residual,
-        in_time: in_time(&evaluated, impact, &rigid, &held)?,
+        in_time,
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         limits_without_effect: limits_without_effect(&evaluated, impact),
-        reflected_inertia: reflected(&evaluated, impact)?,
-        reflected_over: reflected_over(&evaluated, impact)?,
+        reflected_inertia: reflected(&posed, &impact.reflected)?,
+        reflected_over,
         percussion: percussion(&evaluated, impact)?,
         mass,
         diagnostics,
     })
 }
 
-/// True if the contact has a contact point: not for a moment about an axis, the stop of a joint, a cable, a spring or a rod.
-fn has_contact_point(evaluated: &EvaluatedQuestion) -> bool {
-    let prepared = &evaluated.prepared;
-    let is_moment = evaluated.result.response.contact.is_moment;
-    !is_moment && !is_line(evaluated) && prepared.question.stop_of_joint(&prepared.model.mechanism).is_none()
-}
-
-/// True for a force along the line between two points, such as that of a cable, a spring or a rod.
-fn is_line(evaluated: &EvaluatedQuestion) -> bool {
-    matches!(evaluated.contact.normal, Direction::TurningToward(..) | Direction::TurningAwayFrom(..))
-}
-
 /// Refuses results that require a contact point, for a contact without one.
 fn refuse_results_at_point(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
-    let prepared = &evaluated.prepared;
-    let contact = match prepared.question.stop_of_joint(&prepared.model.mechanism) {
-        Some(_) => "the stop of a joint",
-        None if is_line(evaluated) => "a cable, a spring or a rod",
-        None => "a moment about an axis",
-    };
     let results = [
         (impact.friction.is_some(), Field::Friction, "friction"),
         (!impact.percussion.is_empty(), Field::Percussion, "centre of percussion"),
-        (impact.sticking, Field::Also, "sticking contact point"),
+        (impact.sticking, Field::Sticking, "sticking contact point"),
     ];
     match results.into_iter().find(|(is_requested, ..)| *is_requested) {
-        Some((_, field, result)) => Err(StudyError::input(field, Fault::NoContactPoint { contact, result })),
+        Some((_, field, result)) => require_contact_point(evaluated, field, result),
         None => Ok(()),
     }
 }
@@ -360,8 +348,8 @@ fn motion_before(
         pose.base().inverse_vector(&Vector3::new(wx, wy, wz)),
         pose.base().inverse_vector(&Vector3::new(vx, vy, vz)),
     );
-    let rates =
-        rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(Field::Rates, error))?;
+    let given = if impact.rates.is_empty() { Field::BaseTwist } else { Field::Rates };
+    let rates = rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(given, error))?;
     let contact = &result.response.contact;
     let unit = if contact.is_moment { "rad/s" } else { "m/s" };
     let closing = closing_speed(pose, contact, &rates);
@@ -374,7 +362,7 @@ fn motion_before(
         _ => closing,
     };
     if speed.is_nan() || speed <= 0.0 {
-        return Err(StudyError::input(Field::Rates, Fault::GapOpens { closing: speed, unit }));
+        return Err(StudyError::input(given, Fault::GapOpens { closing: speed, unit }));
     }
     Ok((speed, Some(rates)))
 }

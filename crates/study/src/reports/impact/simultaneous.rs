@@ -263,9 +263,13 @@ fn has_other_laws(error: &ImpactError, restitution: &[f64]) -> bool {
 /// Error of several contacts, about the part of the question at fault.
 fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
     match error {
+        ImpactError::TooManyContacts { .. } | ImpactError::Mobility(_) if question.also.is_empty() => {
+            StudyError::input(Field::Sticking, error)
+        }
         ImpactError::TooManyContacts { .. } | ImpactError::Mobility(_) => {
             StudyError::input(Field::Also, error)
         }
+        ImpactError::NoConsistentSubset => StudyError::input(Field::Sticking, error),
         ImpactError::ContactValues { .. } | ImpactError::OutOfRange { .. } => {
             StudyError::input(Field::StiffnessRatio, error)
         }

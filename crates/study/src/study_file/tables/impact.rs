@@ -7,11 +7,12 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::spelled_contact::FurtherContact;
 use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
+use crate::values::drives::{self, GivenGearLimits, GivenSpring};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
-use crate::values::value::{self, PositionText, Words};
+use crate::values::value::{self, NumberOrText, PositionText, Words};
 use percuss_contact::Law;
 use percuss_impact::RestitutionLaw;
 use schemars::JsonSchema;
@@ -47,14 +48,20 @@ impl RestitutionLawName {
 }
 
 /// Rigid impact at the contact: impulse, rates after the impact, and reactions.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct ImpactTable {
     /// Coefficient of restitution, from 0 to 1.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "E", required = true, allow_hyphen_values = true, help_heading = IMPACT)
+        arg(
+            long,
+            value_name = "E",
+            required_unless_present = "reflected",
+            allow_hyphen_values = true,
+            help_heading = IMPACT
+        )
     )]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
@@ -107,7 +114,7 @@ pub struct ImpactTable {
     pub contact_exponent: Option<Plain>,
     /// Rate of a driving joint before the impact.
     ///
-    /// The other joints follow from the loops. The given joints must determine all others. Units: rad/s, deg/s, m/s.
+    /// The other joints follow from the loops. The given joints must determine all others. Units: rad/s, deg/s, rpm, m/s.
     #[cfg_attr(
         feature = "flags",
         arg(
@@ -170,24 +177,26 @@ pub struct ImpactTable {
     pub gravity: Vec<f64>,
     /// Spring and damper of a joint during the impact in time: K, K,D or K,D,FREE.
     ///
-    /// Stiffness (N·m/rad, N/m), damping (N·m·s/rad, N·s/m), and the position without force (rad, m); default: that at the touch.
+    /// Stiffness (N·m/rad, N·m/deg, N/m), damping (N·m·s/rad, N·s/m), and the position without force (rad, deg, m); default: that at the
+    /// touch. Numbers without units are in SI units.
     #[cfg_attr(
         feature = "flags",
         arg(
             long,
             value_name = "JOINT=K,D",
-            value_parser = named::joint_armature,
+            value_parser = named::joint_spring,
             requires = "in_time",
             help_heading = IMPACT
         )
     )]
-    #[serde(deserialize_with = "value::armatures")]
-    #[schemars(with = "BTreeMap<String, value::OneOrMany<f64>>")]
-    pub joint_spring: Vec<(String, Vec<f64>)>,
+    #[serde(deserialize_with = "drives::by_joint")]
+    #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
+    pub joint_spring: Vec<(String, GivenSpring)>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
-    /// the best constant armature and its error.
+    /// two substitutes for simulators without loops and their errors: the best constant armature, and mimic joints with an armature. The
+    /// inertias require no contact and no impact.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL)
@@ -205,7 +214,7 @@ pub struct ImpactTable {
     pub percussion: Vec<PercussionRequest>,
     /// Largest jump of a joint rate: greatest closing speed.
     ///
-    /// Units: rad/s, deg/s, m/s.
+    /// Units: rad/s, deg/s, rpm, m/s.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "JOINT=RATE", value_parser = named::joint_rates, help_heading = ADDITIONAL)
@@ -213,16 +222,18 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "rates")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub rate_limit: Vec<(String, GivenRates)>,
-    /// Largest impulse in a gear (N·m·s, N·s): greatest closing speed.
+    /// Largest impulse (N·m·s, N·s) or torque (N·m, N) in a gear: greatest closing speed.
     ///
-    /// The gear transmits armature · jump of the rate. One value, or one value per velocity, separated by commas.
+    /// The gear transmits the impulse armature · jump of the rate. Its peak torque is this impulse per unit impulse of the contact, times the
+    /// peak force of the contact; this requires the stiffness of the contact. A number without a unit is an impulse. One value, or one value
+    /// per velocity, separated by commas.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=IMPULSE", value_parser = named::joint_armature, help_heading = ADDITIONAL)
+        arg(long, value_name = "JOINT=LIMIT", value_parser = named::gear_limit, help_heading = ADDITIONAL)
     )]
-    #[serde(deserialize_with = "value::armatures")]
-    #[schemars(with = "BTreeMap<String, value::OneOrMany<f64>>")]
-    pub gear_limit: Vec<(String, Vec<f64>)>,
+    #[serde(deserialize_with = "drives::by_joint")]
+    #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
+    pub gear_limit: Vec<(String, GivenGearLimits)>,
     /// Largest displacement of the contact point: worst impulse at the joints of --percussion.
     ///
     /// The point is displaced in the tangent plane, in the worst direction (m; 5mm).
@@ -284,6 +295,18 @@ impl ImpactTable {
         }
         if !self.joint_spring.is_empty() && !self.in_time {
             return refuse("impact.joint_spring", "it requires `in_time`: a rigid impact is instantaneous");
+        }
+        let needs = [
+            ("impact.restitution_law", self.restitution_law.is_some(), "friction", self.friction.is_some()),
+            ("impact.exponent", self.exponent.is_some(), "stiffness", self.stiffness.is_some()),
+            ("impact.law", self.law.is_some(), "stiffness", self.stiffness.is_some()),
+            ("impact.stiffness_ratio", !self.stiffness_ratio.is_empty(), "also", !self.also.is_empty()),
+            ("impact.contact_exponent", self.contact_exponent.is_some(), "also", !self.also.is_empty()),
+        ];
+        for (key, is_given, needed, is_there) in needs {
+            if is_given && !is_there {
+                return refuse(key, &format!("it has no effect without `{needed}`"));
+            }
         }
         if self.point_error.is_some() && self.percussion.is_empty() {
             return refuse("impact.point_error", "it requires `percussion`, the joints");

@@ -19,6 +19,8 @@ pub struct StudyMass {
     pub expect_tolerance: Option<f64>,
     /// True if sensitivities of m̄ are requested.
     pub explain: bool,
+    /// True if the coefficients of friction for sticking and jamming are requested.
+    pub friction_thresholds: bool,
     /// Tolerances of the model's parts.
     pub tolerance: Option<Tolerance>,
     /// Random samples within the tolerances.
@@ -86,6 +88,12 @@ pub struct MassTable {
     /// hardpoint of a sheet, and the changes that reduce the effective mass most.
     #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
     pub explain: bool,
+    /// Coefficients of friction from which the contact can stick, jam or wedge.
+    ///
+    /// They do not depend on the velocities. A contact with one relative motion, such as the stop of a suspension, wedges from a coefficient
+    /// of 1/t, with t its sliding speed per closing speed.
+    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    pub friction_thresholds: bool,
 }
 
 /// Deserializes one tolerance or a list of tolerances.
@@ -101,7 +109,11 @@ impl MassTable {
     /// [`InvalidKey`]: keys that need or exclude each other.
     pub fn options(&self) -> Result<StudyMass, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
-        let mut study_mass = StudyMass { explain: self.explain, ..StudyMass::default() };
+        let mut study_mass = StudyMass {
+            explain: self.explain,
+            friction_thresholds: self.friction_thresholds,
+            ..StudyMass::default()
+        };
         study_mass.expect = self.expect.map(|mass| mass.0);
         for given in &self.tolerance {
             let twice = match given {

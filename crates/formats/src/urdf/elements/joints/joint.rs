@@ -20,6 +20,8 @@ pub(crate) struct JointText<'a> {
     pub axis: &'a str,
     /// Lower and upper limit: one valid number each, rad or m.
     pub limits: Option<[&'a str; 2]>,
+    /// Largest rate, rad/s or m/s; `None` for a missing one, 0, and an invalid number, which have no effect on effective masses.
+    pub rate_limit: Option<f64>,
     /// Empty, one value, or one value per velocity; kg·m² or kg.
     pub armature: Vec<f64>,
     pub mimic: Option<MimicText<'a>>,
@@ -50,6 +52,9 @@ pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) ->
         origin: origin::read_origin(node, report),
         axis: read_axis(node, kind, report),
         limits: read_limits(node, kind, report),
+        rate_limit: child(node, "limit")
+            .and_then(|limit| limit.attribute("velocity")?.trim_ascii().parse().ok())
+            .filter(|rate: &f64| rate.is_finite() && *rate > 0.0),
         armature: armature::read_joint_armature(node, report),
         mimic: child(node, "mimic").and_then(|n| read_mimic(n, kind, report)),
         independent: read_independent(node, report),

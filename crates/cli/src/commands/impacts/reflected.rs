@@ -1,0 +1,228 @@
+//! Reflected inertias: text, table and figure; and `percuss impact --reflected` without a contact.
+
+use crate::args::{CheckFormat, ImpactArgs};
+use crate::files::csv::{self, Cell};
+use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::{parquet_rows, xlsx_rows};
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::limits;
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::text::{number, rounded, short_number};
+use crate::terminal::wrap::fact_line;
+use percuss_render::{Figure, Panel, Series, Sheet, Style};
+use percuss_study::{
+    Dimension, Input, MimicJointRecord, MimicSubstituteRecord, ReflectedRangeRecord, ReflectedRecord,
+    ReflectedReport, Status, reflected_inertias,
+};
+use std::path::Path;
+
+/// Runs `percuss impact --reflected` without a contact.
+pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
+    let conditions = args.contact.conditions()?;
+    let model = args.model.load()?;
+    let found = reflected_inertias(&model, &conditions, &args.impact.reflected);
+    let report = with_findings(found, &model)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    if let Some(path) = &args.output {
+        write_ranges(&report.reflected_over, &report.inputs, path)?;
+    }
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&text(&report)),
+    }
+}
+
+/// Report without a contact as text.
+fn text(report: &ReflectedReport) -> String {
+    let ReflectedReport { reflected_inertia, reflected_over, drivers, conditions, .. } = report;
+    let mut facts = facts(reflected_inertia, reflected_over, drivers);
+    facts.push(("base", conditions.base.to_owned()));
+    facts.push(("driving joints", drivers.join(", ")));
+    if !conditions.lock.is_empty() {
+        facts.push(("locked joints", conditions.lock.join(", ")));
+    }
+    facts.into_iter().map(|(name, value)| fact_line(name, &line(&value))).collect()
+}
+
+/// Reflected inertias as text. `drivers`: drivers of the loops.
+pub fn facts(
+    records: &[ReflectedRecord],
+    ranges: &[ReflectedRangeRecord],
+    drivers: &[String],
+) -> Vec<(&'static str, String)> {
+    let mut facts: Vec<_> = records.iter().map(|record| ("reflected", reflected(record, drivers))).collect();
+    for range in ranges {
+        facts.push(("armature", armature(range)));
+        facts.extend(range.substitute.as_ref().map(|found| ("mimic joints", substitute(range, found))));
+        facts.extend(range.substitute_refused_by.as_ref().map(|joint| {
+            let why = format!("none: {joint} moves with {} and has several velocities", range.joint);
+            ("mimic joints", why)
+        }));
+    }
+    facts
+}
+
+/// Inertias reflected to a joint as text, with the unit: with all other joints free, and with the other drivers held.
+fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
+    let value = |status: Status, value: Option<f64>| match (status, value) {
+        (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),
+        (status, _) => status.name().to_owned(),
+    };
+    let free = value(record.free_status, record.free);
+    let held = record.held_status.map_or_else(
+        || format!("no driving joint (the loops are driven by {})", drivers.join(", ")),
+        |status| format!("{} with the other drivers held", value(status, record.held)),
+    );
+    let direction = record.direction.map_or_else(String::new, |direction| format!(" {direction}"));
+    format!("{}{direction}: {free} free; {held}", record.joint)
+}
+
+/// Reflected inertia over a range as text.
+fn armature(range: &ReflectedRangeRecord) -> String {
+    let (Some(least), Some(most), Some(constant), Some(error)) =
+        (range.least, range.most, range.best_constant, range.largest_error)
+    else {
+        return format!("{}: not finite over the range", range.joint);
+    };
+    let unit = range.unit;
+    let state = if is_held(range) { "with the other drivers held" } else { "free" };
+    format!(
+        "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It includes the inertia \
+         of the links: in a simulator whose model contains the links, set only the missing part as armature",
+        range.joint,
+        number(least),
+        number(most),
+        range.positions.len(),
+        number(constant),
+        percent(error),
+    )
+}
+
+/// Substitute with mimic joints as text.
+fn substitute(range: &ReflectedRangeRecord, found: &MimicSubstituteRecord) -> String {
+    let mimic = |joint: &MimicJointRecord| {
+        let offset = rounded(joint.offset, 1.0);
+        let (sign, size) = (if offset < 0.0 { '-' } else { '+' }, short_number(offset.abs()));
+        format!("{} = {} q {sign} {size}", joint.joint, short_number(joint.multiplier))
+    };
+    let joints: Vec<String> = found.joints.iter().map(mimic).collect();
+    format!(
+        "for a simulator without loops, the tree with {}, q the position of {}, and an additional armature of {} {} at {}: the inertia is \
+         wrong by up to {} %",
+        joints.join(", "),
+        range.joint,
+        number(found.armature),
+        range.unit,
+        range.joint,
+        percent(found.largest_error),
+    )
+}
+
+/// Relative error in percent.
+fn percent(error: f64) -> String {
+    short_number(rounded(100.0 * error, 100.0))
+}
+
+/// True if the joint drives, so that its inertia with the other drivers held is known.
+fn is_held(range: &ReflectedRangeRecord) -> bool {
+    range.held.iter().any(Option::is_some)
+}
+
+/// True if the free and the held inertia are equal up to rounding at all positions, as for one degree of freedom.
+fn has_equal_curves(range: &ReflectedRangeRecord) -> bool {
+    range.free.iter().zip(&range.held).all(|(free, held)| match (free, held) {
+        (Some(free), Some(held)) => (free - held).abs() <= limits::EQUAL_CURVES * held,
+        (free, held) => free == held,
+    })
+}
+
+/// Error for an output without contents.
+pub fn no_output(path: &str) -> Failure {
+    Failure::bad_input(format!(
+        "--output {path}: nothing is written to a file; it requires --in-time, or a range --reflected JOINT=FROM:TO:COUNT"
+    ))
+}
+
+/// Writes reflected inertias over ranges as a table or a figure.
+pub fn write_ranges(ranges: &[ReflectedRangeRecord], inputs: &[Input], path: &str) -> Result<(), Failure> {
+    if ranges.is_empty() {
+        return Err(no_output(path));
+    }
+    inputs.iter().for_each(|input| record_input(&input.path));
+    check_writable(path)?;
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    let drawn = || sheet(ranges, inputs.first().map_or("", |input| &input.path));
+    let (columns, rows) = table(ranges);
+    let bytes = match ending.as_str() {
+        "svg" => drawn().to_svg().into_bytes(),
+        "png" => drawn().to_png(2.0)?,
+        "pdf" => drawn().to_pdf()?,
+        "csv" => csv::table(&columns, &rows).into_bytes(),
+        "xlsx" => xlsx_rows::workbook(path, "reflected inertia", &columns, rows)?,
+        "parquet" => return parquet_rows::write_table(path, &columns, &rows),
+        _ => {
+            return Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .svg, .png, .pdf, .csv, .xlsx or .parquet"
+            )));
+        }
+    };
+    write_file(path, &bytes)
+}
+
+/// Columns and rows of the table: one row for each position of each joint.
+fn table(ranges: &[ReflectedRangeRecord]) -> (Vec<String>, Vec<Vec<Cell>>) {
+    let columns = ["joint", "position", "free", "held", "mimic_tree"].map(str::to_owned).to_vec();
+    let row = |range: &ReflectedRangeRecord, k: usize| {
+        let tree = range.substitute.as_ref().map(|found| found.inertias[k]);
+        vec![
+            Cell::Text(range.joint.clone().into()),
+            Cell::Number(range.positions[k]),
+            Cell::from_value(range.free[k]),
+            Cell::from_value(range.held[k]),
+            Cell::from_value(tree),
+        ]
+    };
+    let rows = ranges.iter().flat_map(|range| (0..range.positions.len()).map(move |k| row(range, k)));
+    (columns, rows.collect())
+}
+
+/// Figure for each joint: inertia over the position, free and held, and the best constant.
+pub fn sheet(ranges: &[ReflectedRangeRecord], model: &str) -> Sheet {
+    let figure = |range: &ReflectedRangeRecord| {
+        let turns = range.unit == "kg·m²";
+        let dimension = if turns { Dimension::Angle } else { Dimension::Length };
+        let (scale, unit) = dimension.display_unit().map_or((1.0, ""), |unit| (unit.per_si, unit.name));
+        let curve = |values: &[Option<f64>]| -> Vec<(f64, Option<f64>)> {
+            range.positions.iter().zip(values).map(|(x, y)| (scale * x, *y)).collect()
+        };
+        let series = |name: String, style, points| Series { name, style, points };
+        let mut curves = Vec::new();
+        if has_equal_curves(range) {
+            curves.push(series("other joints free or held".into(), Style::Line, curve(&range.free)));
+        } else {
+            curves.push(series("other joints free".into(), Style::Line, curve(&range.free)));
+            if is_held(range) {
+                curves.push(series("other drivers held".into(), Style::Line, curve(&range.held)));
+            }
+        }
+        let constant = range.best_constant.zip(range.largest_error);
+        if let Some((constant, error)) = constant.filter(|(_, error)| *error > limits::EQUAL_CURVES) {
+            let name = format!("best constant, ± {} %", percent(error));
+            let constant = vec![Some(constant); range.positions.len()];
+            curves.push(series(name, Style::Dashed, curve(&constant)));
+        }
+        Figure {
+            title: format!("Inertia reflected to {}", range.joint),
+            subtitle: model.to_owned(),
+            x_label: format!("{} ({unit})", range.joint),
+            panels: vec![Panel {
+                y_label: format!("reflected inertia ({})", range.unit),
+                series: curves,
+                ..Panel::default()
+            }],
+            ..Figure::default()
+        }
+    };
+    Sheet { figures: ranges.iter().map(figure).collect() }
+}

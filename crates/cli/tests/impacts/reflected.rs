@@ -1,0 +1,160 @@
+//! Reflected inertias over ranges: tables, figures, substitutes for simulators without loops; without a contact.
+
+use crate::support::{Scratch, Sweep, json, percuss, refused, root};
+use serde_json::Value;
+
+const BAR: &str = "impact models/four_bar.urdf";
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn reflected_inertias_need_no_contact() {
+    let alone =
+        json(&format!("{BAR} --reflected crank_hinge --reflected crank_hinge=0:360deg:37 --format json"));
+    assert_eq!(alone["schema"], "percuss.reflected/1");
+    let contact = "--link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3 --speed 1";
+    let full = json(&format!(
+        "{BAR} {contact} --reflected crank_hinge --reflected crank_hinge=0:360deg:37 --format json"
+    ));
+    for key in ["reflected_inertia", "reflected_over"] {
+        assert_eq!(alone[key], full[key], "{key}");
+    }
+    let set = json(&format!("{BAR} --set crank_hinge=90deg --reflected crank_hinge --format json"));
+    let range =
+        &json(&format!("{BAR} --reflected crank_hinge=90deg:91deg:2 --format json"))["reflected_over"][0];
+    let (at, of_range) = (number(&set["reflected_inertia"][0]["held"]), number(&range["held"][0]));
+    assert!((at / of_range - 1.0).abs() < 1e-12, "{at} {of_range}");
+    let text = percuss(&format!("{BAR} --reflected crank_hinge --reflected rocker_hinge")).stdout;
+    assert!(text.contains("driving joints       crank_hinge") && text.contains("rocker_hinge:"), "{text}");
+    // An impact has its contact and its restitution.
+    refused(&format!("{BAR} --reflected crank_hinge --speed 1"), &["a contact of the model is required"]);
+    let contact = "--link coupler --point 0.35,0.1,0 --normal 0,1,0";
+    refused(&format!("{BAR} {contact} --reflected crank_hinge --speed 1"), &["--restitution: it is missing"]);
+    refused(&format!("{BAR} {contact} --speed 1"), &["--restitution"]);
+}
+
+#[test]
+fn ranges_are_written_as_tables_and_figures() {
+    let folder = Scratch::new("reflected");
+    let line = format!("{BAR} --reflected crank_hinge=-40deg:40deg:9");
+    let csv = folder.path("inertia.csv");
+    let report = json(&format!("{line} --output {csv} --format json"));
+    let range = &report["reflected_over"][0];
+    let table = Sweep::read(&std::fs::read_to_string(&csv).expect("a table"));
+    for k in 0..9 {
+        assert_eq!(table.cell(k, "joint"), "crank_hinge");
+        for (column, key) in [("position", "positions"), ("free", "free"), ("held", "held")] {
+            assert_eq!(table.number(k, column), range[key][k].as_f64(), "{column}");
+        }
+        assert_eq!(table.number(k, "mimic_tree"), range["substitute"]["inertias"][k].as_f64());
+    }
+    for (name, start) in
+        [("a.xlsx", &b"PK"[..]), ("a.parquet", b"PAR1"), ("a.png", b"\x89PNG"), ("a.pdf", b"%PDF")]
+    {
+        let path = folder.path(name);
+        let outcome = percuss(&format!("{line} -o {path}"));
+        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+        assert!(std::fs::read(&path).expect("a file").starts_with(start), "{name}");
+    }
+    // Free and held are two curves if they differ, and one for one degree of freedom.
+    let svg = |line: &str| {
+        let path = folder.path("curves.svg");
+        let outcome = percuss(&format!("{line} -o {path}"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        std::fs::read_to_string(&path).expect("a figure")
+    };
+    let one = svg(&line);
+    assert!(one.contains("other joints free or held") && one.contains("best constant"), "{one}");
+    let arm = svg("impact models/planar_2r.urdf --set elbow=40deg --reflected shoulder=-30deg:30deg:7");
+    assert!(arm.contains("other joints free<") && arm.contains("other drivers held"), "{arm}");
+    let two = svg("impact models/planar_2r.urdf --reflected shoulder=0:1:5 --reflected elbow=0:1:5");
+    assert!(
+        two.contains("Inertia reflected to shoulder") && two.contains("Inertia reflected to elbow"),
+        "{two}"
+    );
+    for (flags, words) in [
+        ("--reflected crank_hinge -o x.csv", "a range --reflected JOINT=FROM:TO:COUNT"),
+        ("--reflected crank_hinge=0:1:3 -o x.txt", ".parquet"),
+        (
+            "--reflected crank_hinge=0:1:3 -o x.svg --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3 --speed 0.5 \
+          --stiffness 2e6 --in-time",
+            "both --in-time",
+        ),
+    ] {
+        refused(&format!("{BAR} {flags}"), &[words]);
+    }
+}
+
+#[test]
+fn ranges_are_checked_against_limits_and_positions() {
+    let warned = percuss("impact models/six_r_arm.urdf --reflected elbow=0:5:5");
+    assert!(warned.code == 0 && warned.stderr.contains("outside the limits"), "{}", warned.stderr);
+    let inside = percuss("impact models/six_r_arm.urdf --reflected elbow=0:2:5");
+    assert!(!inside.stderr.contains("outside"), "{}", inside.stderr);
+    refused(
+        &format!("{BAR} --reflected crank_hinge=0:1:3 --set crank_hinge=1"),
+        &["--reflected", "already set (--set)"],
+    );
+    // The stop of the joint sets its position for the impact only.
+    let stop = "impact models/six_r_arm.urdf --at elbow:upper --restitution 0.2 --speed 2 --reflected elbow=0:1:3 --format json";
+    let plain = "impact models/six_r_arm.urdf --reflected elbow=0:1:3 --format json";
+    assert_eq!(json(stop)["reflected_over"], json(plain)["reflected_over"]);
+    // The velocities of a ball joint have distinct labels.
+    let ball = json("impact models/multi_link.urdf --reflected upper_ball --format json");
+    let labels: Vec<&Value> = ball["reflected_inertia"]
+        .as_array()
+        .expect("three")
+        .iter()
+        .map(|record| &record["direction"])
+        .collect();
+    assert_eq!(labels, ["about x", "about y", "about z"]);
+    let text = percuss("impact models/multi_link.urdf --reflected upper_ball").stdout;
+    assert!(text.contains("upper_ball about x:") && text.contains("upper_ball about z:"), "{text}");
+}
+
+/// The substitute with mimic joints, written as a URDF without loops: its inertia plus the armature differs from that of the linkage by the
+/// stated largest error.
+#[test]
+fn a_substitute_with_mimic_joints_has_the_stated_error() {
+    let folder = Scratch::new("mimic");
+    let text = std::fs::read_to_string(root().join("models/four_bar.urdf")).expect("the model");
+    let mut tree = text[text.find("<robot").expect("a robot")..].replace(" independent=\"true\"", "");
+    let (start, end) =
+        (tree.find("<loop ").expect("a loop"), tree.find("</loop>").expect("its end") + "</loop>".len());
+    tree.replace_range(start..end, "");
+    for range in ["90deg:130deg:21", "10deg:14deg:11", "250deg:265deg:31"] {
+        let report =
+            json(&format!("{BAR} --armature crank_hinge=0.3 --reflected crank_hinge={range} --format json"));
+        let found = &report["reflected_over"][0];
+        let substitute = &found["substitute"];
+        let mut model = tree.clone();
+        for mimic in substitute["joints"].as_array().expect("joints") {
+            let name =
+                format!("<joint name=\"{}\" type=\"continuous\">", mimic["joint"].as_str().expect("a name"));
+            let element = format!(
+                "{name}<mimic joint=\"crank_hinge\" multiplier=\"{}\" offset=\"{}\"/>",
+                mimic["multiplier"], mimic["offset"]
+            );
+            assert!(model.contains(&name), "{name}");
+            model = model.replace(&name, &element);
+        }
+        let model = folder.write("tree.urdf", &model);
+        let armature = 0.3 + number(&substitute["armature"]);
+        assert!(armature >= 0.0);
+        let own = json(&format!(
+            "impact {model} --armature crank_hinge={armature} --reflected crank_hinge={range} --format json"
+        ));
+        let own = own["reflected_over"][0]["held"].as_array().expect("values");
+        let errors = own.iter().zip(found["held"].as_array().expect("values"));
+        let error = errors.map(|(own, exact)| (number(own) / number(exact) - 1.0).abs()).fold(0.0, f64::max);
+        let stated = number(&substitute["largest_error"]);
+        assert!((error - stated).abs() < 1e-9, "{range}: {error} {stated}");
+        // Where the ratios change fast, the constant armature alone can be better.
+        let is_better = stated < number(&found["largest_error"]);
+        assert_eq!(is_better, range != "250deg:265deg:31", "{range}: {stated}");
+    }
+    let text = percuss(&format!("{BAR} --reflected crank_hinge=10deg:14deg:5")).stdout;
+    assert!(text.contains("mimic joints         for a simulator without loops"), "{text}");
+}

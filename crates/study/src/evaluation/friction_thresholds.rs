@@ -1,0 +1,49 @@
+//! Coefficients of friction at which a contact can stick, jam or wedge.
+
+use crate::evaluation::contact_point::require_contact_point;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::model::loading::Model;
+use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use percuss_dynamics::EffectiveMass;
+use percuss_impact::FrictionThresholds;
+use serde::Serialize;
+
+/// Coefficients of friction at which the behaviour of a contact changes. They do not depend on the velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FrictionThresholdsRecord {
+    /// Sliding speed per closing speed, t, of a contact of one relative motion; null for others.
+    pub slope: Option<f64>,
+    /// Coefficient of friction above which the contact can stick; null for one relative motion, and if no friction suffices.
+    pub sticking: Option<f64>,
+    /// Coefficient of friction above which sliding can jam; for one relative motion, 1/t, above which the contact wedges. Null if no
+    /// friction suffices.
+    pub jamming: Option<f64>,
+}
+
+impl From<FrictionThresholds> for FrictionThresholdsRecord {
+    fn from(found: FrictionThresholds) -> Self {
+        Self { slope: found.slope, sticking: found.sticking, jamming: found.jamming }
+    }
+}
+
+/// Thresholds of friction at a contact of a model. `None` without a single finite effective mass: an immovable or massless contact, a
+/// singular pose.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass`](crate::mass()); a contact without a contact point.
+pub fn friction_thresholds(
+    model: &Model,
+    question: &MassQuestion,
+) -> Result<Option<FrictionThresholdsRecord>, StudyError> {
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    require_contact_point(&evaluated, Field::FrictionThresholds, "threshold of friction")?;
+    let response = &evaluated.result.response;
+    if response.singular_pose || !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
+        return Ok(None);
+    }
+    let found = percuss_impact::friction_thresholds(&evaluated.pose, response);
+    let refuse = |error| StudyError::input(Field::FrictionThresholds, error);
+    Ok(Some(found.map_err(refuse)?.into()))
+}

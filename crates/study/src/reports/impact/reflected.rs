@@ -1,0 +1,319 @@
+//! Inertias reflected to joints, at a pose and over ranges of positions. They need no contact.
+
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
+use crate::checks::findings::collect_pose_findings;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
+use crate::evaluation::status::Status;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::pose_solver;
+use crate::pose::positions::{PoseLayout, Positions};
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::question::pose_file::GivenPose;
+use crate::question::travel::vary::Vary;
+use crate::reports::impact::additions::find_joint;
+use crate::reports::mass_report::ConditionsRecord;
+use percuss_dynamics::{Configuration, EffectiveMass, Pose, System};
+use percuss_impact::{
+    MimicSubstitute, NoSubstitute, ReflectedRange, driving_joints, reflected_inertia, reflected_inertia_over,
+};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_units::Dimension;
+use serde::Serialize;
+
+/// Inertia reflected to a joint.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReflectedRecord {
+    /// The joint.
+    pub joint: String,
+    /// Index of the velocity within the joint.
+    pub component: usize,
+    /// Velocity within a joint with several velocities: `about x`, `along y` and so on, in the axes of the joint; null for one velocity.
+    pub direction: Option<&'static str>,
+    /// Unit: `kg·m²` or `kg`.
+    pub unit: &'static str,
+    /// Inertia with all other joints free; null if not finite.
+    pub free: Option<f64>,
+    /// Kind of `free`.
+    pub free_status: Status,
+    /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
+    pub held: Option<f64>,
+    /// Kind of `held`; null for a joint that is no driver.
+    pub held_status: Option<Status>,
+}
+
+/// Inertia reflected to a joint over a range of its positions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReflectedRangeRecord {
+    /// The joint.
+    pub joint: String,
+    /// Unit: `kg·m²` or `kg`.
+    pub unit: &'static str,
+    /// Positions of the joint, rad or m.
+    pub positions: Vec<f64>,
+    /// Inertia with all other joints free at each position; null if not finite.
+    pub free: Vec<Option<f64>>,
+    /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
+    pub held: Vec<Option<f64>>,
+    /// Smallest held inertia (free for a joint that is no driver); null without a finite one.
+    pub least: Option<f64>,
+    /// Largest held inertia.
+    pub most: Option<f64>,
+    /// Constant with the smallest largest relative error: the harmonic mean of both.
+    pub best_constant: Option<f64>,
+    /// Largest relative error of this constant.
+    pub largest_error: Option<f64>,
+    /// Substitute for simulators without loops: the open tree with mimic joints and an additional armature; null if no other joint moves
+    /// with the joint, if the joint is no driver, and if a joint with several velocities moves with it.
+    pub substitute: Option<MimicSubstituteRecord>,
+    /// Joint with several velocities that moves with the joint, so that there is no substitute.
+    pub substitute_refused_by: Option<String>,
+}
+
+/// Open tree of a linkage in which all dependent joints are mimic joints of the driving joint.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MimicSubstituteRecord {
+    /// Mimic joints.
+    pub joints: Vec<MimicJointRecord>,
+    /// Inertia of this tree at the driving joint at each position, kg·m² or kg; without the additional armature.
+    pub inertias: Vec<f64>,
+    /// Armature to add to that of the driving joint, kg·m² or kg: the one with the smallest largest relative error.
+    pub armature: f64,
+    /// Largest relative error of the reflected inertia.
+    pub largest_error: f64,
+}
+
+/// Joint that follows the driving joint: position = multiplier · position of the driving joint + offset.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MimicJointRecord {
+    /// The joint.
+    pub joint: String,
+    /// Ratio of the positions: least-squares fit over the range.
+    pub multiplier: f64,
+    /// Position at the zero of the driving joint, rad or m.
+    pub offset: f64,
+    /// Largest difference from the position in the linkage, rad or m.
+    pub position_error: f64,
+}
+
+/// Reflected inertias without a contact, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct ReflectedReport {
+    /// `percuss.reflected/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files.
+    pub inputs: Vec<Input>,
+    /// Joint positions.
+    pub pose: Positions,
+    /// Conditions.
+    pub conditions: ConditionsRecord,
+    /// Driving joints: the drivers of the loops, and the joints outside loops.
+    pub drivers: Vec<String>,
+    /// Reflected inertias at the pose.
+    pub reflected_inertia: Vec<ReflectedRecord>,
+    /// Reflected inertias over ranges of positions.
+    pub reflected_over: Vec<ReflectedRangeRecord>,
+    /// Findings about the file and the result.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Model at a pose.
+pub(crate) struct PosedModel<'a> {
+    model: &'a Model,
+    question: &'a MassQuestion,
+    system: &'a System,
+    configuration: &'a Configuration,
+    pose: &'a Pose,
+}
+
+impl<'a> From<&'a EvaluatedQuestion<'_>> for PosedModel<'a> {
+    fn from(evaluated: &'a EvaluatedQuestion<'_>) -> Self {
+        let prepared = &evaluated.prepared;
+        Self {
+            model: prepared.model,
+            question: &prepared.question,
+            system: &prepared.system,
+            configuration: &prepared.configuration,
+            pose: &evaluated.pose,
+        }
+    }
+}
+
+/// Inertias reflected to joints of a model, `JOINT` or over a range of positions `JOINT=FROM:TO:COUNT`, under the conditions and at the pose
+/// of a question, whose contact has no effect.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, unreachable positions, invalid ranges.
+pub fn reflected_inertias(
+    model: &Model,
+    question: &MassQuestion,
+    joints: &[String],
+) -> Result<ReflectedReport, StudyError> {
+    let system = compile(&model.mechanism, question, None)?;
+    let configuration = configuration(&model.mechanism, question)?;
+    let pose = pose_solver::pose(&system, &configuration, question)?;
+    let posed = PosedModel { model, question, system: &system, configuration: &configuration, pose: &pose };
+    let (reflected_over, found) = reflected_over(&posed, joints)?;
+    let of_pose = collect_pose_findings(&system, &pose, question.names).into_iter().chain(found);
+    let mechanism = &model.mechanism;
+    let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+    Ok(ReflectedReport {
+        schema: "percuss.reflected/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model
+            .inputs
+            .iter()
+            .chain(question.pose.iter().filter_map(GivenPose::file))
+            .cloned()
+            .collect(),
+        pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
+        conditions: ConditionsRecord::of(question),
+        drivers: driving_joints(&pose).into_iter().map(name).collect(),
+        reflected_inertia: reflected(&posed, joints)?,
+        reflected_over,
+        diagnostics: model.diagnostics.iter().cloned().chain(of_pose.map(DiagnosticRecord::from)).collect(),
+    })
+}
+
+/// Reflected inertias of the requested joints, one record for each velocity.
+pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<ReflectedRecord>, StudyError> {
+    let mechanism = &posed.model.mechanism;
+    let mut records = Vec::new();
+    for name in joints.iter().filter(|name| range_of(mechanism, name).is_none()) {
+        let joint = find_joint(mechanism, Field::Reflected, name)?;
+        let columns = posed.pose.motion_subspace(joint);
+        if columns.is_empty() {
+            return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.clone() }));
+        }
+        for (component, column) in columns.iter().enumerate() {
+            let found = reflected_inertia(posed.pose, joint, component)
+                .map_err(|error| StudyError::input(Field::Reflected, error))?;
+            let (free_status, free) = Status::classify(found.free);
+            let held = found.held.map(Status::classify);
+            records.push(ReflectedRecord {
+                joint: name.clone(),
+                component,
+                direction: direction(mechanism.joint(joint).kind(), component),
+                unit: if column.angular.norm() > 0.0 { "kg·m²" } else { "kg" },
+                free,
+                free_status,
+                held: held.and_then(|(_, mass)| mass),
+                held_status: held.map(|(status, _)| status),
+            });
+        }
+    }
+    Ok(records)
+}
+
+/// Direction of a velocity of a joint with several velocities.
+fn direction(kind: JointKind, component: usize) -> Option<&'static str> {
+    let directions: &[&str] = match kind {
+        JointKind::Spherical => &["about x", "about y", "about z"],
+        JointKind::Planar => &["along x", "along y", "about the normal"],
+        JointKind::Floating => &["about x", "about y", "about z", "along x", "along y", "along z"],
+        JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic => &[],
+    };
+    directions.get(component).copied()
+}
+
+/// Joint and range of a request `JOINT=FROM:TO:COUNT`; `None` for the name of a joint.
+fn range_of<'t>(mechanism: &Mechanism, text: &'t str) -> Option<(&'t str, &'t str)> {
+    if mechanism.find_joint(text).is_ok() { None } else { text.rsplit_once('=') }
+}
+
+/// Reflected inertias over the requested ranges of positions, and warnings about ranges outside the limits of their joints.
+pub(crate) fn reflected_over(
+    posed: &PosedModel,
+    joints: &[String],
+) -> Result<(Vec<ReflectedRangeRecord>, Vec<Finding>), StudyError> {
+    let mechanism = &posed.model.mechanism;
+    let refuse = |fault| StudyError::input(Field::Reflected, fault);
+    let (mut records, mut findings) = (Vec::new(), Vec::new());
+    for text in joints {
+        let Some((name, _)) = range_of(mechanism, text) else { continue };
+        let joint = find_joint(mechanism, Field::Reflected, name)?;
+        let kind = mechanism.joint(joint).kind();
+        let range = Vary::parse(text);
+        let range: Vary = range.map_err(|error| refuse(Fault::RangeText { message: error.to_string() }))?;
+        let dimension = match kind {
+            JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
+            JointKind::Prismatic => Dimension::Length,
+            JointKind::Fixed => return Err(refuse(Fault::NoMotion { joint: name.to_owned() })),
+            _ => return Err(refuse(Fault::NoSinglePosition { joint: name.to_owned(), kind })),
+        };
+        // The stop of this joint sets its position for the impact only.
+        let is_stop = posed.question.stop_of_joint(mechanism).is_some_and(|(stop, _)| stop == joint);
+        if !is_stop && posed.question.set.iter().any(|(set, _)| set == name) {
+            return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));
+        }
+        let values = range.values(dimension).map_err(|error| refuse(Fault::Range(error)))?;
+        let positions: Vec<f64> = (0..values.count).map(|row| values.value_at(row)).collect();
+        findings.extend(outside_limits(mechanism, joint, &positions));
+        let found = reflected_inertia_over(posed.system, posed.configuration, joint, &positions)
+            .map_err(|error| StudyError::input(Field::Reflected, error))?;
+        let unit = if dimension == Dimension::Angle { "kg·m²" } else { "kg" };
+        records.push(range_record(mechanism, name, unit, positions, found));
+    }
+    Ok((records, findings))
+}
+
+/// Record of a range.
+fn range_record(
+    mechanism: &Mechanism,
+    joint: &str,
+    unit: &'static str,
+    positions: Vec<f64>,
+    found: ReflectedRange,
+) -> ReflectedRangeRecord {
+    let known = |mass: EffectiveMass| mass.kilograms();
+    let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+    let (substitute, refused_by) = match found.substitute {
+        Ok(MimicSubstitute { joints, inertias, armature, largest_error }) => {
+            let joints = joints.into_iter().map(|mimic| MimicJointRecord {
+                joint: name(mimic.joint),
+                multiplier: mimic.multiplier,
+                offset: mimic.offset,
+                position_error: mimic.position_error,
+            });
+            let joints = joints.collect();
+            (Some(MimicSubstituteRecord { joints, inertias, armature, largest_error }), None)
+        }
+        Err(NoSubstitute::SeveralVelocities(joint)) => (None, Some(name(joint))),
+        Err(NoSubstitute::NotHeld | NoSubstitute::NoDependentJoint) => (None, None),
+    };
+    ReflectedRangeRecord {
+        joint: joint.to_owned(),
+        unit,
+        free: found.samples.iter().map(|s| known(s.inertia.free)).collect(),
+        held: found.samples.iter().map(|s| s.inertia.held.and_then(known)).collect(),
+        positions,
+        least: found.least,
+        most: found.most,
+        best_constant: found.best_constant,
+        largest_error: found.largest_error,
+        substitute,
+        substitute_refused_by: refused_by,
+    }
+}
+
+/// Warning about a range outside the limits of its joint.
+fn outside_limits(mechanism: &Mechanism, joint: JointId, positions: &[f64]) -> Option<Finding> {
+    let declared = mechanism.joint(joint);
+    let limits = declared.limits()?;
+    let outside = positions.iter().filter(|position| Pose::is_outside(**position, limits)).count();
+    (outside > 0).then(|| {
+        let message = format!(
+            "joint \"{}\": {outside} of the {} positions of the range are outside the limits {} to {} of the joint",
+            declared.name(),
+            positions.len(),
+            limits.lower,
+            limits.upper
+        );
+        Finding::new(FindingKind::OutsideLimits, FindingSubject::Joint(joint), message)
+    })
+}

@@ -1,0 +1,54 @@
+//! Impact and extremes of a study beside the report of its contact.
+
+use crate::question::errors::question_error::StudyError;
+use crate::reports::impact::extremes::{ExtremesReport, extremes};
+use crate::reports::impact::report::{ImpactReport, impact};
+use crate::study_file::file::StudyFile;
+use serde::Serialize;
+
+/// Impact and extremes of a study, as keys of the report of its contact.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct StudyAdditions {
+    /// Report of `[impact]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impact: Option<ImpactReport>,
+    /// Report of `[extremes]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub extremes: Option<ExtremesReport>,
+}
+
+/// Report with the keys `impact` and `extremes` of a study; without these tables, the report alone.
+#[derive(Debug, Serialize)]
+pub struct WithAdditions<'a, R> {
+    /// Report of the contact.
+    #[serde(flatten)]
+    pub report: &'a R,
+    /// Impact and extremes.
+    #[serde(flatten)]
+    pub additions: &'a StudyAdditions,
+}
+
+impl StudyFile {
+    /// Impact and extremes at the contact of the study.
+    ///
+    /// # Errors
+    /// [`StudyError`], as for [`impact`](crate::impact) and [`extremes`](crate::extremes).
+    pub fn additions(&self) -> Result<StudyAdditions, StudyError> {
+        let Some(question) = &self.question else { return Ok(StudyAdditions::default()) };
+        let of_impact = |requested| {
+            let mut report = impact(&self.model, question, requested)?;
+            let contact = &report.mass.contact;
+            report.mass.point_in_sheet =
+                self.model.contact_in_sheet(&contact.point_world, &contact.normal_world);
+            Ok::<_, StudyError>(report)
+        };
+        Ok(StudyAdditions {
+            impact: self.impact.as_ref().map(of_impact).transpose()?,
+            extremes: self
+                .extremes
+                .as_ref()
+                .map(|requested| extremes(&self.model, question, requested))
+                .transpose()?,
+        })
+    }
+}
