@@ -23,7 +23,7 @@ const PAGES: [(&str, usize); 41] = [
     ("docs/howto/DESIGNS.md", 8),
     ("docs/howto/EXPLORER.md", 0),
     ("docs/howto/GALLERY.md", 0),
-    ("docs/howto/IMPACT.md", 14),
+    ("docs/howto/IMPACT.md", 15),
     ("docs/howto/IMPACT_RECIPES.md", 15),
     ("docs/howto/KINEMATICS.md", 3),
     ("docs/howto/LOOPS.md", 2),

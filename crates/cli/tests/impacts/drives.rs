@@ -194,5 +194,5 @@ fn errors_of_a_base_twist_name_it() {
     let agreeing = json(&format!("{body} --speed 1 --base-twist 0,0,0,1,0,0 --format json"));
     close(number(&agreeing["closing_speed"]), 1.0);
     let stop = format!("{ARM} --speed 1 --sticking --also elbow:upper");
-    refused(&stop, &["--sticking: the stop of joint"]);
+    refused(&stop, &["--sticking: the stop of a joint"]);
 }

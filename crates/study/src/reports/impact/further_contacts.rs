@@ -86,7 +86,7 @@ impl TouchingContact {
             Direction::Along(..) | Direction::Toward(..) => return Ok(()),
         };
         let fault = Fault::NoContactPoint { contact, result: "sticking contact point" };
-        Err(StudyError::input(Field::Also, fault))
+        Err(StudyError::input(Field::Sticking, fault))
     }
 }
 
