@@ -77,19 +77,19 @@ pub const CREATED_ENERGY: f64 = 1e-10;
 /// constant. It corresponds to a turn of about 1e-4 rad.
 pub const SAME_DIRECTION: f64 = 1e-9;
 
-/// Closing speed of the admissible motions, relative to that of the joints, which is rounding: no motion closes the gap.
+/// Ratio of the closing speed of the admissible motions to the closing speed of free joints up to which no motion closes the gap: rounding.
 pub const CLOSES: f64 = 1e-10;
 
-/// Rate at a limit, and multiplier of a limit, relative to the largest, that is rounding.
+/// Relative size up to which a projected gradient, a rate or a multiplier of a limit counts as zero in the search for the reachable speed.
 pub const ACTIVE_RATE: f64 = 1e-9;
 
-/// Largest number of vertices of the polytope of rates that are examined: far more than the search of a mechanism visits.
+/// Largest number of steps of the search for the reachable speed, one active set each: far more than a mechanism requires.
 pub const MOST_VERTICES: usize = 10_000;
 
-/// Change of a joint position over a range, rad or m, up to which the joint is at rest: loops are closed to about 1e-12.
+/// Change of a joint position over a range, rad or m, up to which the joint counts as unmoved: loops are closed to about 1e-12.
 pub const UNMOVED_JOINT: f64 = 1e-9;
 
-/// Halvings of the interval of the best constant armature: to rounding, from any interval.
+/// Bisections of the interval of the best constant armature: the remaining interval is rounding.
 pub const ARMATURE_STEPS: u32 = 120;
 
 /// Error of one step of an impact in time, relative to the penetration and the largest rate.

@@ -483,8 +483,8 @@ fn the_compression_has_the_work_of_its_mass() {
     assert!(cases > 80 && 5 * unfinished < cases, "{cases} {unfinished}");
 }
 
-/// For random mechanisms, the behaviour of an impact changes at the thresholds: a contact of one relative motion wedges, a contact without
-/// sliding sticks, and a sliding contact jams.
+/// For random mechanisms, the impact changes at the thresholds. Above its threshold, a contact with one relative motion wedges, a contact
+/// without initial sliding sticks, and a sliding contact jams.
 #[test]
 fn impacts_change_at_the_thresholds() {
     let (mut wedged, mut stuck, mut jammed) = (0, 0, 0);
@@ -500,7 +500,7 @@ fn impacts_change_at_the_thresholds() {
             Err(ImpactError::Mobility(_)) => continue,
             Err(error) => panic!("{}: {error}", case.name),
         };
-        // Both sides of a threshold, apart from its rounding.
+        // Factors just below and just above a threshold, outside its rounding.
         let sides = [1.0 - 1e-6, 1.0 + 1e-6];
         if found.slope.is_some() {
             let Some(jamming) = found.jamming else { continue };
@@ -534,7 +534,7 @@ fn impacts_change_at_the_thresholds() {
             assert!(first[0] == Some(PhaseKind::Slip) && sticks, "{}: {first:?}", case.name);
             stuck += 1;
         }
-        // Fast sliding along the coupling: the friction presses the sides together.
+        // Fast sliding along a_tn: the friction accelerates the approach of the sides.
         let coupling = Vector2::new(w[(1, 0)], w[(2, 0)]);
         if let Some(jamming) = found.jamming.filter(|jamming| *jamming < 10.0) {
             let sliding = coupling.normalize() * 1e3;

@@ -496,8 +496,8 @@ fn the_best_constant_armature_of_the_four_bar() {
     assert_eq!(range.samples.len(), 361);
 }
 
-/// Substitutes of a four-bar over ranges: an own tree with mimic joints has the stated inertias, and no other armature has a smaller error.
-/// Over a small range the substitute is exact to second order in the range.
+/// Substitutes of a four-bar linkage over ranges: a separately built tree with the same mimic joints has the stated inertias, and no other
+/// armature has a smaller error. Over small ranges the error is proportional to the range.
 #[test]
 fn substitutes_with_mimic_joints_are_their_own_trees() {
     let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
@@ -543,13 +543,13 @@ fn substitutes_with_mimic_joints_are_their_own_trees() {
         let error =
             |a: f64| differences.iter().map(|(tree, all)| ((tree + a) / all - 1.0).abs()).fold(0.0, f64::max);
         assert!((error(found.armature) / found.largest_error - 1.0).abs() < 1e-6, "{found:?}");
-        // The crank has no armature that could be reduced.
+        // The crank has no armature, so the additional armature is not negative.
         for other in [-1e-3, -1e-5, 1e-5, 1e-3].map(|step| found.armature + step) {
             assert!(other < 0.0 || error(other) >= found.largest_error * (1.0 - 1e-9), "{other}: {found:?}");
         }
         errors.push(found.largest_error);
     }
-    // Ten times the range: the error of the ratio is linear in it.
+    // The second range is ten times the third: the error is about ten times larger.
     assert!(errors[1] / errors[2] > 8.0, "{errors:?}");
     // A tree has no substitute.
     let arm = arm(1.0, 1.0);

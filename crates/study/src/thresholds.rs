@@ -227,13 +227,13 @@ pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
 /// with six digits.
 pub(crate) const SAME_SPEED: f64 = 1e-5;
 
-/// Restitution above 1 of an impact in time that is no error of the integration.
+/// Excess of the reached restitution over 1 from which a warning is given: larger than the error of the integration.
 pub(crate) const CREATED_RESTITUTION: f64 = 1e-6;
 
-/// Largest number of iterations for a closing speed of a given peak force: the first one is exact for contact laws that scale.
+/// Largest number of iterations for the closing speed of a given peak force: the first iteration is exact if F ∝ v^(2p/(p+1)).
 pub(crate) const SPEED_ITERATIONS: usize = 20;
 
-/// Relative change of this speed that is rounding.
+/// Relative change of the closing speed below which the iteration has converged: rounding.
 pub(crate) const CONVERGED_SPEED: f64 = 1e-13;
 /// Relative difference up to which values of two designs are equal: the rounding of conversions between units.
 pub(crate) const EQUAL_VALUES: f64 = 1e-12;

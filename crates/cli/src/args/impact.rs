@@ -18,8 +18,8 @@ pub struct ImpactArgs {
     pub impact: ImpactTable,
     /// Impact in time, or --reflected over a range: .svg .png .pdf .csv
     ///
-    /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time; that of a
-    /// range the inertia, free and held. CSV has the numbers; a range can be written as .xlsx and .parquet too.
+    /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time. The
+    /// figure of a range shows the inertia, free and held. CSV contains the numbers. For a range, .xlsx and .parquet are accepted too.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     /// Format of the result.
@@ -28,7 +28,7 @@ pub struct ImpactArgs {
 }
 
 impl ImpactArgs {
-    /// True if reflected inertias alone are requested, without a contact and an impact.
+    /// True if only reflected inertias are requested: no flag of a contact or of an impact is given.
     pub fn needs_no_contact(&self) -> bool {
         let without_reflected = ImpactTable { reflected: Vec::new(), ..self.impact.clone() };
         !self.impact.reflected.is_empty()

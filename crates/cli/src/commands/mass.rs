@@ -137,7 +137,7 @@ pub struct Expected {
     tolerance: f64,
 }
 
-/// Computes a result and writes it. `additions`: further keys of the JSON.
+/// Computes a result and writes it. `additions`: further keys of the report in JSON.
 pub fn show(
     model: &Model,
     question: &MassQuestion,
@@ -161,7 +161,7 @@ pub fn show(
         note("--explain and --tolerance: sensitivities require a single finite effective mass as the result");
     }
     if requested.friction_thresholds && report.friction_thresholds.is_none() {
-        note("--friction-thresholds: they require a single finite effective mass as the result");
+        note("--friction-thresholds: the thresholds require a single finite effective mass as the result");
     }
     let expected = requested.expected;
     match format {
@@ -308,7 +308,7 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
 /// Coefficients of friction for sticking, jamming and wedging.
 pub fn thresholds_text(found: &FrictionThresholdsRecord) -> String {
     explanation::friction_thresholds(found)
-        .unwrap_or_else(|| "no effect: the contact point does not slide while the gap closes".to_owned())
+        .unwrap_or_else(|| "has no effect: the contact point does not slide while the gap closes".to_owned())
 }
 
 /// True if the output has the details of the solution: for any model that is no suspension, and with --notes.

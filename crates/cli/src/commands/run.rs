@@ -177,7 +177,7 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     }
 }
 
-/// Reports the tables whose results are omitted, because an output with `--format` contains only the contact at its pose, and in JSON the
+/// Reports the tables whose results are omitted: an output with `--format` contains only the contact at its pose, and in JSON also the
 /// impact and the extremes.
 fn note_left_out(study: &StudyFile, format: MassFormat) {
     let is_json = format == MassFormat::Json;
@@ -199,7 +199,7 @@ fn note_left_out(study: &StudyFile, format: MassFormat) {
     }
 }
 
-/// Writes the findings of the impact and the extremes that are not findings about the model.
+/// Writes the findings of the impact and the extremes, except findings about the model.
 fn write_additional_findings(
     study: &StudyFile,
     additions: &StudyAdditions,

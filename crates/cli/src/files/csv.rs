@@ -297,7 +297,7 @@ pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quote(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Table in SI units: header and rows.
+/// CSV text of a table: header and rows, in the default style.
 pub fn table(columns: &[String], rows: &[Vec<Cell>]) -> String {
     let style = TableStyle::default();
     let row =

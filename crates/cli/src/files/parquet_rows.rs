@@ -54,8 +54,8 @@ pub fn write(
     Ok(end)
 }
 
-/// Writes a table of numbers and texts as Parquet, in one row group: a column with a text is a column of texts, any other of doubles. Empty
-/// cells are nulls.
+/// Writes a table of numbers and texts as Parquet, in one row group. A column that contains a text has the type string, every other column
+/// the type double. Empty cells are nulls, and so are numbers in a column of strings.
 pub fn write_table(path: &str, columns: &[String], rows: &[Vec<Cell>]) -> std::result::Result<(), Failure> {
     let out = Output::open(Some(path))?;
     let bytes = table_bytes(columns, rows, out).map_err(|error| cannot_write(path, &io_cause(error)))?;

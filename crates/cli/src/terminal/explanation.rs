@@ -110,15 +110,21 @@ pub fn tolerances(report: &ToleranceReport, unit: &str) -> String {
     out
 }
 
-/// Coefficients of friction for sticking, jamming and wedging; `None` for a contact without sliding.
+/// Coefficients of friction for sticking, jamming and wedging as text; `None` for a contact point that does not slide while the gap closes.
 pub fn friction_thresholds(found: &FrictionThresholdsRecord) -> Option<String> {
-    let threshold = |value: Option<f64>| value.map_or_else(|| "none (it cannot)".to_owned(), short_number);
     match found.slope {
-        None => Some(format!(
-            "the contact can stick from a coefficient of {}, and jam from {}",
-            threshold(found.sticking),
-            threshold(found.jamming)
-        )),
+        None => Some(match (found.sticking.map(short_number), found.jamming.map(short_number)) {
+            (Some(sticks), Some(jams)) => {
+                format!("the contact can stick from a coefficient of {sticks}, and jam from {jams}")
+            }
+            (Some(sticks), None) => {
+                format!("the contact can stick from a coefficient of {sticks}; it cannot jam")
+            }
+            (None, Some(jams)) => {
+                format!("the contact cannot stick; it can jam from a coefficient of {jams}")
+            }
+            (None, None) => "the contact can neither stick nor jam".to_owned(),
+        }),
         Some(_) => found
             .jamming
             .map(|wedges| format!("the contact wedges from a coefficient of {}", short_number(wedges))),

@@ -23,7 +23,7 @@ pub const ESTIMATE_ROUNDING: f64 = 0.005;
 pub const SAME_TRAVEL: f64 = 5e-6;
 /// Drift of the mass, in percent, below which zero is shown: half of the last digit shown (three decimals).
 pub const DRIFT_ROUNDING: f64 = 5e-4;
-/// Relative difference of two curves that cannot be seen in a figure.
+/// Relative difference up to which two curves are equal and drawn once: rounding.
 pub const EQUAL_CURVES: f64 = 1e-9;
 /// Component of a vector, relative to the largest, below which zero is shown: some tens of roundings.
 pub const COMPONENT_ROUNDING: f64 = 1e-14;

@@ -249,8 +249,8 @@ fn a_reader_that_leaves_early_is_no_error() {
 /// Rounding of a few operations.
 const ROUNDING: f64 = 1e-12;
 
-/// Free rod of mass 1 and length 2: µ_s = 3sc/(1+3s²), µ_j = (tan θ + 4/tan θ)/3 at the angle θ above the surface. Coupler of a four-bar: it
-/// wedges from 1/t.
+/// Free rod of mass 1 and length 2 at the angle θ to the surface, s = sin θ, c = cos θ: µ_s = 3sc/(1+3s²), µ_j = (tan θ + 4/tan θ)/3.
+/// Coupler of a four-bar linkage: the contact wedges from 1/t.
 #[test]
 fn thresholds_of_friction_have_their_closed_forms() {
     let folder = Scratch::new("friction-thresholds");
@@ -301,7 +301,7 @@ fn thresholds_of_friction_require_a_contact_point_and_a_mass() {
     refused(all, &["--friction-thresholds", "one contact"]);
     let immovable = percuss(&format!("{} --friction-thresholds", PENDULUM.replace("1,0,0", "0,1,0")));
     assert!(
-        immovable.code == 0 && immovable.stderr.contains("--friction-thresholds: they require"),
+        immovable.code == 0 && immovable.stderr.contains("--friction-thresholds: the thresholds require"),
         "{}",
         immovable.stderr
     );

@@ -1,4 +1,4 @@
-//! Reflected inertias over ranges: tables, figures, substitutes for simulators without loops; without a contact.
+//! Reflected inertias at a pose and over ranges, without a contact: tables, figures, and substitutes for simulators without loops.
 
 use crate::support::{Scratch, Sweep, json, percuss, refused, root};
 use serde_json::Value;
@@ -28,7 +28,7 @@ fn reflected_inertias_need_no_contact() {
     assert!((at / of_range - 1.0).abs() < 1e-12, "{at} {of_range}");
     let text = percuss(&format!("{BAR} --reflected crank_hinge --reflected rocker_hinge")).stdout;
     assert!(text.contains("driving joints       crank_hinge") && text.contains("rocker_hinge:"), "{text}");
-    // An impact has its contact and its restitution.
+    // With a flag of an impact, a contact and a restitution are required.
     refused(&format!("{BAR} --reflected crank_hinge --speed 1"), &["a contact of the model is required"]);
     let contact = "--link coupler --point 0.35,0.1,0 --normal 0,1,0";
     refused(&format!("{BAR} {contact} --reflected crank_hinge --speed 1"), &["--restitution: it is missing"]);
@@ -58,7 +58,7 @@ fn ranges_are_written_as_tables_and_figures() {
         assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
         assert!(std::fs::read(&path).expect("a file").starts_with(start), "{name}");
     }
-    // Free and held are two curves if they differ, and one for one degree of freedom.
+    // The free and the held inertia are two curves if they differ, and one curve in a mechanism with one degree of freedom.
     let svg = |line: &str| {
         let path = folder.path("curves.svg");
         let outcome = percuss(&format!("{line} -o {path}"));
@@ -97,7 +97,7 @@ fn ranges_are_checked_against_limits_and_positions() {
         &format!("{BAR} --reflected crank_hinge=0:1:3 --set crank_hinge=1"),
         &["--reflected", "already set (--set)"],
     );
-    // The stop of the joint sets its position for the impact only.
+    // A contact at the stop sets the position of the joint only for the impact, not for the range.
     let stop = "impact models/six_r_arm.urdf --at elbow:upper --restitution 0.2 --speed 2 --reflected elbow=0:1:3 --format json";
     let plain = "impact models/six_r_arm.urdf --reflected elbow=0:1:3 --format json";
     assert_eq!(json(stop)["reflected_over"], json(plain)["reflected_over"]);
@@ -114,8 +114,8 @@ fn ranges_are_checked_against_limits_and_positions() {
     assert!(text.contains("upper_ball about x:") && text.contains("upper_ball about z:"), "{text}");
 }
 
-/// The substitute with mimic joints, written as a URDF without loops: its inertia plus the armature differs from that of the linkage by the
-/// stated largest error.
+/// The substitute is written as a URDF with mimic joints and without loops. Its inertia with the armature differs from the inertia of the
+/// linkage by the stated largest error.
 #[test]
 fn a_substitute_with_mimic_joints_has_the_stated_error() {
     let folder = Scratch::new("mimic");
@@ -151,7 +151,7 @@ fn a_substitute_with_mimic_joints_has_the_stated_error() {
         let error = errors.map(|(own, exact)| (number(own) / number(exact) - 1.0).abs()).fold(0.0, f64::max);
         let stated = number(&substitute["largest_error"]);
         assert!((error - stated).abs() < 1e-9, "{range}: {error} {stated}");
-        // Where the ratios change fast, the constant armature alone can be better.
+        // If the ratios change fast over the range, the constant armature alone can be better.
         let is_better = stated < number(&found["largest_error"]);
         assert_eq!(is_better, range != "250deg:265deg:31", "{range}: {stated}");
     }

@@ -307,7 +307,7 @@ fn a_study_takes_units_and_names_itself_in_errors() {
     }
 }
 
-/// `--format json` of a study contains the impact and the extremes of their commands, also in the file beside a page.
+/// The JSON of a study and the JSON file of a report contain the same impact and extremes as `percuss impact` and `percuss extremes`.
 #[test]
 fn json_of_a_study_has_its_impact_and_its_extremes() {
     let folder = Scratch::new("run-additions");

@@ -220,7 +220,7 @@ fn shipped_models_are_written_or_refused_by_name() {
         }
     }
     assert!(count >= 14, "{count} written; {refused:#?}");
-    // The relation of a cam is a coupling.
+    // The refusal names a loop or a coupling, such as the relation of the cam in `valve_train.urdf`.
     let is_named = |refusal: &String| refusal.contains(": loop \"") || refusal.contains(": coupling \"");
     assert!(refused.iter().all(is_named), "{refused:#?}");
 }

@@ -11,19 +11,20 @@ use percuss_dynamics::{ContactResponse, EffectiveMass, Pose};
 ///
 /// | threshold | several relative motions         | one relative motion               |
 /// |-----------|----------------------------------|-----------------------------------|
-/// | sticking  | µ_s = |A_tt⁻¹ a_tn|              | none: it sticks only if it stops  |
-/// | jamming   | µ_j = a_nn/|a_tn|                | 1/t, above which it wedges        |
+/// | sticking  | µ_s = |A_tt⁻¹ a_tn|              | none                              |
+/// | jamming   | µ_j = a_nn/|a_tn|                | 1/t: the contact wedges           |
 ///
-/// a_nn, a_tn and A_tt are the blocks of the mobility of the contact point, and t = |J_t v*| is its sliding speed per closing speed.
+/// a_nn, a_tn and A_tt are the blocks of the mobility of the contact point; t = |J_t v*| is the sliding speed per closing speed. With one
+/// relative motion, the contact point can stick only if the whole motion stops: the contact then wedges.
 /// Sources: Routh 1905; Stronge 2000, ch. 5.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionThresholds {
-    /// t: sliding speed per closing speed of a contact of one relative motion; `None` for others.
+    /// t: sliding speed per closing speed of a contact with one relative motion; `None` for other contacts.
     pub slope: Option<f64>,
-    /// Coefficient of friction above which the contact can stick; `None` for one relative motion, and if no friction suffices.
+    /// Coefficient of friction from which the contact can stick; `None` for one relative motion, and if no friction suffices.
     pub sticking: Option<f64>,
-    /// Coefficient of friction above which sliding can jam; for one relative motion above which the contact wedges. `None` if no
-    /// friction suffices.
+    /// Coefficient of friction from which sliding can jam; for one relative motion, from which the contact wedges. `None` if no friction
+    /// suffices.
     pub jamming: Option<f64>,
 }
 
@@ -43,7 +44,8 @@ impl FrictionThresholds {
 /// Thresholds of friction of a contact point with a finite effective mass.
 ///
 /// # Errors
-/// [`ImpactError`]: a moment about an axis; an immovable or massless contact; a motion without mass that moves the point sideways.
+/// [`ImpactError`]: a moment about an axis; an immovable or massless contact; a motion without mass that moves the contact point in the
+/// tangent plane.
 pub fn friction_thresholds(
     pose: &Pose,
     response: &ContactResponse,

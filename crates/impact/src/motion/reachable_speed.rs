@@ -20,7 +20,8 @@ pub struct ReachableSpeed {
 /// Σ |j_i| limit_i.
 ///
 /// The rate limits are those of the joints of the model ([`Joint::rate_limit`](percuss_mechanism::Joint::rate_limit)). `None` if no motion
-/// closes the gap, or if a motion without limited joints closes it. Method: active sets along the projected gradient (Rosen 1960).
+/// closes the gap, if a motion without limited joints closes the gap, or if the search exceeds its largest number of vertices.
+/// Method: active sets along the projected gradient (Rosen 1960).
 pub fn reachable_closing_speed(pose: &Pose, contact: &LocatedContact) -> Option<ReachableSpeed> {
     let mechanism = pose.mechanism();
     let coordinates = pose.coordinate_joints();
@@ -55,7 +56,7 @@ pub fn reachable_closing_speed(pose: &Pose, contact: &LocatedContact) -> Option<
     Some(ReachableSpeed { speed, limited_by })
 }
 
-/// Largest c·y with |g_i·y| ≤ 1, and the active rows; `None` if unbounded.
+/// Largest c·y with |g_i·y| ≤ 1, and the active rows. `None` if c·y is unbounded, or after the largest number of vertices.
 fn greatest(c: &DVector<f64>, rows: &[DVector<f64>]) -> Option<(f64, Vec<usize>)> {
     let mut y = DVector::zeros(c.len());
     let mut active: Vec<(usize, f64)> = Vec::new();
@@ -68,7 +69,7 @@ fn greatest(c: &DVector<f64>, rows: &[DVector<f64>]) -> Option<(f64, Vec<usize>)
         };
         let along = c - &matrix * &multipliers;
         if along.norm() <= ACTIVE_RATE * c.norm() {
-            // Optimal if all limits press; otherwise the first other limit is released (Bland).
+            // Optimal if no multiplier is negative; otherwise the first limit with a negative multiplier is released (Bland's rule).
             let floor = -ACTIVE_RATE * multipliers.amax();
             match (0..active.len()).filter(|a| multipliers[*a] < floor).min_by_key(|a| active[*a].0) {
                 Some(released) => {
@@ -96,7 +97,7 @@ fn greatest(c: &DVector<f64>, rows: &[DVector<f64>]) -> Option<(f64, Vec<usize>)
 mod tests {
     use super::*;
 
-    /// Vertices of random polytopes, all examined: the largest value is that of the search.
+    /// For random polytopes, the search finds the largest value over all vertices.
     #[test]
     fn the_greatest_vertex_is_found() {
         let mut state = 1_u64;
@@ -131,7 +132,7 @@ mod tests {
             compared += 1;
         }
         assert_eq!(compared, 300);
-        // One limit in the plane leaves a direction open.
+        // One limit in the plane leaves the maximum unbounded.
         assert_eq!(greatest(&DVector::from_vec(vec![1.0, 0.5]), &[DVector::from_vec(vec![1.0, 0.0])]), None);
     }
 }

@@ -13,7 +13,7 @@ pub struct MimicJoint {
     pub joint: JointId,
     /// Ratio of the positions: least-squares fit over the range.
     pub multiplier: f64,
-    /// Position at the master's zero, rad or m.
+    /// Position at the zero of the driving joint, rad or m.
     pub offset: f64,
     /// Largest difference from the position in the linkage, rad or m.
     pub position_error: f64,
@@ -30,7 +30,7 @@ pub struct MimicSubstitute {
     pub joints: Vec<MimicJoint>,
     /// Inertia of the open tree with mimic joints at the driving joint at each position, kg·m² or kg; without the additional armature.
     pub inertias: Vec<f64>,
-    /// Armature to add to that of the driving joint, kg·m² or kg; negative if the tree without addition has too much inertia.
+    /// Armature in addition to the armature of the driving joint, kg·m² or kg; negative if the inertia of the open tree is too large.
     pub armature: f64,
     /// Largest relative error of the reflected inertia over the range.
     pub largest_error: f64,
@@ -39,15 +39,15 @@ pub struct MimicSubstitute {
 /// Reason for a missing substitute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoSubstitute {
-    /// The joint does not drive, or an inertia is not finite.
+    /// The joint does not drive, an inertia is not finite, or the open tree cannot be assembled.
     NotHeld,
     /// No other joint moves with the joint.
     NoDependentJoint,
-    /// A joint with several velocities moves with the joint, which no mimic joint represents.
+    /// This joint with several velocities moves with the joint; a mimic joint has one velocity.
     SeveralVelocities(JointId),
 }
 
-/// Substitute over the range of poses with the held inertias `exact` at the driving joint `driver`.
+/// Substitute over a range of poses. `exact`: inertia at the driving joint `driver` at each pose, with the other drivers held.
 ///
 /// # Errors
 /// [`ReflectedError`]: a mass matrix of the open tree that is not positive semi-definite.
@@ -63,7 +63,7 @@ pub(crate) fn mimic_substitute(
         Ok(joints) => joints,
         Err(joint) => return Ok(Err(NoSubstitute::SeveralVelocities(joint))),
     };
-    // The builder accepts the parts of an existing mechanism again.
+    // No error is expected: the builder accepted these links and joints for the mechanism.
     let Ok(tree) = mechanism.to_open_tree().build() else { return Ok(Err(NoSubstitute::NotHeld)) };
     let tree: Arc<Mechanism> = Arc::new(tree.mechanism);
     let Ok(system) = System::new(Arc::clone(&tree), &conditions(first)) else {
@@ -86,7 +86,7 @@ pub(crate) fn mimic_substitute(
     Ok(Ok(MimicSubstitute { joints, inertias, armature, largest_error }))
 }
 
-/// Joints that move with the driving joint, as mimic joints. `Err`: a joint with several velocities that moves.
+/// Joints that move with the driving joint, as mimic joints. `Err`: a moving joint with several velocities.
 fn mimic_joints(poses: &[Pose], driver: JointId) -> Result<Vec<MimicJoint>, JointId> {
     let mechanism = poses[0].mechanism();
     let count = poses.len() as f64;

@@ -41,11 +41,11 @@ pub struct ReflectedSample {
 pub struct ReflectedRange {
     /// Inertia at each position, in the given order.
     pub samples: Vec<ReflectedSample>,
-    /// Smallest finite held inertia, kg·m² or kg (free for a joint that does not drive); `None` without a finite one.
+    /// Smallest finite held inertia, kg·m² or kg (free for a joint that does not drive); `None` if no inertia is finite.
     pub least: Option<f64>,
     /// Largest finite held inertia.
     pub most: Option<f64>,
-    /// Constant with the smallest largest relative error: the harmonic mean 2ab/(a+b) of the extremes a and b.
+    /// Constant that minimises the largest relative error: the harmonic mean 2ab/(a+b) of the extremes a and b.
     pub best_constant: Option<f64>,
     /// Largest relative error of this constant, (b−a)/(b+a).
     pub largest_error: Option<f64>,
@@ -53,10 +53,11 @@ pub struct ReflectedRange {
     pub substitute: Result<MimicSubstitute, NoSubstitute>,
 }
 
-/// Reflected inertia of velocity 0 of a joint with one velocity at `positions` (rad or m), from the other positions of `configuration`, whose position of
-/// this joint has no effect.
-/// Each pose is followed from the one before. Simulators of trees approximate a linkage by a constant armature: the best constant and its
-/// error show the quality of this approximation. The substitute with mimic joints keeps the links of the linkage.
+/// Reflected inertia of a joint with one velocity at `positions` (rad or m).
+///
+/// The other joints have the positions of `configuration`, whose position of this joint has no effect. Each pose is the start of the
+/// solution of the next pose. Simulators without loops approximate a linkage by a constant armature: the error of the best constant shows
+/// the quality of this approximation. The substitute with mimic joints contains the links of the linkage.
 ///
 /// # Errors
 /// [`RangeError`].

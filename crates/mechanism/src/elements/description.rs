@@ -55,7 +55,7 @@ pub struct JointDescription {
     pub axis: Vector3<f64>,
     /// Position limits.
     pub limits: Option<Limits>,
-    /// Largest magnitude of the rate of a joint with one velocity, rad/s or m/s; a number that is not positive and finite is none.
+    /// Largest magnitude of the rate of a joint with one velocity, rad/s or m/s. A value that is not positive and finite is ignored.
     pub rate_limit: Option<f64>,
     /// Rotor inertia reflected to the joint: empty, one value for all velocities, or one per velocity.
     pub armature: Vec<f64>,

@@ -861,7 +861,7 @@ def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str
 def friction_thresholds(model: Model, contact: Contact | str, conditions: Conditions) -> str:
     """Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass."""
 def reflected_inertias(model: Model, joints: Sequence[str], conditions: Conditions) -> str:
-    """Inertias reflected to joints, "JOINT" or over a range of positions "JOINT=FROM:TO:COUNT"."""
+    """Inertias reflected to joints. joints: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions."""
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
 ) -> str:
@@ -910,7 +910,7 @@ def compare(
 def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]:
     """Compares the designs of a study file: its model under a name, then its variants."""
 def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
-    """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep, with the impact and the extremes."""
+    """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep; adds the impact and the extremes."""
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Initial study file for a model, which the file refers to by a path."""
 def study_schema() -> str:

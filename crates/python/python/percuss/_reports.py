@@ -338,8 +338,8 @@ def explain(model: Model, contact: Contact | str, conditions: Conditions | None 
 def friction_thresholds(
     model: Model, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
-    """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None as for ``explain``,
-    and at a singular pose. As ``percuss mass --friction-thresholds``."""
+    """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
+    has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``."""
     found = json.loads(_percuss.friction_thresholds(model, contact, _asked(conditions)))
     return None if found is None else records.FrictionThresholdsRecord.of(found)
 
@@ -348,8 +348,9 @@ def friction_thresholds(
 def reflected_inertias(
     model: Model, joints: Sequence[str], conditions: Conditions | None = None
 ) -> records.ReflectedReport:
-    """Inertias reflected to joints: with all other joints free, and with the other drivers at rest. joints: "JOINT", or "JOINT=FROM:TO:COUNT"
-    over a range of positions, with two substitutes for simulators without loops. As ``percuss impact --reflected`` without a contact."""
+    """Inertias reflected to joints: with all other joints free, and with the other driving joints at rest. joints: "JOINT" for the
+    inertia at the pose; "JOINT=FROM:TO:COUNT" for the inertia over a range of positions, with two substitutes for simulators without
+    loops. As ``percuss impact --reflected`` without a contact."""
     return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), _asked(conditions))))
 
 
@@ -437,8 +438,8 @@ def impact(
     "JOINT:upper"; "=OTHER" after a point or a moment gives another link on the other side. stiffness_ratio and contact_exponent:
     their stiffnesses relative to the first, and the exponent of their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
-    gears, N·m·s or N·s, or as text largest torques, "80N·m" (with stiffness), for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
-    impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
+    gears (N·m·s or N·s) or, as text with a unit, largest torques ("80N·m"; requires stiffness), for the greatest closing speed.
+    point_error: largest displacement of the contact point (m), for the worst impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
     if in_time and stiffness is None:
         raise InputError("in_time: the impact in time requires stiffness, that of the contact")
@@ -556,9 +557,9 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 
 @checked
 def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
-    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. With the tables [impact] and
-    [extremes], the keys "impact" and "extremes" of the report are those of ``impact`` and ``extremes``. Safe speeds in several directions
-    are a list under the key "reports". Writes no file. As ``percuss run``."""
+    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. If the study has the tables
+    [impact] and [extremes], the keys "impact" and "extremes" of the report contain the reports of ``impact`` and ``extremes``. Safe speeds
+    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
     found = _with_rows(_percuss.run_study(path))
     if isinstance(found, list):
         speeds = [records.SafeSpeedReport.of(one) for one in found]

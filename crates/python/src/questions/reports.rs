@@ -80,7 +80,7 @@ pub fn friction_thresholds(
     contact_report(py, model, contact, &conditions, study::friction_thresholds)
 }
 
-/// Inertias reflected to joints, "JOINT" or over a range of positions "JOINT=FROM:TO:COUNT".
+/// Inertias reflected to joints. `joints`: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions.
 #[pyfunction]
 pub fn reflected_inertias(
     py: Python<'_>,
@@ -118,7 +118,7 @@ type RowParts = (String, Vec<String>);
 /// Rows of a JSON list.
 const ROWS_PER_LIST: usize = 1 << 12;
 
-/// JSON of a report in parts; `take_rows` moves the rows out of it. `additions`: further keys.
+/// JSON of a report in parts; `take_rows` moves the rows out of the report. `additions`: further keys of the report.
 fn row_parts<R: Serialize, Row: Serialize + Sync + Send + 'static>(
     py: Python<'_>,
     mut report: R,
@@ -377,7 +377,7 @@ pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<
     interruptible(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
 }
 
-/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep, with the impact and the extremes.
+/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep; adds the impact and the extremes.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     let path = path.to_string_lossy().into_owned();

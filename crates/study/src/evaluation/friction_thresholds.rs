@@ -13,11 +13,11 @@ use serde::Serialize;
 /// Coefficients of friction at which the behaviour of a contact changes. They do not depend on the velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FrictionThresholdsRecord {
-    /// Sliding speed per closing speed, t, of a contact of one relative motion; null for others.
+    /// Sliding speed per closing speed, t, of a contact with one relative motion; null for other contacts.
     pub slope: Option<f64>,
-    /// Coefficient of friction above which the contact can stick; null for one relative motion, and if no friction suffices.
+    /// Coefficient of friction from which the contact can stick; null for one relative motion, and if no friction suffices.
     pub sticking: Option<f64>,
-    /// Coefficient of friction above which sliding can jam; for one relative motion, 1/t, above which the contact wedges. Null if no
+    /// Coefficient of friction from which sliding can jam. For one relative motion: 1/t, from which the contact wedges. Null if no
     /// friction suffices.
     pub jamming: Option<f64>,
 }
@@ -28,11 +28,10 @@ impl From<FrictionThresholds> for FrictionThresholdsRecord {
     }
 }
 
-/// Thresholds of friction at a contact of a model. `None` without a single finite effective mass: an immovable or massless contact, a
-/// singular pose.
+/// Thresholds of friction at a contact of a model. `None` if the contact is immovable or massless, or if the pose is singular.
 ///
 /// # Errors
-/// [`StudyError`], as for [`mass`](crate::mass()); a contact without a contact point.
+/// [`StudyError`], as for [`mass`](crate::mass()), and for a moment, a cable, a spring, a rod or the stop of a joint.
 pub fn friction_thresholds(
     model: &Model,
     question: &MassQuestion,

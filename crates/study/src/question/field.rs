@@ -55,7 +55,7 @@ pub enum Field {
     Move,
     /// Point of a motion ratio.
     RatioAt,
-    /// Coefficients of friction for sticking and jamming.
+    /// Coefficients of friction for sticking, jamming and wedging.
     FrictionThresholds,
     /// Tolerances of the parts of a model.
     Tolerance,

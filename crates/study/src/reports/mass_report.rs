@@ -217,7 +217,7 @@ pub struct MassReport {
     /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the
     /// ratio holds for every motion, and of requested points.
     pub motion_ratios: Vec<MotionRatioRecord>,
-    /// Coefficients of friction for sticking and jamming, if requested; null without a single finite effective mass.
+    /// Coefficients of friction for sticking, jamming and wedging, if requested; null without a single finite effective mass.
     pub friction_thresholds: Option<FrictionThresholdsRecord>,
     /// Sensitivities of m̄, if requested.
     pub explanation: Option<Explanation>,

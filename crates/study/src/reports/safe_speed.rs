@@ -139,8 +139,8 @@ pub struct SafeSpeedReport {
     pub standard: SpeedRecord,
     /// Speed for the effective mass at the contact.
     pub reflected: SpeedRecord,
-    /// Greatest closing speed within the rate limits of the joints (`velocity` of a URDF); null if a motion without limited joints closes the
-    /// gap, or none does.
+    /// Greatest closing speed within the rate limits of the joints (`velocity` in URDF); null if no motion closes the gap, or if a motion
+    /// without limited joints closes the gap.
     pub reachable: Option<ReachableSpeedRecord>,
     /// Contact normal, out of the robot, world axes.
     pub normal_world: [f64; 3],
@@ -159,7 +159,7 @@ pub struct SafeSpeedReport {
 pub struct ReachableSpeedRecord {
     /// Closing speed at the pose, m/s.
     pub speed: f64,
-    /// Joints at their rate limits.
+    /// Joints whose rate limits determine this speed.
     pub limited_by: Vec<String>,
 }
 

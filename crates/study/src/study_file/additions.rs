@@ -1,4 +1,4 @@
-//! Impact and extremes of a study beside the report of its contact.
+//! Impact and extremes of a study, added to the report of the contact.
 
 use crate::question::errors::question_error::StudyError;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
@@ -6,7 +6,7 @@ use crate::reports::impact::report::{ImpactReport, impact};
 use crate::study_file::file::StudyFile;
 use serde::Serialize;
 
-/// Impact and extremes of a study, as keys of the report of its contact.
+/// Impact and extremes of a study: keys that are added to the report of the contact.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct StudyAdditions {
     /// Report of `[impact]`.
@@ -17,7 +17,7 @@ pub struct StudyAdditions {
     pub extremes: Option<ExtremesReport>,
 }
 
-/// Report with the keys `impact` and `extremes` of a study; without these tables, the report alone.
+/// Report with the keys `impact` and `extremes`; a key is absent if the study does not have its table.
 #[derive(Debug, Serialize)]
 pub struct WithAdditions<'a, R> {
     /// Report of the contact.

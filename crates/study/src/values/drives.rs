@@ -23,7 +23,7 @@ fn numbers(numbers: &[f64]) -> Result<Vec<Quantity>, QuantityError> {
     numbers.iter().map(|x| Quantity::number(*x)).collect()
 }
 
-/// Limits of the gear of a joint, one for each velocity: impulses, or torques by their units.
+/// Limits of the gear of a joint, one for each velocity. The unit distinguishes impulses and torques; without a unit, an impulse is meant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenGearLimits(Vec<Quantity>);
 
@@ -92,7 +92,7 @@ impl GivenSpring {
         numbers(given).map(Self)
     }
 
-    /// Values in SI units, if the units match the kind of the joint. Their number is not checked.
+    /// Values in SI units, if the units match the kind of the joint. The count is not checked.
     pub(crate) fn values_for_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
         let turns = rate_dimension(kind, 0) == Dimension::AngularSpeed;
         let value = |(k, given): (usize, &Quantity)| {
@@ -102,7 +102,7 @@ impl GivenSpring {
     }
 }
 
-/// Reads numbers by joint: a number, text with units, or a list of them.
+/// Reads values by joint: a number, a text with a unit, or a list of numbers and texts.
 pub(crate) fn by_joint<'de, D: Deserializer<'de>, T: FromStr<Err: Display>>(
     from: D,
 ) -> Result<Vec<(String, T)>, D::Error> {

@@ -1,4 +1,4 @@
-//! Reflected inertias: text, table and figure; and `percuss impact --reflected` without a contact.
+//! Reflected inertias as text, table and figure; command `percuss impact --reflected` without a contact.
 
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::files::csv::{self, Cell};
@@ -45,7 +45,7 @@ fn text(report: &ReflectedReport) -> String {
     facts.into_iter().map(|(name, value)| fact_line(name, &line(&value))).collect()
 }
 
-/// Reflected inertias as text. `drivers`: drivers of the loops.
+/// Reflected inertias as text. `drivers`: driving joints, named for a joint that does not drive.
 pub fn facts(
     records: &[ReflectedRecord],
     ranges: &[ReflectedRangeRecord],
@@ -56,7 +56,7 @@ pub fn facts(
         facts.push(("armature", armature(range)));
         facts.extend(range.substitute.as_ref().map(|found| ("mimic joints", substitute(range, found))));
         facts.extend(range.substitute_refused_by.as_ref().map(|joint| {
-            let why = format!("none: {joint} moves with {} and has several velocities", range.joint);
+            let why = format!("not possible: {joint} moves with {} and has several velocities", range.joint);
             ("mimic joints", why)
         }));
     }
@@ -71,7 +71,7 @@ fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
     };
     let free = value(record.free_status, record.free);
     let held = record.held_status.map_or_else(
-        || format!("no driving joint (the loops are driven by {})", drivers.join(", ")),
+        || format!("no driving joint (driving joints: {})", drivers.join(", ")),
         |status| format!("{} with the other drivers held", value(status, record.held)),
     );
     let direction = record.direction.map_or_else(String::new, |direction| format!(" {direction}"));
@@ -124,12 +124,12 @@ fn percent(error: f64) -> String {
     short_number(rounded(100.0 * error, 100.0))
 }
 
-/// True if the joint drives, so that its inertia with the other drivers held is known.
+/// True if the range contains the inertia with the other drivers held: the joint drives.
 fn is_held(range: &ReflectedRangeRecord) -> bool {
     range.held.iter().any(Option::is_some)
 }
 
-/// True if the free and the held inertia are equal up to rounding at all positions, as for one degree of freedom.
+/// True if the free and the held inertia are equal up to rounding at all positions, as in a mechanism with one degree of freedom.
 fn has_equal_curves(range: &ReflectedRangeRecord) -> bool {
     range.free.iter().zip(&range.held).all(|(free, held)| match (free, held) {
         (Some(free), Some(held)) => (free - held).abs() <= limits::EQUAL_CURVES * held,
@@ -137,10 +137,10 @@ fn has_equal_curves(range: &ReflectedRangeRecord) -> bool {
     })
 }
 
-/// Error for an output without contents.
+/// Error for `--output` if the result has neither a history nor a range.
 pub fn no_output(path: &str) -> Failure {
     Failure::bad_input(format!(
-        "--output {path}: nothing is written to a file; it requires --in-time, or a range --reflected JOINT=FROM:TO:COUNT"
+        "--output {path}: the result has no table and no figure; give --in-time, or a range --reflected JOINT=FROM:TO:COUNT"
     ))
 }
 

@@ -39,7 +39,7 @@ fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
         (Some(_), []) => in_time::write_history(report, path),
         (None, ranges @ [_, ..]) => reflected::write_ranges(ranges, &report.mass.inputs, path),
         (Some(_), _) => Err(Failure::bad_input(format!(
-            "--output {path}: both --in-time and a range of --reflected have an output; run the command once for each"
+            "--output {path}: one file cannot contain both --in-time and a range of --reflected; run the command once for each"
         ))),
         (None, []) => Err(reflected::no_output(path)),
     }

@@ -112,11 +112,11 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     }
     if let Some(reachable) = &report.reachable {
         let compared =
-            if reachable.speed <= report.reflected.speed { ", never above the greatest speed" } else { "" };
+            if reachable.speed <= report.reflected.speed { ", not above the greatest speed" } else { "" };
         let joints = reachable.limited_by.join(", ");
         let text =
-            format!("{} m/s at most with the velocity limits of {joints}{compared}", number(reachable.speed));
-        fact("the joints reach", text);
+            format!("{} m/s at most within velocity limits of {joints}{compared}", number(reachable.speed));
+        fact("reachable speed", text);
     }
     match (&report.region, report.region_mass, report.region_stiffness) {
         (Some(region), Some(mass), Some(stiffness)) => {

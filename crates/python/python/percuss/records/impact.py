@@ -403,8 +403,8 @@ class ReflectedRecord(Record):
     component: int
     """Index of the velocity within the joint."""
     direction: str | None
-    """Velocity within a joint with several velocities: "about x", "along y" and so on, in the axes of the joint; None for one
-    velocity."""
+    """Label of a velocity of a joint with several velocities: "about x", "along y", "about the normal"; None for one velocity.
+    x, y and z are the axes of the child link; for a planar joint, x and y are the two axes of the plane."""
     unit: str
     """Unit: "kg·m²" or "kg"."""
     free: float | None
@@ -438,9 +438,10 @@ class MimicSubstituteRecord(Record):
     inertias: list[float]
     """Inertia of this tree at the driving joint at each position, kg·m² or kg; without the additional armature."""
     armature: float
-    """Armature to add to that of the driving joint, kg·m² or kg: the one with the smallest largest relative error."""
+    """Armature in addition to the armature of the driving joint, kg·m² or kg: it minimises the largest relative error. Can be
+    negative."""
     largest_error: float
-    """Largest relative error of the reflected inertia."""
+    """Largest relative error of the reflected inertia over the range, with this armature."""
 
 
 class ReflectedRangeRecord(Record):
@@ -457,18 +458,18 @@ class ReflectedRangeRecord(Record):
     held: list[float | None]
     """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
     least: float | None
-    """Smallest held inertia (free for a joint that is no driver); None without a finite one."""
+    """Smallest finite held inertia (free for a joint that is no driver); None if no inertia is finite."""
     most: float | None
-    """Largest held inertia."""
+    """Largest finite held inertia."""
     best_constant: float | None
-    """Constant with the smallest largest relative error: the harmonic mean of both."""
+    """Constant armature that minimises the largest relative error: the harmonic mean of "least" and "most"."""
     largest_error: float | None
     """Largest relative error of this constant."""
     substitute: MimicSubstituteRecord | None
-    """Substitute for simulators without loops: the open tree with mimic joints and an additional armature; None if no other
-    joint moves with the joint, if the joint is no driver, and if a joint with several velocities moves with it."""
+    """Substitute for simulators without loops: the open tree with mimic joints and an additional armature. None if the joint is
+    no driver, if an inertia is not finite, and if no other joint or a joint with several velocities moves with the joint."""
     substitute_refused_by: str | None
-    """Joint with several velocities that moves with the joint, so that there is no substitute."""
+    """Joint with several velocities that moves with the joint: the reason for a missing substitute; None otherwise."""
 
 
 class PercussionRecord(Record):

@@ -151,12 +151,12 @@ class FrictionThresholdsRecord(Record):
     _answer = {"sticking": "", "jamming": ""}
 
     slope: float | None
-    """Sliding speed per closing speed, t, of a contact of one relative motion; None for others."""
+    """Sliding speed per closing speed, t, of a contact with one relative motion; None for other contacts."""
     sticking: float | None
-    """Coefficient of friction above which the contact can stick; None for one relative motion, and if no friction suffices."""
+    """Coefficient of friction from which the contact can stick; None for one relative motion, and if no friction suffices."""
     jamming: float | None
-    """Coefficient of friction above which sliding can jam; for one relative motion, 1/t, above which the contact wedges. None
-    if no friction suffices."""
+    """Coefficient of friction from which sliding can jam. For one relative motion: 1/t, from which the contact wedges. None if
+    no friction suffices."""
 
 
 class LinkSensitivity(Record):
@@ -373,7 +373,7 @@ class MassReport(Record):
     """Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the ratio holds for
     every motion, and of requested points."""
     friction_thresholds: FrictionThresholdsRecord | None
-    """Coefficients of friction for sticking and jamming, if requested; None without a single finite effective mass."""
+    """Coefficients of friction for sticking, jamming and wedging, if requested; None without a single finite effective mass."""
     explanation: Explanation | None
     """Sensitivities of m̄, if requested."""
     tolerance: ToleranceReport | None

@@ -175,7 +175,7 @@ class ReachableSpeedRecord(Record):
     speed: float
     """Closing speed at the pose, m/s."""
     limited_by: list[str]
-    """Joints at their rate limits."""
+    """Joints whose rate limits determine this speed."""
 
 
 class AlongRecord(Record):
@@ -225,8 +225,8 @@ class SafeSpeedReport(Record):
     reflected: SpeedRecord
     """Speed for the effective mass at the contact."""
     reachable: ReachableSpeedRecord | None
-    """Greatest closing speed within the rate limits of the joints ("velocity" of a URDF); None if a motion without limited
-    joints closes the gap, or none does."""
+    """Greatest closing speed within the rate limits of the joints ("velocity" in URDF); None if no motion closes the gap, or if
+    a motion without limited joints closes the gap."""
     normal_world: list[float]
     """Contact normal, out of the robot, world axes."""
     moving_mass: float

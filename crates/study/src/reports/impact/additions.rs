@@ -202,7 +202,7 @@ fn unchanged_joints(evaluated: &EvaluatedQuestion) -> Vec<JointId> {
 /// Limit of a gear: joint, velocity, and largest impulse or torque.
 type JointLimit = (JointId, usize, f64);
 
-/// Limits of gears: those of impulses, and those of torques.
+/// Limits of gears: impulses, and torques or forces.
 fn gear_limits(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
@@ -236,8 +236,8 @@ fn gear_limits(
     Ok((impulses, torques))
 }
 
-/// Greatest closing speed at which the peak torque of no gear exceeds its limit, with the joint that limits it. `None` if the impact changes
-/// the rate of no limited rotor.
+/// Greatest closing speed at which no peak torque of a gear exceeds its limit, and the joint that determines this speed. `None` if the
+/// impact changes no rate of a rotor with a limit.
 ///
 /// The impulse of a gear per impulse of the contact is armature · |v*|/m̄. The peak torque is this ratio times the peak force F of the
 /// contact. F grows as v^(2p/(p+1)) with the closing speed v, with p the exponent of the spring.

@@ -151,7 +151,7 @@ pub(crate) fn in_time(
     }))
 }
 
-/// Warning about an impact in time in which the sides separate faster than they approach.
+/// Warning about an impact in time whose separation speed is larger than the closing speed.
 pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
     let reached = found.restitution;
     (reached > 1.0 + CREATED_RESTITUTION).then(|| {

@@ -31,7 +31,8 @@ pub struct ReflectedRecord {
     pub joint: String,
     /// Index of the velocity within the joint.
     pub component: usize,
-    /// Velocity within a joint with several velocities: `about x`, `along y` and so on, in the axes of the joint; null for one velocity.
+    /// Label of a velocity of a joint with several velocities: `about x`, `along y`, `about the normal`; null for one velocity. x, y and z
+    /// are the axes of the child link; for a planar joint, x and y are the two axes of the plane.
     pub direction: Option<&'static str>,
     /// Unit: `kg·m²` or `kg`.
     pub unit: &'static str,
@@ -58,18 +59,18 @@ pub struct ReflectedRangeRecord {
     pub free: Vec<Option<f64>>,
     /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
     pub held: Vec<Option<f64>>,
-    /// Smallest held inertia (free for a joint that is no driver); null without a finite one.
+    /// Smallest finite held inertia (free for a joint that is no driver); null if no inertia is finite.
     pub least: Option<f64>,
-    /// Largest held inertia.
+    /// Largest finite held inertia.
     pub most: Option<f64>,
-    /// Constant with the smallest largest relative error: the harmonic mean of both.
+    /// Constant armature that minimises the largest relative error: the harmonic mean of `least` and `most`.
     pub best_constant: Option<f64>,
     /// Largest relative error of this constant.
     pub largest_error: Option<f64>,
-    /// Substitute for simulators without loops: the open tree with mimic joints and an additional armature; null if no other joint moves
-    /// with the joint, if the joint is no driver, and if a joint with several velocities moves with it.
+    /// Substitute for simulators without loops: the open tree with mimic joints and an additional armature. Null if the joint is no driver,
+    /// if an inertia is not finite, and if no other joint or a joint with several velocities moves with the joint.
     pub substitute: Option<MimicSubstituteRecord>,
-    /// Joint with several velocities that moves with the joint, so that there is no substitute.
+    /// Joint with several velocities that moves with the joint: the reason for a missing substitute; null otherwise.
     pub substitute_refused_by: Option<String>,
 }
 
@@ -80,9 +81,9 @@ pub struct MimicSubstituteRecord {
     pub joints: Vec<MimicJointRecord>,
     /// Inertia of this tree at the driving joint at each position, kg·m² or kg; without the additional armature.
     pub inertias: Vec<f64>,
-    /// Armature to add to that of the driving joint, kg·m² or kg: the one with the smallest largest relative error.
+    /// Armature in addition to the armature of the driving joint, kg·m² or kg: it minimises the largest relative error. Can be negative.
     pub armature: f64,
-    /// Largest relative error of the reflected inertia.
+    /// Largest relative error of the reflected inertia over the range, with this armature.
     pub largest_error: f64,
 }
 
@@ -144,8 +145,9 @@ impl<'a> From<&'a EvaluatedQuestion<'_>> for PosedModel<'a> {
     }
 }
 
-/// Inertias reflected to joints of a model, `JOINT` or over a range of positions `JOINT=FROM:TO:COUNT`, under the conditions and at the pose
-/// of a question, whose contact has no effect.
+/// Inertias reflected to joints of a model, at the pose and under the conditions of a question. The contact of the question has no effect.
+///
+/// `joints`: `JOINT`, or `JOINT=FROM:TO:COUNT` for a range of positions.
 ///
 /// # Errors
 /// [`StudyError`]: unknown names, unreachable positions, invalid ranges.
@@ -210,11 +212,15 @@ pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<Ref
     Ok(records)
 }
 
-/// Direction of a velocity of a joint with several velocities.
+/// Label of a velocity of a joint with several velocities; `None` for one velocity.
 fn direction(kind: JointKind, component: usize) -> Option<&'static str> {
     let directions: &[&str] = match kind {
         JointKind::Spherical => &["about x", "about y", "about z"],
-        JointKind::Planar => &["along x", "along y", "about the normal"],
+        JointKind::Planar => &[
+            "along the first direction of the plane",
+            "along the second direction of the plane",
+            "about the normal",
+        ],
         JointKind::Floating => &["about x", "about y", "about z", "along x", "along y", "along z"],
         JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic => &[],
     };
@@ -246,7 +252,7 @@ pub(crate) fn reflected_over(
             JointKind::Fixed => return Err(refuse(Fault::NoMotion { joint: name.to_owned() })),
             _ => return Err(refuse(Fault::NoSinglePosition { joint: name.to_owned(), kind })),
         };
-        // The stop of this joint sets its position for the impact only.
+        // A contact at the stop of this joint sets the position of the joint only for the impact, not for the range.
         let is_stop = posed.question.stop_of_joint(mechanism).is_some_and(|(stop, _)| stop == joint);
         if !is_stop && posed.question.set.iter().any(|(set, _)| set == name) {
             return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));

@@ -194,9 +194,9 @@ pub struct ImpactTable {
     pub joint_spring: Vec<(String, GivenSpring)>,
     /// Reflected inertia at a joint, free and held.
     ///
-    /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
-    /// two substitutes for simulators without loops and their errors: the best constant armature, and mimic joints with an armature. The
-    /// inertias require no contact and no impact.
+    /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT gives the inertia over a range of
+    /// positions, and two substitutes for simulators without loops with their errors: the best constant armature, and mimic joints with an
+    /// armature. Reflected inertias require neither a contact nor --restitution.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL)

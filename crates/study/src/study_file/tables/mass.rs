@@ -90,8 +90,8 @@ pub struct MassTable {
     pub explain: bool,
     /// Coefficients of friction from which the contact can stick, jam or wedge.
     ///
-    /// They do not depend on the velocities. A contact with one relative motion, such as the stop of a suspension, wedges from a coefficient
-    /// of 1/t, with t its sliding speed per closing speed.
+    /// The coefficients do not depend on the velocities. A contact with one relative motion, such as the bump stop of a suspension, wedges
+    /// from a coefficient of 1/t; t is the sliding speed per closing speed.
     #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
     pub friction_thresholds: bool,
 }

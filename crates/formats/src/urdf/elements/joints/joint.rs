@@ -20,7 +20,7 @@ pub(crate) struct JointText<'a> {
     pub axis: &'a str,
     /// Lower and upper limit: one valid number each, rad or m.
     pub limits: Option<[&'a str; 2]>,
-    /// Largest rate, rad/s or m/s; `None` for a missing one, 0, and an invalid number, which have no effect on effective masses.
+    /// Largest rate, rad/s or m/s. `None` if missing, not positive, or not a finite number; rate limits do not affect effective masses.
     pub rate_limit: Option<f64>,
     /// Empty, one value, or one value per velocity; kg·m² or kg.
     pub armature: Vec<f64>,
