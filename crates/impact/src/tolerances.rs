@@ -37,6 +37,10 @@ pub const UNDETERMINED: f64 = 1e-6;
 /// rounding of matrices of linkages, and the misfit of files with nine digits.
 pub const ONE_MOTION: f64 = 1e-8;
 
+/// Sliding speed of a contact point, relative to its speed, that counts as zero: rounding of linkages, and the misfit of files with nine
+/// digits. The direction of a smaller speed is arbitrary, but friction would have its full size.
+pub const NO_SLIDING: f64 = 1e-9;
+
 /// Eigenvalue of a mobility matrix, relative to the largest, below which a contact point cannot move in a direction:
 /// rounding of W.
 pub const MASSLESS_RESPONSE: f64 = 1e-12;

@@ -1,6 +1,6 @@
 //! Flags of `percuss impact` and `percuss extremes`.
 
-use super::{CheckFormat, ContactArgs, ModelArgs};
+use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
@@ -25,6 +25,8 @@ pub struct ImpactArgs {
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
+    #[command(flatten)]
+    pub writing: WritingArgs,
 }
 
 impl ImpactArgs {

@@ -8,6 +8,8 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
+/// Program in the description of a Parquet file.
+pub const CREATED_BY: &str = concat!("percuss ", env!("CARGO_PKG_VERSION"));
 /// Bytes of the head that are searched: marks are in the first lines.
 const HEAD: usize = 1 << 12;
 /// Bytes of the end that are searched: the description of a Parquet file is there, with an entry per column.
@@ -26,6 +28,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
     let mut head = Vec::new();
     file.by_ref().take(HEAD as u64).read_to_end(&mut head)?;
     let has = |bytes: &[u8], mark: &[u8]| bytes.windows(mark.len()).any(|window| window == mark);
+    let has_any = |bytes: &[u8], marks: &[&str]| marks.iter().any(|mark| has(bytes, mark.as_bytes()));
     if let [b'P', b'K', 3, 4, ..] = head[..] {
         return Ok(is_own_workbook(file));
     }
@@ -40,7 +43,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
         return has_valid_hash(file);
     }
     Ok(match &head[..] {
-        [b'P', b'A', b'R', b'1', ..] => has(&end()?, b"percuss.heading"),
+        [b'P', b'A', b'R', b'1', ..] => has_any(&end()?, &["percuss.heading", CREATED_BY]),
         [b'%', b'P', b'D', b'F', ..] => has(&end()?, MADE_BY.as_bytes()),
         _ => has(&head, MADE_BY.as_bytes()) || has_marked_head(&String::from_utf8_lossy(&head)),
     })
@@ -106,7 +109,7 @@ fn has_marked_head(head: &str) -> bool {
         || first == "design,status,effective_mass,difference_percent"
         || first == "design,status,effective_mass_kg,difference_percent"
         || ["link,x_m", "kind,x,"].iter().any(|begin| first.starts_with(begin)) && first.contains(",effective_mass_kg,")
-        || ["link,x,y,z,normal_x,", "kind,x,y,z,world_x,", "time,penetration,rate,force", "time_s,penetration_"]
+        || ["link,x,y,z,normal_x,", "kind,x,y,z,world_x,", "joint,position,free,held,mimic_tree", "time,penetration,rate,force", "time_s,penetration_"]
             .iter()
             .any(|columns| first.starts_with(columns))
 }

@@ -2,6 +2,7 @@
 
 use crate::files::csv::{Cell, FIXED_COLUMNS, SweepTable};
 use crate::files::output::{Output, cannot_write};
+use crate::files::own_files::CREATED_BY;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits::{CELLS_OF_A_GROUP, ROWS_OF_A_GROUP};
@@ -74,7 +75,7 @@ fn table_bytes(columns: &[String], rows: &[Vec<Cell>], out: Output) -> Result<Ou
     let fields = columns.iter().enumerate().map(field).collect::<Result<Vec<_>>>()?;
     let schema = Type::group_type_builder("percuss").with_fields(fields).build()?;
     let properties = WriterProperties::builder()
-        .set_created_by(format!("percuss {}", env!("CARGO_PKG_VERSION")))
+        .set_created_by(CREATED_BY.to_owned())
         .set_compression(Compression::SNAPPY)
         .build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
@@ -139,7 +140,7 @@ fn new_writer(
     let schema = Type::group_type_builder("percuss").with_fields(columns).build()?;
     let heading = serde_json::to_string(heading).map_err(|error| ParquetError::External(error.into()))?;
     let properties = WriterProperties::builder()
-        .set_created_by(format!("percuss {}", env!("CARGO_PKG_VERSION")))
+        .set_created_by(CREATED_BY.to_owned())
         .set_key_value_metadata(Some(vec![KeyValue::new("percuss.heading".to_owned(), heading)]))
         .set_compression(Compression::SNAPPY)
         // Masses rarely repeat; only the status benefits from a dictionary.

@@ -58,3 +58,23 @@ fn masses_are_compared_by_the_state_of_rotors_and_joints() {
     let text = percuss(&format!("impact {arm} --restitution 0.1 --speed 1")).stdout;
     assert!(text.contains("rotors decoupled") && text.contains("joints locked"), "{text}");
 }
+
+/// The normal is perpendicular to the rod, and the point moves along it: nothing slides, whatever the angle.
+#[test]
+fn a_point_that_does_not_slide_has_no_friction() {
+    for degrees in 0..90 {
+        let pendulum = format!(
+            "models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --set hinge={degrees}deg"
+        );
+        let line = format!("impact {pendulum} --friction 0.3 --restitution 0.5 --speed 1 --format json");
+        let friction = &json(&line)["friction"];
+        assert_eq!(
+            friction["tangential_impulse_world"],
+            serde_json::json!([0.0, 0.0, 0.0]),
+            "{degrees}: {friction}"
+        );
+        let line = format!("mass {pendulum} --friction-thresholds --format json");
+        let thresholds = &json(&line)["friction_thresholds"];
+        assert!(thresholds["jamming"].is_null(), "{degrees}: {thresholds}");
+    }
+}

@@ -50,13 +50,24 @@ fn ranges_are_written_as_tables_and_figures() {
         }
         assert_eq!(table.number(k, "mimic_tree"), range["substitute"]["inertias"][k].as_f64());
     }
-    for (name, start) in
-        [("a.xlsx", &b"PK"[..]), ("a.parquet", b"PAR1"), ("a.png", b"\x89PNG"), ("a.pdf", b"%PDF")]
-    {
+    let formats = [
+        ("inertia.csv", &b"joint,"[..]),
+        ("a.xlsx", b"PK"),
+        ("a.parquet", b"PAR1"),
+        ("a.png", b"\x89PNG"),
+        ("a.pdf", b"%PDF"),
+    ];
+    for (name, start) in formats {
         let path = folder.path(name);
-        let outcome = percuss(&format!("{line} -o {path}"));
-        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
-        assert!(std::fs::read(&path).expect("a file").starts_with(start), "{name}");
+        // The second run replaces the file of the first.
+        for _ in 0..2 {
+            let outcome = percuss(&format!("{line} -o {path}"));
+            assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+            assert!(std::fs::read(&path).expect("a file").starts_with(start), "{name}");
+        }
+        std::fs::write(&path, "not by percuss").expect("a writable folder");
+        refused(&format!("{line} -o {path}"), &["--force"]);
+        assert_eq!(percuss(&format!("{line} -o {path} --force")).code, 0, "{name}");
     }
     // The free and the held inertia are two curves if they differ, and one curve in a mechanism with one degree of freedom.
     let svg = |line: &str| {
@@ -157,4 +168,20 @@ fn a_substitute_with_mimic_joints_has_the_stated_error() {
     }
     let text = percuss(&format!("{BAR} --reflected crank_hinge=10deg:14deg:5")).stdout;
     assert!(text.contains("mimic joints         for a simulator without loops"), "{text}");
+}
+
+/// With the guide locked, the crank of the slider-crank moves at its dead centre only; at the position 0.5 the cam moves nothing with mass.
+#[test]
+fn positions_without_a_finite_inertia_leave_no_constant() {
+    for (line, words) in [
+        ("slider_crank.urdf --lock guide --reflected crank_hinge=0:90deg:3", "at 1 of 3 positions"),
+        ("valve_train.urdf --reflected cam_hinge=0.4:0.6:3", "at 2 of 3 positions"),
+        ("valve_train.urdf --reflected cam_hinge=0.5:0.5:1", "massless or immovable at all 1 positions"),
+    ] {
+        let text = percuss(&format!("impact models/{line}")).stdout;
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(words) && !text.contains("best constant"), "{line}: {text}");
+        let report = json(&format!("impact models/{line} --format json"));
+        assert!(report["reflected_over"][0]["best_constant"].is_null(), "{line}");
+    }
 }

@@ -161,8 +161,12 @@ fn one_motion_impulse(
     let tangential_impulse = motion.direction * (found.frictions[0] + found.frictions[1]);
     let mut phases = Vec::new();
     if law.restitution != RestitutionLaw::Algebraic {
-        add_phase(&mut phases, PhaseKind::Slip, false, found.impulses[0]);
-        add_phase(&mut phases, PhaseKind::ReverseSlip, true, found.impulses[1]);
+        let kinds = match motion.slope > 0.0 {
+            true => [PhaseKind::Slip, PhaseKind::ReverseSlip],
+            false => [PhaseKind::Stick; 2],
+        };
+        add_phase(&mut phases, kinds[0], false, found.impulses[0]);
+        add_phase(&mut phases, kinds[1], true, found.impulses[1]);
     }
     let closing = motion.impact(speed, 0.0, law.coefficient, RestitutionLaw::Energetic);
     let compression = FrictionalCompression {

@@ -1,7 +1,7 @@
 //! Coulomb friction at a contact whose two sides have one relative motion: closed form.
 
 use crate::friction::phases::RestitutionLaw;
-use crate::tolerances::ONE_MOTION;
+use crate::tolerances::{NO_SLIDING, ONE_MOTION};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 
@@ -46,7 +46,10 @@ impl OneMotion {
         let along = frame.inverse_vector(&velocity);
         let sliding = along - normal * normal.dot(&along);
         let slope = sliding.norm();
-        let direction = if slope > 0.0 { sliding / slope } else { Vector3::zeros() };
+        let (slope, direction) = match slope > NO_SLIDING * along.norm() {
+            true => (slope, sliding / slope),
+            false => (0.0, Vector3::zeros()),
+        };
         Some(Self { mass, slope, direction })
     }
 
@@ -58,6 +61,8 @@ impl OneMotion {
         friction: f64,
         law: RestitutionLaw,
     ) -> OneMotionImpact {
+        // A point that does not slide needs no friction.
+        let friction = if self.slope > 0.0 { friction } else { 0.0 };
         let product = friction * self.slope;
         let is_wedged = product >= 1.0;
         let compression = self.mass * speed / (1.0 + product);

@@ -45,7 +45,8 @@ pub struct ReflectedRange {
     pub least: Option<f64>,
     /// Largest finite held inertia.
     pub most: Option<f64>,
-    /// Constant that minimises the largest relative error: the harmonic mean 2ab/(a+b) of the extremes a and b.
+    /// Constant that minimises the largest relative error: the harmonic mean 2ab/(a+b) of the extremes a and b; `None` unless the inertia is
+    /// finite at all positions.
     pub best_constant: Option<f64>,
     /// Largest relative error of this constant, (b−a)/(b+a).
     pub largest_error: Option<f64>,
@@ -87,7 +88,7 @@ pub fn reflected_inertia_over(
     };
     let least = samples.iter().filter_map(value).min_by(f64::total_cmp);
     let most = samples.iter().filter_map(value).max_by(f64::total_cmp);
-    let both = least.zip(most);
+    let both = least.zip(most).filter(|_| samples.iter().all(|sample| value(sample).is_some()));
     let held: Option<Vec<f64>> = samples.iter().map(|s| s.inertia.held?.kilograms()).collect();
     let substitute = match held {
         Some(held) => mimic_substitute(&poses, joint, &held)?,

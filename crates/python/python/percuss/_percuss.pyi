@@ -861,7 +861,7 @@ def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str
 def friction_thresholds(model: Model, contact: Contact | str, conditions: Conditions) -> str:
     """Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass."""
 def reflected_inertias(model: Model, joints: Sequence[str], conditions: Conditions) -> str:
-    """Inertias reflected to joints. joints: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions."""
+    """Inertias reflected to joints. `joints`: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions."""
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
 ) -> str:

@@ -83,6 +83,7 @@ finding_kinds! {
     NotUnitQuaternion = "not-unit-quaternion", Warning, Pose;
     ObliqueStop = "oblique-stop", Note, Report;
     OffTarget = "off-target", Warning, Branch;
+    OpenComponents = "open-components", Warning, Report;
     OpenLoops = "open-loops", Warning, Pose;
     OtherAssembly = "other-assembly", Warning, Pose;
     OutsideLimits = "outside-limits", Warning, Positions;

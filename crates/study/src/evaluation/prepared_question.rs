@@ -340,10 +340,7 @@ impl<'a> EvaluatedQuestion<'a> {
         answer.findings.extend(prepared.guess_findings(&pose));
         let mechanism = &model.mechanism;
         let stop = StopOfJoint::of_question(mechanism, &prepared.question)?;
-        let requested = stop.filter(|stop| stop.is_requested(mechanism, &prepared.question));
-        answer
-            .findings
-            .extend(requested.and_then(|stop| stop_not_reached(&pose, &stop, prepared.question.names)));
+        answer.findings.extend(stop.and_then(|stop| stop_not_reached(&pose, &stop, prepared.question.names)));
         Ok(Self { prepared, pose, contact, result: answer })
     }
 }

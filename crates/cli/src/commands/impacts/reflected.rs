@@ -80,13 +80,24 @@ fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
 
 /// Reflected inertia over a range as text.
 fn armature(range: &ReflectedRangeRecord) -> String {
-    let (Some(least), Some(most), Some(constant), Some(error)) =
-        (range.least, range.most, range.best_constant, range.largest_error)
-    else {
-        return format!("{}: not finite over the range", range.joint);
-    };
     let unit = range.unit;
-    let state = if is_held(range) { "with the other drivers held" } else { "free" };
+    let (state, values) = match is_held(range) {
+        true => ("with the other drivers held", &range.held),
+        false => ("free", &range.free),
+    };
+    let (count, all) = (values.iter().flatten().count(), values.len());
+    let (Some(least), Some(most)) = (range.least, range.most) else {
+        return format!("{}: massless or immovable at all {all} positions", range.joint);
+    };
+    let (Some(constant), Some(error)) = (range.best_constant, range.largest_error) else {
+        return format!(
+            "{}: {} to {} {unit} {state} at {count} of {all} positions; massless or immovable at the others, so that no constant \
+             armature replaces the linkage",
+            range.joint,
+            number(least),
+            number(most),
+        );
+    };
     format!(
         "{}: {} to {} {unit} {state} over {} positions; the best constant is {} {unit}, wrong by up to {} %. It includes the inertia \
          of the links: in a simulator whose model contains the links, set only the missing part as armature",

@@ -20,6 +20,7 @@ const SMALL_MOTION_FORCE: f64 = 0.01;
 
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
+    args.writing.apply();
     if args.needs_no_contact() {
         return reflected::run(args);
     }

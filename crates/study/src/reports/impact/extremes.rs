@@ -15,9 +15,9 @@ use crate::question::row_source::RowSource;
 use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::extremes_question::{ExtremesQuestion, GivenRange, Keep};
 use crate::sweep::sweep_rows::Sweep;
-use percuss_dynamics::{Gap, Pose};
+use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint, ReactionMap,
     SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
@@ -223,6 +223,8 @@ pub fn extremes(
         }
     };
     let [least, most] = &found.extremes;
+    let bearing = extremes.quantity.joint().unwrap_or_default();
+    let open_components = open_components(&pose, &contact, quantity, bearing).map(DiagnosticRecord::from);
     Ok(ExtremesReport {
         schema: "percuss.extremes/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -237,7 +239,33 @@ pub fn extremes(
         least: record(least),
         most: record(most),
         path: found.path,
-        diagnostics: found.diagnostics,
+        diagnostics: found.diagnostics.into_iter().chain(open_components).collect(),
+    })
+}
+
+/// Warning that redundant constraints leave components of the force in a searched bearing open at a pose; `None` for another quantity.
+fn open_components(
+    pose: &Pose,
+    contact: &Contact,
+    quantity: SearchedQuantity,
+    name: &str,
+) -> Option<Finding> {
+    let bearing = match quantity {
+        SearchedQuantity::BearingImpulse { bearing } | SearchedQuantity::BearingPeakForce { bearing, .. } => {
+            bearing
+        }
+        SearchedQuantity::EffectiveMass | SearchedQuantity::ReflectedInertia { .. } => return None,
+    };
+    let response = pose.respond(contact).ok()?;
+    let reactions = ReactionMap::new(pose).reactions(&response, 1.0).ok()?;
+    let force = bearing.reaction(&reactions)?.force;
+    let open = force.iter().filter(|component| component.value().is_none()).count();
+    (open > 0).then(|| {
+        let message = format!(
+            "redundant constraints leave {open} of 3 components of the force in \"{name}\" open: the values contain only the other \
+             components; percuss impact names the loops"
+        );
+        Finding::about_result(FindingKind::OpenComponents, message)
     })
 }
 
