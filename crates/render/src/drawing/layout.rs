@@ -19,8 +19,9 @@ const ROW_DISTANCE: f64 = 38.0;
 /// Largest height of one row of views, and of two rows together.
 const ONE_ROW: f64 = 430.0;
 const TWO_ROWS: f64 = 700.0;
-/// Smallest width of a view, for its title, and smallest height, for an arrow up or down.
+/// Smallest width of a view, for its title, and smallest height, for an arrow of a motion or of a load up or down from the middle.
 const SMALLEST: [f64; 2] = [230.0, 124.0];
+const SMALLEST_WITH_LOADS: [f64; 2] = [230.0, 212.0];
 /// Columns of a key below the views.
 const KEY_COLUMNS_BELOW: usize = 4;
 /// Margin inside a view, for labels.
@@ -59,11 +60,12 @@ struct Grid {
 }
 
 impl Grid {
-    /// Largest scale at which both columns and all rows fit. `spans`: extents of the drawing along x, y and z, m.
-    fn fit(spans: [f64; 3], has_top_view: bool) -> Self {
+    /// Largest scale at which both columns and all rows fit. `spans`: extents of the drawing along x, y and z, m; `smallest`: width and
+    /// height of the smallest view.
+    fn fit(spans: [f64; 3], smallest: [f64; 2], has_top_view: bool) -> Self {
         let [x, y, z] = spans;
         let width_available = WIDTH - 2.0 * MARGIN - COLUMN_DISTANCE;
-        let side = |scale: f64, span: f64, k: usize| (scale * span + 2.0 * LABEL_MARGIN).max(SMALLEST[k]);
+        let side = |scale: f64, span: f64, k: usize| (scale * span + 2.0 * LABEL_MARGIN).max(smallest[k]);
         let sizes = |scale: f64| {
             let columns = [side(scale, y, 0), side(scale, x, 0)];
             (columns, [side(scale, z, 1), if has_top_view { side(scale, x, 1) } else { 0.0 }])
@@ -123,7 +125,8 @@ pub(super) fn layout_drawing(drawing: &Drawing) -> Scene {
         let (low, high) = extent(points.iter().map(|p| p[k]));
         high - low
     });
-    let grid = Grid::fit(spans, drawing.has_top_view);
+    let smallest = if drawing.loads.is_empty() { SMALLEST } else { SMALLEST_WITH_LOADS };
+    let grid = Grid::fit(spans, smallest, drawing.has_top_view);
     let second_column = MARGIN + grid.columns[0] + COLUMN_DISTANCE;
     let second_row = top + grid.rows[0] + ROW_DISTANCE;
     let corners = [(MARGIN, top), (second_column, top), (MARGIN, second_row)];
