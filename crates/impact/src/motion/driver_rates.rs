@@ -236,15 +236,15 @@ fn given_rows(
 }
 
 /// Least-squares solution of the given rates.
-struct DriverSolution {
-    weights: Vec<f64>,
+pub(crate) struct DriverSolution {
+    pub weights: Vec<f64>,
     rank: usize,
     /// Motions that the given rates leave open: orthonormal weights, freedoms × open.
     open: Mat<f64>,
 }
 
 /// Solution of least norm by two QR decompositions.
-fn least_squares(matrix: &Mat<f64>, wanted: &[f64]) -> DriverSolution {
+pub(crate) fn least_squares(matrix: &Mat<f64>, wanted: &[f64]) -> DriverSolution {
     let d = matrix.ncols();
     if matrix.nrows() == 0 || d == 0 || matrix.norm_max() == 0.0 {
         return DriverSolution { weights: vec![0.0; d], rank: 0, open: Mat::identity(d, d) };

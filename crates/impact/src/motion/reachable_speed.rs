@@ -1,8 +1,9 @@
 //! Greatest closing speed that the rate limits of the joints permit.
 
 use crate::group_rows::GroupRows;
-use crate::motion::driver_rates::{kernel, lengths};
+use crate::motion::driver_rates::{kernel, least_squares, lengths};
 use crate::tolerances::{ACTIVE_RATE, CLOSES, MOST_VERTICES};
+use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{LocatedContact, Pose};
 use percuss_mechanism::JointId;
@@ -62,11 +63,8 @@ fn greatest(c: &DVector<f64>, rows: &[DVector<f64>]) -> Option<(f64, Vec<usize>)
     let mut active: Vec<(usize, f64)> = Vec::new();
     for _ in 0..MOST_VERTICES {
         let matrix = DMatrix::from_fn(c.len(), active.len(), |k, a| active[a].1 * rows[active[a].0][k]);
-        let multipliers = if active.is_empty() {
-            DVector::zeros(0)
-        } else {
-            matrix.clone().svd(true, true).solve(c, ACTIVE_RATE).ok()?
-        };
+        let columns = Mat::from_fn(matrix.nrows(), matrix.ncols(), |k, a| matrix[(k, a)]);
+        let multipliers = DVector::from_vec(least_squares(&columns, c.as_slice()).weights);
         let along = c - &matrix * &multipliers;
         if along.norm() <= ACTIVE_RATE * c.norm() {
             // Optimal if no multiplier is negative; otherwise the first limit with a negative multiplier is released (Bland's rule).
