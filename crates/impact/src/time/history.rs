@@ -19,7 +19,7 @@ pub struct ImpactSample {
     pub effective_mass: Option<f64>,
     /// Largest gap of the loops, m: error of the integration.
     pub loop_gap: f64,
-    /// Positions of all joints (layout of [`Pose::positions`]), rad and m.
+    /// Positions of all joints (layout of [`Pose::positions`](percuss_dynamics::Pose::positions)), rad and m.
     pub positions: Vec<f64>,
     /// X_wr: pose of the root link in the world.
     pub base: Transform<f64>,

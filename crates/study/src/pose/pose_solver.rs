@@ -107,13 +107,13 @@ fn dependent_stop_pose(
         StudyError::StopNotReached { gap, nearest, is_smallest, why, .. } => {
             let sign = if stop.is_upper { 1.0 } else { -1.0 };
             StudyError::JointStopNotReached {
-                joint: name.clone(),
+                joint: name.as_str().into(),
                 limit: stop.limit,
                 nearest: nearest.map(|nearest| stop.limit - sign * (gap - nearest) / stop.length),
                 turns: mechanism.joint(stop.joint).kind() != JointKind::Prismatic,
                 is_smallest,
-                driver: mechanism.joint(moving[0]).name().to_owned(),
-                why,
+                driver: mechanism.joint(moving[0]).name().into(),
+                why: why.into(),
             }
         }
         other => other,

@@ -54,7 +54,7 @@ pub enum StudyError {
     #[error("{}", joint_stop_not_reached(joint, *limit, *nearest, (*turns, *is_smallest), driver, why))]
     JointStopNotReached {
         /// The joint.
-        joint: String,
+        joint: Box<str>,
         /// Its limit, rad or m.
         limit: f64,
         /// Nearest position of the joint, rad or m, if known.
@@ -64,9 +64,9 @@ pub enum StudyError {
         /// True if the joint reverses its motion at the nearest position; false if the search ended there.
         is_smallest: bool,
         /// Joint that drives the search.
-        driver: String,
+        driver: Box<str>,
         /// Reason.
-        why: String,
+        why: Box<str>,
     },
     /// Invalid mass matrix.
     #[error(transparent)]
