@@ -31,7 +31,7 @@ from test_every_call import (
 import percuss
 
 #: Time of one call with an invalid argument, s. Reports of valid questions of this file take less than one.
-TIME = 10
+TIME = 60
 #: Arguments that a message names otherwise: a file by its path, a text by its line, a limit by the file that exceeds it.
 OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass"}
 #: Values that are valid alone: the message names the part that does not fit to them.
@@ -339,7 +339,7 @@ def test_invalid_arguments(name: str, faults: Callable[[str], list[str]]) -> Non
         child.start()
         sender.close()
         try:
-            found = receiver.recv() if receiver.poll(20 * TIME) else ["no answer"]
+            found = receiver.recv() if receiver.poll(5 * TIME) else ["no answer"]
         except EOFError:
             found = [f"{name}: the process ended"]
         if child.is_alive() and found == ["no answer"]:
