@@ -30,7 +30,7 @@ TOLERANCE = 1e-9
 SINGULAR = 1e-9
 # Random models of the default run, contacts for each, and what they give.
 COUNT, CONTACTS = 80, 2
-EXPECTED = {"models": 80, "refused by Drake": 1, "written": 33, "refused by name": 4, "massless in Drake": 16}
+EXPECTED = {"models": 80, "refused by Drake": 1, "written": 34, "refused by name": 5, "massless in Drake": 16}
 
 
 logging.getLogger("drake").setLevel(logging.ERROR)
