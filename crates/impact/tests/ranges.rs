@@ -166,16 +166,10 @@ fn extremes_over_normals_are_planted() {
 
 #[test]
 fn extremes_of_a_linkage_are_those_of_its_sweep() {
-    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
-    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let mechanism = four_bar();
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
     let crank = mechanism.find_joint("crank_hinge").expect("the crank");
-    let contact = Contact {
-        link: mechanism.find_link("coupler").expect("the coupler"),
-        against: None,
-        point: Vector3::new(0.35, 0.1, 0.0),
-        normal: Direction::Along(Vector3::x(), Frame::World),
-    };
+    let contact = contact_of_coupler(&mechanism);
     let (lower, upper) = (-0.6, 0.6);
     let mass = |turn: f64| {
         let mut configuration = system.configuration();
@@ -246,20 +240,40 @@ fn extremes_of_reflected_inertias_are_planted() {
     assert!(agreeing * 100 >= starts * 95, "{agreeing} of {starts}");
 }
 
-/// Impulse in the rocker hinge of a four-bar per closing speed of a plastic impact, with a normal fixed in the world: the extremes over
-/// the crank angle agree with those of a scan of 601 poses.
-#[test]
-fn extremes_of_a_bearing_are_those_of_a_scan() {
+/// Shipped four-bar.
+fn four_bar() -> Arc<Mechanism> {
     let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
-    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
-    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
-    let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
-    let contact = Contact {
+    Arc::new(load_file(&path).expect("a model").mechanism)
+}
+
+/// Point of the coupler of the four-bar, with a normal fixed in the world.
+fn contact_of_coupler(mechanism: &Mechanism) -> Contact {
+    Contact {
         link: mechanism.find_link("coupler").expect("the coupler"),
         against: None,
         point: Vector3::new(0.35, 0.1, 0.0),
         normal: Direction::Along(Vector3::x(), Frame::World),
-    };
+    }
+}
+
+/// Tip of the outer link of an arm, with a normal fixed in the world.
+fn contact_of_tip(arm: &Mechanism) -> Contact {
+    Contact {
+        link: arm.find_link("outer").expect("the outer link"),
+        against: None,
+        point: Vector3::x(),
+        normal: Direction::Along(Vector3::y(), Frame::World),
+    }
+}
+
+/// Impulse in the rocker hinge of a four-bar per closing speed of a plastic impact, with a normal fixed in the world: the extremes over
+/// the crank angle agree with those of a scan of 601 poses.
+#[test]
+fn extremes_of_a_bearing_are_those_of_a_scan() {
+    let mechanism = four_bar();
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
+    let contact = contact_of_coupler(&mechanism);
     let (lower, upper) = (-0.6, 0.6);
     let bearing = joint("rocker_hinge");
     let impulse = |turn: f64| {
@@ -286,12 +300,7 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
     // find it.
     let arm = arm(3.0, 2.0);
     let planar = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
-    let tip = Contact {
-        link: arm.find_link("outer").expect("the outer link"),
-        against: None,
-        point: Vector3::x(),
-        normal: Direction::Along(Vector3::y(), Frame::World),
-    };
+    let tip = contact_of_tip(&arm);
     let of =
         |name: &str, lower, upper| JointRange { joint: arm.find_joint(name).expect("a joint"), lower, upper };
     let wide = [of("shoulder", -1.2, 1.2), of("elbow", 0.3, 2.8)];
@@ -319,16 +328,10 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
 /// extremes of a grid of rigid impacts. The loads are the impulse, and the peak forces with a linear spring and with a Hertzian contact.
 #[test]
 fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
-    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
-    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let mechanism = four_bar();
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
     let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
-    let contact = Contact {
-        link: mechanism.find_link("coupler").expect("the coupler"),
-        against: None,
-        point: Vector3::new(0.35, 0.1, 0.0),
-        normal: Direction::Along(Vector3::x(), Frame::World),
-    };
+    let contact = contact_of_coupler(&mechanism);
     let (lower, upper) = (0.2, 0.9);
     let ranges = [JointRange { joint: joint("crank_hinge"), lower, upper }];
     let pose = |turn: f64| {
@@ -398,12 +401,7 @@ fn bearing_loads_over_positions_and_normals_are_those_of_a_grid() {
 fn the_largest_bearing_load_over_normals_of_an_arm_is_that_of_a_grid() {
     let arm = arm(3.0, 2.0);
     let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
-    let contact = Contact {
-        link: arm.find_link("outer").expect("the outer link"),
-        against: None,
-        point: Vector3::x(),
-        normal: Direction::Along(Vector3::y(), Frame::World),
-    };
+    let contact = contact_of_tip(&arm);
     let joint = |name: &str| arm.find_joint(name).expect("a joint");
     let (lower, upper) = (0.4, 2.4);
     let ranges = [JointRange { joint: joint("elbow"), lower, upper }];
@@ -450,12 +448,7 @@ fn the_largest_bearing_load_over_normals_of_an_arm_is_that_of_a_grid() {
 fn a_bearing_impulse_towards_an_immovable_pose_is_unbounded() {
     let arm = arm(3.0, 2.0);
     let system = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
-    let contact = Contact {
-        link: arm.find_link("outer").expect("the outer link"),
-        against: None,
-        point: Vector3::x(),
-        normal: Direction::Along(Vector3::y(), Frame::World),
-    };
+    let contact = contact_of_tip(&arm);
     let joint = |name: &str| arm.find_joint(name).expect("a joint");
     let most = |bearing: &str, lower: f64, upper: f64| {
         let ranges = [
@@ -480,8 +473,7 @@ fn a_bearing_impulse_towards_an_immovable_pose_is_unbounded() {
 
 #[test]
 fn the_best_constant_armature_of_the_four_bar() {
-    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
-    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let mechanism = four_bar();
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
     let crank = mechanism.find_joint("crank_hinge").expect("the crank");
     let positions: Vec<f64> = (0..=360).map(|k| std::f64::consts::TAU * f64::from(k) / 360.0).collect();
@@ -500,8 +492,7 @@ fn the_best_constant_armature_of_the_four_bar() {
 /// armature has a smaller error. Over small ranges the error is proportional to the range.
 #[test]
 fn substitutes_with_mimic_joints_are_their_own_trees() {
-    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
-    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let mechanism = four_bar();
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
     let crank = mechanism.find_joint("crank_hinge").expect("the crank");
     let mut errors = Vec::new();
