@@ -63,9 +63,10 @@ pub struct ReflectedRangeRecord {
     pub least: Option<f64>,
     /// Largest finite held inertia.
     pub most: Option<f64>,
-    /// Constant armature that minimises the largest relative error: the harmonic mean of `least` and `most`.
+    /// Constant armature that minimises the largest relative error: the harmonic mean of `least` and `most`; null unless the inertia is
+    /// finite at all positions.
     pub best_constant: Option<f64>,
-    /// Largest relative error of this constant.
+    /// Largest relative error of this constant; null without a constant.
     pub largest_error: Option<f64>,
     /// Substitute for simulators without loops: the open tree with mimic joints and an additional armature. Null if the joint is no driver,
     /// if an inertia is not finite, and if no other joint or a joint with several velocities moves with the joint.
