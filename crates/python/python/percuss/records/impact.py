@@ -462,9 +462,10 @@ class ReflectedRangeRecord(Record):
     most: float | None
     """Largest finite held inertia."""
     best_constant: float | None
-    """Constant armature that minimises the largest relative error: the harmonic mean of "least" and "most"."""
+    """Constant armature that minimises the largest relative error: the harmonic mean of "least" and "most"; None unless the
+    inertia is finite at all positions."""
     largest_error: float | None
-    """Largest relative error of this constant."""
+    """Largest relative error of this constant; None without a constant."""
     substitute: MimicSubstituteRecord | None
     """Substitute for simulators without loops: the open tree with mimic joints and an additional armature. None if the joint is
     no driver, if an inertia is not finite, and if no other joint or a joint with several velocities moves with the joint."""
