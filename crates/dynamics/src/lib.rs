@@ -1,13 +1,9 @@
-//! Effective mass of mechanisms at contacts.
+#![doc = include_str!("../README.md")]
 //!
 //! [`Conditions`] (base, locks, held contacts, armatures) and a [`Mechanism`](percuss_mechanism::Mechanism) are
 //! compiled into a [`System`]. Closing the loops of a system gives an [`Assembly`]. An assembly at a
-//! [`Configuration`] gives a [`Pose`]. A pose and a [`Contact`] give a [`ContactResponse`]: the effective mass, the
-//! motion of the mechanism at unit closing speed, and the contribution of each link. All of these are values: the
+//! [`Configuration`] gives a [`Pose`]. A pose and a [`Contact`] give a [`ContactResponse`]. All of these are values: the
 //! same call always returns the same result, regardless of earlier calls.
-//!
-//! All poses are computed in the frame of the root link, also for a floating base. A mechanism ten kilometres from
-//! the world's origin therefore loses no precision. This crate reads no files and contains no contact laws.
 
 mod analysis;
 mod batch;

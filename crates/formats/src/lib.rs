@@ -1,4 +1,4 @@
-//! Readers of URDF, MJCF and SDFormat to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writers.
+#![doc = include_str!("../README.md")]
 //!
 //! For a URDF, [`load`] works in five steps, each of which may refuse the file:
 //!
@@ -27,8 +27,6 @@
 //! <coupling name="gear"><predecessor link="arm"/><successor link="rotor"/><ratio value="6"/></coupling>
 //! <loop_joint name="ball" type="spherical"><link1 link="a" xyz="0 0 0" rpy="0 0 0"/><link2 link="b"/></loop_joint>
 //! ```
-//!
-//! This crate contains no dynamics.
 
 pub mod reading;
 

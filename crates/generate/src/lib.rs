@@ -1,8 +1,7 @@
-//! Source code of functions that compute the effective mass of one mechanism at one contact from a configuration.
+#![doc = include_str!("../README.md")]
 //!
 //! [`generate`] evaluates the elimination of the mass matrix on expressions ([`Request`] describes the mechanism and
-//! the contact). Constants are folded, operations with 0 and 1 vanish, and equal expressions are computed once. The
-//! code needs no library, allocates nothing, and returns a status where a configuration has no result.
+//! the contact). Constants are folded, operations with 0 and 1 vanish, and equal expressions are computed once.
 
 mod error;
 mod expression;

@@ -1,4 +1,4 @@
-//! Rigid impacts of mechanisms: impulse, rates after the impact, and reactions in all joints and loop closures.
+#![doc = include_str!("../README.md")]
 //!
 //! A [`Pose`](percuss_dynamics::Pose) and a [`ContactResponse`](percuss_dynamics::ContactResponse) give the
 //! [`Reactions`] to a unit impulse at the contact. With a closing speed and a coefficient of restitution e,

@@ -1,8 +1,7 @@
-//! Compiled evaluation of the effective mass, for one configuration or for SIMD lanes.
+#![doc = include_str!("../README.md")]
 //!
-//! A [`Mechanism`] is compiled once: a tree into a list of joint steps ([`tree`]), a linkage with closed loops into
-//! rows and their elimination ([`loops`]). The same plan evaluates one configuration or several SIMD lanes. A result is returned only with
-//! a bound of its rounding error; the caller computes all other cases by another method.
+//! A [`Mechanism`] is compiled into a plan: a tree into a list of joint steps ([`tree`]), a linkage with closed loops into rows and their
+//! elimination ([`loops`]). The same plan evaluates one configuration or several SIMD lanes.
 
 mod aligned;
 mod columns;

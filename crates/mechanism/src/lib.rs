@@ -1,8 +1,6 @@
-//! Model of a mechanism: links, joints, loop closures, and their validation.
+#![doc = include_str!("../README.md")]
 //!
-//! A [`Mechanism`] is immutable and shared. It is built by a [`MechanismBuilder`], which does all validation
-//! and reports each finding as a [`Problem`]. Locked joints, held contacts and a floating base belong to an
-//! analysis, not to the mechanism. This crate contains no file formats and no algorithms.
+//! A [`Mechanism`] is shared. It is built by a [`MechanismBuilder`], which does all validation and reports each finding as a [`Problem`].
 
 mod axis;
 mod builder;

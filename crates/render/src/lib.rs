@@ -1,4 +1,4 @@
-//! Line plots from plain numbers, as SVG, PNG and PDF; quantities over surfaces, as these, as PLY and as glTF.
+#![doc = include_str!("../README.md")]
 //!
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each panel has [`Series`] with possibly
 //! missing values. `layout` converts the figure to strokes, dots, patches and texts (`scene`), and `svg` writes
@@ -15,19 +15,6 @@
 //! in `…`. The same figure gives the same SVG and PNG to the byte (in a PDF the order of the fonts varies). The
 //! size of the file is bounded independently of the number of points. This crate depends on no other crate of
 //! the workspace.
-//! ```
-//! use percuss_render::{Figure, Panel, Series, Style};
-//!
-//! let points = (-8..=8).map(|i| (10.0 * f64::from(i), Some(205.0 - 0.1 * f64::from(i * i)))).collect();
-//! let mass = Series { name: "formula".into(), style: Style::Line, points };
-//! let figure = Figure {
-//!     title: "Effective mass".into(),
-//!     x_label: "Wheel travel (mm)".into(),
-//!     panels: vec![Panel { y_label: "m̄ (kg)".into(), series: vec![mass], ..Panel::default() }],
-//!     ..Figure::default()
-//! };
-//! assert!(figure.to_svg().starts_with("<svg"));
-//! ```
 
 mod backend;
 #[cfg(feature = "convert")]

@@ -1,11 +1,6 @@
-//! Spatial algebra: rigid transforms, twists, wrenches and inertias.
+#![doc = include_str!("../README.md")]
 //!
-//! All types are generic over a [`Scalar`]: `f64` or SIMD lanes. No operation
-//! branches on a value, so a recursion with these types runs unchanged on any scalar.
-//!
-//! Conventions (`docs/reference/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
-//! twist and wrench refer to the origin of the frame in which they are expressed. This crate contains no
-//! bodies, joints or files.
+//! All types are generic over a [`Scalar`]. Conventions: `docs/reference/NOTATION.md`.
 
 mod articulated;
 mod inertia;

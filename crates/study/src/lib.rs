@@ -1,8 +1,8 @@
-//! Queries about a model and their results, shared by the command line and the other interfaces.
+#![doc = include_str!("../README.md")]
 //!
 //! [`Model::load`] reads a file. [`mass()`] computes one contact and returns a [`MassReport`]; [`sweep()`] computes a contact
-//! over a range, row by row; [`map()`] over the surfaces of links; [`check()`] describes a model in a [`CheckReport`]. Reports
-//! serialise to the JSON format for scripts. This crate does not write to a terminal.
+//! over a range, row by row; [`map()`] over the surfaces of links; [`check()`] describes a model in a [`CheckReport`]. This crate does not
+//! write to a terminal.
 
 mod checks;
 mod damper;

@@ -1,4 +1,4 @@
-//! Import of suspensions as mechanisms with loops, from sheets of hardpoints and hardpoint files of Chrono::Vehicle.
+#![doc = include_str!("../README.md")]
 //!
 //! [`import`] reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono (JSON, with
 //! `"Type": "Suspension"`). It builds one corner of the vehicle, or both, at the design position. The chassis is the

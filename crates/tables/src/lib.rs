@@ -1,6 +1,4 @@
-//! Tables in files, read row by row in bounded memory: CSV, and Parquet with the feature `parquet`.
-//!
-//! The meaning of the columns is determined by the caller.
+#![doc = include_str!("../README.md")]
 
 mod csv_records;
 mod format_fault;

@@ -1,5 +1,4 @@
-//! Quantities with units as text (`12 mm`, `30deg`, `400N/mm`): one table of units, and one parser for flags, studies, sheets and
-//! column names.
+#![doc = include_str!("../README.md")]
 //!
 //! [`Unit`] is a row of the table, [`Quantity`] a number in SI units with the dimension of its unit.
 
