@@ -12,7 +12,7 @@ case ${1-} in
   ray | dask) engines=("$1") && shift ;;
 esac
 work=$PWD/target/external/cluster
-environment "$work" "$here/requirements-cluster.txt" "$(first python3.11 python3.12 python3.13)"
+environment "$work" "$(first python3.11 python3.12 python3.13)" "$here/requirements-cluster.txt"
 [ "${1-}" != --prepare ] || exit 0
 wheel=$(ls target/external/python/wheel/percuss-*.whl 2> /dev/null) || { echo "no wheel: run python.sh first"; exit 1; }
 "$work/bin/pip" install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"

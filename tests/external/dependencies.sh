@@ -27,7 +27,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
 . "$here/environment.sh"
 tools=$PWD/target/external/deny
-environment "$tools" "$here/requirements-deny.txt" "$(first python3.11 python3.12 python3.13)"
+environment "$tools" "$(first python3.11 python3.12 python3.13)" "$here/requirements-deny.txt"
 # deny PROJECT ARGUMENT...
 deny() {
   local project=$1

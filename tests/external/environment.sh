@@ -1,13 +1,18 @@
 # Virtual environments of Python, sourced by the scripts in this folder.
 
-# environment FOLDER REQUIREMENTS PYTHON: creates the virtual environment if its requirements have changed. The copy of
+# environment FOLDER PYTHON REQUIREMENTS...: creates the virtual environment, unless it has all that the files require. The copy of
 # the requirements is written last, so that an incomplete environment is created again.
 environment() {
-  if ! cmp -s "$2" "$1/requirements.txt"; then
-    rm -rf "$1"
-    "$3" -m venv "$1"
-    "$1/bin/pip" install --quiet --disable-pip-version-check --requirement "$2"
-    cp "$2" "$1/requirements.txt"
+  local folder=$1 python=$2 file missing=''
+  shift 2
+  for file in "$@"; do
+    grep -qvxFf "$folder/requirements.txt" "$file" 2> /dev/null && missing=1
+  done
+  if [ -n "$missing" ] || [ ! -e "$folder/requirements.txt" ]; then
+    rm -rf "$folder"
+    "$python" -m venv "$folder"
+    "$folder/bin/pip" install --quiet --disable-pip-version-check --no-compile "${@/#/--requirement=}"
+    cat "$@" > "$folder/requirements.txt"
   fi
 }
 

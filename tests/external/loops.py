@@ -179,10 +179,14 @@ class Peer:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--percuss", required=True)
-    percuss = parser.parse_args().percuss
+    parser.add_argument("--only", choices=sorted(MODELS))
+    options = parser.parse_args()
+    percuss = options.percuss
     rng = np.random.default_rng(7)
     passed = failed = 0
     for name, (driver, values, spared) in MODELS.items():
+        if options.only not in (None, name):
+            continue
         path = f"models/{name}.urdf"
         peer = Peer(path)
         check = json.loads(subprocess.run([percuss, "check", path, "--format", "json"], capture_output=True, check=True, text=True).stdout)

@@ -1,7 +1,7 @@
 """MJCF compared with MuJoCo: both programs read the same file; the effective mass from MuJoCo's mass matrix and the Jacobian of its
 equality constraints, at random positions that percuss closes.
 
-    mjcf.py --percuss PATH                   random models, as in the gate; prints `N passed, N failed`
+    mjcf.py --percuss PATH                   random models, as in .ci/nightly; prints `N passed, N failed`
     mjcf.py --percuss PATH --models FILE...  files instead; prints one line for each
 """
 

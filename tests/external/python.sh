@@ -3,24 +3,25 @@
 # module by stubtest; those of all pages and notebooks), its examples, executed notebooks among them; then the peers' matrices, if run.sh has created their
 # environments: Pinocchio and MuJoCo, Drake, and the converters of positions; arrays of PyTorch and JAX. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
 # time, the network.
-#   python.sh [--prepare | --tested] [PYTEST OPTION...]
+#   python.sh [--prepare | --gate] [PYTEST OPTION...]
 #     --prepare: only creates the environment
-#     --tested: in the profile of `cargo test --workspace`, with its build results
+#     --gate: in the profile of `cargo test --workspace`, with its build results; some tests, and the types of the package and of all tests
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
 . "$here/environment.sh"
-build=() prepare_only=''
+build=() prepare_only='' gate=''
 if [ "${1-}" = --prepare ]; then
   prepare_only=1
-elif [ "${1-}" = --tested ]; then
+elif [ "${1-}" = --gate ]; then
   shift
+  gate=1
   build=(CARGO="$here/cargo.sh" MATURIN_PEP517_ARGS=--profile=dev)
 fi
 root=$PWD
 work=$root/target/external/python
 package=crates/python
-environment "$work/venv" "$here/requirements-python.txt" "$(first python3.11 python3.12 python3.13)"
+environment "$work/venv" "$(first python3.11 python3.12 python3.13)" "$here/requirements-python.txt"
 [ -z "$prepare_only" ] || exit 0
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
@@ -57,6 +58,13 @@ stubs() {
 }
 step wheel wheel
 [ $failed = 0 ] || exit 1
+if [ -n "$gate" ]; then
+  # Records are compared with the sources; pages and names with the package; calls of each kind.
+  step tests check -k "records or facade or docs or models or pickle" "$@"
+  step mypy types
+  step stubtest stubs
+  exit $failed
+fi
 step tests check "$@"
 step mypy types
 step "types of pages and notebooks" documentation

@@ -2,8 +2,7 @@
 # Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources and builds the engine if
 # it is out of date. Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
-#     --gate: as .ci/run: release profile, 60 drags, seed 23, 2000 moves, times printed but not tested; as root, installs missing
-#     Debian packages
+#     --gate: as .ci/run: the tests named below, times printed but not tested; as root, installs missing Debian packages
 # Environment, with defaults: EXPLORER_DRAGS, random drags per seed (350); EXPLORER_SEEDS, seeds separated by commas (7,11,23);
 # EXPLORER_MOVES, moves of the pointer in the test of the memory (10000);
 # EXPLORER_JUDGE_TIMES, 1: times are compared with their limits; 0: times are only printed (1; with --gate 0)
