@@ -373,9 +373,9 @@ fn published_manifests_are_complete() {
         .partition(|package| package.publish.as_ref().is_none_or(|registries| !registries.is_empty()));
     let names = |packages: &[&Package]| packages.iter().map(|p| p.name.to_string()).collect::<BTreeSet<_>>();
     let expected = ["percuss-benches", "percuss-capi", "percuss-python", "percuss-tests", "percuss-web"];
-    assert_eq!(names(&unpublished), expected.map(str::to_owned).into());
+    assert_eq!(names(&unpublished), BTreeSet::from(expected.map(str::to_owned)));
     for package in published {
-        let name = &package.name;
+        let name = package.name.as_str();
         let documentation = format!("https://docs.rs/{name}");
         assert_eq!(package.documentation.as_deref(), Some(&*documentation), "{name}");
         assert_eq!(package.readme.as_ref().map(|path| path.as_str()), Some("README.md"), "{name}");
