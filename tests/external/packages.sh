@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs, as root, missing Debian packages of the checks; other users install them beforehand.
 #   packages.sh [--with-gazebo] [--with-octave]
-# Always: ODE, Bullet, the SDFormat program (8 MB), Chromium for the reports and the explorer (80 MB), wasm-opt and xz for the engine
-# of the explorer, and npm unless it is installed. --with-gazebo: ign-physics (306 packages, four minutes).
+# Always: ODE, Bullet, the SDFormat program (8 MB), Chromium for the reports and the explorer (80 MB), wasm-opt for the engine of
+# the explorer, xz for its test, and npm unless it is installed. --with-gazebo: ign-physics (306 packages, four minutes).
 # --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
 # both if already installed.
 set -euo pipefail

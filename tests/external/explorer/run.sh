@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources and builds the engine if
-# it is out of date. Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
+# Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources.
+# Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
 #     --gate: as .ci/run: release profile, 60 drags, seed 23, 2000 moves, times printed but not tested; as root, installs missing
 #     Debian packages
@@ -24,8 +24,7 @@ else
 fi
 browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
 [ -n "$browser" ] || { echo "Chromium is needed: apt install chromium, or CHROMIUM=/path/to/it" >&2; exit 1; }
-"$root/crates/explorer/build.sh" page --check
-"$root/crates/explorer/build.sh" engine
+node "$root/crates/explorer/page/build.mjs" --check
 mkdir -p "$work"
 cp "$here/package.json" "$here/package-lock.json" "$work"
 [ -d "$work/node_modules/playwright-core" ] && cmp -s "$here/package-lock.json" "$work/installed.json" ||
