@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Installs, as root, missing Debian packages of the checks; other users install them beforehand.
 #   packages.sh [--page | [--with-gazebo] [--with-octave]]
-# --page: only Chromium, and npm unless it is installed, for the page of the explorer. Otherwise: ODE, Bullet, the SDFormat program (8 MB), Chromium for the reports and the explorer (80 MB), wasm-opt and xz for the engine
-# of the explorer, and npm unless it is installed. --with-gazebo: ign-physics (306 packages, four minutes).
+# --page: Chromium (80 MB), xz, and npm unless it is installed, for the explorer. Otherwise also ODE, Bullet, the SDFormat program (8 MB),
+# and wasm-opt for the engine of the explorer. --with-gazebo: ign-physics (306 packages, four minutes).
 # --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
 # both if already installed.
 set -euo pipefail
 wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen xz-utils)
 # npm builds the bundle of the page again, for a comparison with the committed one.
-[ "${1-}" != --page ] || wanted=(chromium)
+[ "${1-}" != --page ] || wanted=(chromium xz-utils)
 command -v npm > /dev/null || wanted+=(npm)
 for option in "$@"; do
   case $option in

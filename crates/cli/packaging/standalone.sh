@@ -52,9 +52,6 @@ with_target() {
   rustup target list --installed | grep -qx "$1" || rustup target add "$1"
 }
 
-# WebAssembly engine, which every page of percuss explore contains.
-crates/explorer/build.sh engine
-
 # package SYSTEM TRIPLE BINARY: the binary with what a user needs beside it, as an archive that the system opens.
 package() {
   local name=percuss-$version-$1 triple=$2 binary=$3 archive

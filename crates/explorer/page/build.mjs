@@ -1,10 +1,23 @@
-// Bundles the page: node build.mjs FOLDER WORK [--check]. WORK has node_modules; --check compares with FOLDER/dist.
+// Bundles the page in page/dist; needs npm:
+//   node build.mjs           writes the bundle
+//   node build.mjs --check   builds the bundle again and compares the bytes with page/dist
 import { execFileSync } from 'node:child_process';
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
-const [folder, work, flag] = process.argv.slice(2);
+const folder = fileURLToPath(new URL('.', import.meta.url));
+const work = join(folder, '../../../target/explorer-page');
+const [flag] = process.argv.slice(2);
+const lock = readFileSync(join(folder, 'package-lock.json'), 'utf8');
+const installed = join(work, 'installed.json');
+if (!existsSync(installed) || readFileSync(installed, 'utf8') !== lock) {
+  mkdirSync(work, { recursive: true });
+  for (const name of ['package.json', 'package-lock.json']) cpSync(join(folder, name), join(work, name));
+  execFileSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund', '--silent'], { cwd: work, stdio: 'inherit' });
+  writeFileSync(installed, lock);
+}
 const source = join(work, 'page');
 rmSync(source, { recursive: true, force: true });
 mkdirSync(source);
@@ -40,7 +53,7 @@ for (const [name, text] of Object.entries(made)) {
   const path = join(folder, 'dist', name);
   if (flag === '--check') {
     const same = readFileSync(path, 'utf8') === text;
-    console.log(`${name}: ${same ? 'as built' : 'differs from the sources: run crates/explorer/build.sh page'}`);
+    console.log(`${name}: ${same ? 'as built' : 'differs from the sources: run node crates/explorer/page/build.mjs'}`);
     differs ||= !same;
   } else {
     mkdirSync(join(folder, 'dist'), { recursive: true });

@@ -1,7 +1,7 @@
 //! Page of `percuss explore`: one HTML file without requests, with the engine as WebAssembly.
 //!
-//! The folder `page` has the sources in TypeScript and the bundle made of them, `page/dist`, which this crate contains. The
-//! feature `engine` adds the WebAssembly module; `build.sh` makes both.
+//! The folder `page` has the sources in TypeScript and the bundle made of them by `page/build.mjs`, `page/dist`, which this crate
+//! contains. The feature `engine` adds the WebAssembly module, which the build script builds.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -13,7 +13,7 @@ const STYLE: &str = include_str!("../page/dist/page.css");
 
 /// WebAssembly module of `percuss-web`, compressed as an .lzma file; `None` in a build without the feature `engine`.
 #[cfg(feature = "engine")]
-pub const ENGINE: Option<&[u8]> = Some(include_bytes!("../engine/percuss.wasm.lzma"));
+pub const ENGINE: Option<&[u8]> = Some(include_bytes!(concat!(env!("OUT_DIR"), "/percuss.wasm.lzma")));
 /// WebAssembly module of `percuss-web`, compressed as an .lzma file; `None` in a build without the feature `engine`.
 #[cfg(not(feature = "engine"))]
 pub const ENGINE: Option<&[u8]> = None;

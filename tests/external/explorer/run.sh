@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources and builds the engine if
-# it is out of date. Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
+# Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources.
+# Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
-#     --gate: as .ci/run: the tests named below, times printed but not tested; as root, installs missing Debian packages
+#     --gate: as .ci/run: the tests named below, in the release profile; as root, installs missing Debian packages
 # Environment, with defaults: EXPLORER_DRAGS, random drags per seed (350); EXPLORER_SEEDS, seeds separated by commas (7,11,23);
 # EXPLORER_MOVES, moves of the pointer in the test of the memory (10000);
-# EXPLORER_JUDGE_TIMES, 1: times are compared with their limits; 0: times are only printed (1; with --gate 0)
+# EXPLORER_JUDGE_TIMES, 1: times are compared with their limits; 0: times are only printed (1; with --gate not set)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
@@ -13,18 +13,16 @@ work=$root/target/explorer-tests
 target=${CARGO_TARGET_DIR:-$root/target}
 build=() profile=debug
 if [ "${1:-}" = --gate ]; then
-  shift
   # The gate has already built the dependencies in this profile.
   build=(--release) profile=release
-  export EXPLORER_DRAGS=${EXPLORER_DRAGS:-60} EXPLORER_SEEDS=${EXPLORER_SEEDS:-23} EXPLORER_MOVES=${EXPLORER_MOVES:-2000}
-  "$here/../packages.sh"
+  set -- 'the engine imports nothing' 'every shipped model' 'a hardpoint is dragged, undone' 'outcomes without a number'
+  "$here/../packages.sh" --page
 else
   export EXPLORER_JUDGE_TIMES=${EXPLORER_JUDGE_TIMES:-1}
 fi
 browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
 [ -n "$browser" ] || { echo "Chromium is needed: apt install chromium, or CHROMIUM=/path/to/it" >&2; exit 1; }
-"$root/crates/explorer/build.sh" page --check
-"$root/crates/explorer/build.sh" engine
+node "$root/crates/explorer/page/build.mjs" --check
 mkdir -p "$work"
 cp "$here/package.json" "$here/package-lock.json" "$work"
 [ -d "$work/node_modules/playwright-core" ] && cmp -s "$here/package-lock.json" "$work/installed.json" ||

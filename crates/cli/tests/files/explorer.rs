@@ -38,7 +38,8 @@ fn a_page_is_written_or_the_missing_engine_is_explained() {
         assert!(refused.code == 2 && refused.stderr.contains("is a study"), "{}", refused.stderr);
     } else {
         assert_eq!(outcome.code, 2);
-        assert!(outcome.stderr.contains("--features explorer"), "{}", outcome.stderr);
+        let command = "`cargo run --release --features explorer -- explore models/four_bar.urdf`";
+        assert!(outcome.stderr.contains(command), "{}", outcome.stderr);
         assert!(!fs::exists(&path).expect("a readable folder"));
     }
 }

@@ -21,8 +21,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Message of a build without the engine.
-const NOT_BUILT: &str = "this build of percuss has no explorer: run crates/explorer/build.sh engine and build with \
-    `cargo build --release --features explorer`, or take a package, which has everything";
+const NOT_BUILT: &str = "this build of percuss has no explorer: run, in the sources, \
+    `cargo run --release --features explorer -- explore models/four_bar.urdf`, or take a package, which has everything";
 
 /// First bytes of a workbook (a ZIP archive).
 const WORKBOOK: &[u8] = b"PK\x03\x04";
