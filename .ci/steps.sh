@@ -58,20 +58,13 @@ finish() {
   exit
 }
 
-# Installs a Debian package that has this program, as root.
-need() {
-  command -v "$1" > /dev/null && return
-  if [ "$(id -u)" = 0 ] && command -v apt-get > /dev/null; then
-    [ -e "$steps/apt" ] || { apt-get update -qq && touch "$steps/apt"; }
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${@:2}" > /dev/null
-  fi
-  command -v "$1" > /dev/null || { echo "$1 is needed (Debian: apt install ${*:2})"; exit 1; }
-}
 command -v cargo > /dev/null || { echo "a Rust toolchain with cargo is needed"; exit 1; }
 for component in rustfmt clippy; do
   cargo "${component/rust/}" --version > /dev/null 2>&1 || rustup component add "$component"
 done
-python3 -c 'import venv, ensurepip' 2> /dev/null || need python3-with-venv python3 python3-venv python3-pip || true
+if ! python3 -c 'import venv, ensurepip' 2> /dev/null; then
+  apt-get update -qq && apt-get install -y -qq python3 python3-venv python3-pip
+fi
 
 # A command of the README, which promises it.
 readme_command() { grep -m1 -E "^$1" README.md || { echo "the README has no command that begins with $1" >&2; exit 1; }; }
