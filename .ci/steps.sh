@@ -66,8 +66,8 @@ if ! python3 -c 'import venv, ensurepip' 2> /dev/null; then
   apt-get update -qq && apt-get install -y -qq python3 python3-venv python3-pip
 fi
 
-# A command of the README, which promises it.
-readme_command() { grep -m1 -E "^$1" README.md || { echo "the README has no command that begins with $1" >&2; exit 1; }; }
+# readme_command BEGINNING: a command that the README promises.
+readme_command() { grep -m1 -E "^$1" README.md || { echo "the README has no command that begins with $1" >&2; return 1; }; }
 # A lock file that is not complete is refused at once, and not by the last step.
 lock_files() {
   local project

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Packages of the crates, as a registry would get them. CARGO_TARGET_DIR names a target folder to use again.
+# Packages of the crates, as a registry would get them. CARGO_TARGET_DIR names a target folder to use again. Needs cargo 1.90, the first
+# that packages crates that depend on each other.
 #   crates.sh --quick [FLAG...]   packages every crate without compiling it, and checks the files of each published package
 #   crates.sh [FLAG...]           also compiles each package, installs percuss-cli from the packages in an empty folder, and runs it there
 # FLAG: of `cargo package`, such as --allow-dirty for sources with changes that are not committed, or --offline.
