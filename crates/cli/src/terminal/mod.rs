@@ -1,6 +1,5 @@
 //! Text on the terminal: results, diagnostics, failures.
 
-pub(crate) mod console;
 pub(crate) mod design_changes;
 pub(crate) mod diagnostics;
 pub(crate) mod escape;

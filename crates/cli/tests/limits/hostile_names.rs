@@ -1,6 +1,7 @@
 //! Names, paths and lines of files that contain terminal commands or imitate lines of the output.
 
-use crate::support::{Scratch, run};
+use crate::support::{Outcome, Scratch, command};
+use std::process::Stdio;
 
 /// A new line that imitates a result; the C1 control sequence introducer; reversed text; zero-width characters.
 const HOSTILE: [&str; 4] =
@@ -19,6 +20,11 @@ fn model(name: &str) -> String {
 
 fn plain(text: &str) -> String {
     text.replace("&#10;", "\n").replace("&#x9b;", "\u{9b}").replace("&#127;", "\u{7f}")
+}
+
+fn run(arguments: &[String]) -> Outcome {
+    let mut command = command(arguments);
+    command.stdin(Stdio::null()).output().expect("it runs").into()
 }
 
 fn assert_harmless(text: &str, what: &str) {

@@ -1,6 +1,7 @@
 //! `percuss init` for every model of the repository: the study runs unchanged, and with all its suggestions.
 
-use crate::support::{Scratch, percuss, root, run};
+use crate::support;
+use crate::support::{Scratch, command, percuss, root};
 use std::fs;
 
 /// Files of a folder with the given ending.
@@ -77,7 +78,7 @@ fn a_study_made_is_the_users_own_and_finds_its_model() {
     let study = folder.path("inner/most/study.toml");
     let init = |more: &[&str]| {
         let words = ["init", &model, "-o", &study].into_iter().chain(more.iter().copied());
-        run(words)
+        support::Outcome::from(command(words).output().expect("it runs"))
     };
     assert_eq!(init(&[]).code, 0);
     let text = fs::read_to_string(&study).expect("written");

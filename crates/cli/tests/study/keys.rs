@@ -1,7 +1,8 @@
 //! Keys of a study: every misspelt key is refused with the correct key and the line; the page about studies lists all
 //! keys.
 
-use crate::support::{Scratch, percuss, root};
+use crate::support;
+use crate::support::{Scratch, command, percuss, root};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -228,7 +229,7 @@ fn a_study_answers_as_the_commands_do() {
         outcome.stdout
     };
     let printed = |line: &str| {
-        let outcome = percuss(line);
+        let outcome = support::Outcome::from(command(line.split_whitespace()).output().expect("it runs"));
         assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
         outcome.stdout
     };

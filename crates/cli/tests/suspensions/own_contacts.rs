@@ -1,6 +1,7 @@
 //! Contacts that a sheet names itself; axes of a sheet; forces outside the data of a sheet.
 
-use crate::support::{Scratch, done, run_in as run};
+use super::own_suspension::{done, run};
+use crate::support::Scratch;
 use serde_json::Value;
 
 const CONTACTS: &str = "

@@ -1,6 +1,7 @@
 //! `percuss kinematics --solve`: planted solutions, ranges, the changed sheet, messages.
 
-use crate::support::{Scratch, done, refused, run_in as run};
+use super::own_suspension::{done, run};
+use crate::support::{Scratch, refused};
 use serde_json::Value;
 
 /// Report of a search.
