@@ -15,28 +15,52 @@ pub use pictures::map_files::skin as map_skin;
 use args::{Cli, Command, requested_command, short_help};
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
+use files::output::begin_run;
 use std::ffi::OsString;
-use terminal::{escape, report, wrap};
+use std::io::Write;
+use terminal::failure::Failure;
+use terminal::{console, escape, report, wrap};
 
-/// Runs the command and returns the exit code. The first argument is the name of the program. The version and invalid
-/// usage end the process.
+/// Exit code and output of a command.
+#[derive(Clone, Debug)]
+pub struct CapturedRun {
+    /// Exit code.
+    pub code: u8,
+    /// Bytes of standard output.
+    pub stdout: Vec<u8>,
+    /// Bytes of standard error.
+    pub stderr: Vec<u8>,
+}
+
+/// Runs the command like [`run`], but returns its output. The standard input is that of the process.
+pub fn run_captured(arguments: impl IntoIterator<Item = OsString>) -> CapturedRun {
+    let (code, [stdout, stderr]) = console::capture(|| run(arguments));
+    CapturedRun { code, stdout, stderr }
+}
+
+/// Runs the command and returns the exit code. The first argument is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    let matches = Cli::definition().try_get_matches_from(&arguments);
+    begin_run();
+    // Captured help has the same width on every terminal.
+    let definition =
+        if console::is_captured() { Cli::definition().term_width(wrap::WIDTH) } else { Cli::definition() };
+    let matches = definition.try_get_matches_from(&arguments);
     let matches = match matches {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => return print_help(&error, &arguments),
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             let mut definition = Cli::definition();
             definition.build();
-            eprint!("{}", short_help(&definition));
+            let _ = write!(console::stderr(), "{}", short_help(&definition));
             return 2;
         }
-        Err(error) => exit_with_usage_error(&error, &arguments),
+        Err(error) => return report_usage(&error, &arguments),
     };
-    let parsed = Cli::from_arg_matches(&matches);
-    let cli = parsed
-        .unwrap_or_else(|error| exit_with_usage_error(&error.format(&mut Cli::definition()), &arguments));
+    let cli = match Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(error) => return report_usage(&error.format(&mut Cli::definition()), &arguments),
+    };
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => commands::check::run(args),
@@ -84,13 +108,12 @@ fn print_help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     }
 }
 
-/// Prints the message of the argument parser and ends the process. File names among the arguments may contain control
-/// characters of the terminal; these are escaped.
-fn exit_with_usage_error(error: &clap::Error, arguments: &[OsString]) -> ! {
+/// Prints the version, or the message of the argument parser, and returns the exit code. File names among the arguments may
+/// contain control characters of the terminal; these are escaped.
+fn report_usage(error: &clap::Error, arguments: &[OsString]) -> u8 {
     let mut text = error.render().to_string();
-    let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
-    if is_plain && text.lines().all(|line| wrap::width(line) <= wrap::WIDTH) {
-        error.exit();
+    if error.kind() == ErrorKind::DisplayVersion {
+        return report::write_unescaped(text.as_bytes()).map_or_else(Failure::report, |()| 0);
     }
     for argument in arguments.iter().skip(1) {
         let argument = argument.to_string_lossy();
@@ -100,8 +123,10 @@ fn exit_with_usage_error(error: &clap::Error, arguments: &[OsString]) -> ! {
             text = text.replace(part, &escape::line(part));
         }
     }
+    let mut stderr = console::stderr();
     for line in escape::lines(&text).lines() {
-        eprintln!("{}", wrap::wrap_message(line));
+        // A closed stderr does not affect the exit code.
+        let _ = writeln!(stderr, "{}", wrap::wrap_message(line));
     }
-    std::process::exit(error.exit_code())
+    2
 }

@@ -9,6 +9,7 @@ use crate::files::table_style::TableStyle;
 use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::sweep_figure;
+use crate::terminal::console;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, with_findings, write_diagnostics};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -16,7 +17,14 @@ use percuss_mechanism::JointKind;
 use percuss_study::{
     MassQuestion, Model, Quantity, RowSource, StudyFigure, Sweep, SweepEnd, TableUnit, Varied,
 };
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::cell::OnceCell;
 use std::path::Path;
+
+thread_local! {
+    /// Threads of the runs on this thread; `None` if they cannot be created.
+    static POOL: OnceCell<Option<ThreadPool>> = const { OnceCell::new() };
+}
 
 /// Runs the command.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
@@ -63,8 +71,11 @@ fn warn_plain_angles(args: &SweepArgs, model: &Model) {
 /// Sets the number of threads, including the calling thread; the default is the number of processors.
 pub fn use_threads(count: Option<u16>) {
     let count = count.map_or(0, usize::from);
-    // Only the first call creates threads. If no thread can be created, the calling thread does all work.
-    let _ = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread().build_global();
+    // Only the first call on a thread creates threads. If no thread can be created, the calling thread does all work.
+    let build = || ThreadPoolBuilder::new().num_threads(count).use_current_thread().build().ok();
+    POOL.with(|pool| {
+        pool.get_or_init(build);
+    });
 }
 
 /// Output options of a sweep.
@@ -95,8 +106,8 @@ pub fn run_sweep(
     let sweep = with_findings(Sweep::new(model, question, source), model)?;
     let sweep = if destination.gradient { sweep.with_gradient() } else { sweep };
     write_diagnostics(&model.diagnostics, strict)?;
-    // The bar is hidden if stderr is not a terminal.
     let bar = match sweep.count() {
+        _ if !console::stderr().is_terminal() => ProgressBar::hidden(),
         Some(count) => ProgressBar::new(count as u64).with_style(
             ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
                 .unwrap_or_else(|_| ProgressStyle::default_bar()),

@@ -3,15 +3,15 @@
 //! Every file that percuss writes is opened here. Input files and files that percuss did not write are not replaced.
 
 use crate::files::own_files::is_own;
+use crate::terminal::console;
 use crate::terminal::escape::Terminal;
 use crate::terminal::failure::Failure;
+use std::cell::{Cell, RefCell};
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Longest time between two flushes of buffered bytes, so that a reader of stdout sees progress.
@@ -27,20 +27,27 @@ const ACCESS_DENIED: i32 = 5;
 /// Windows error for opening a file that another program does not share.
 const SHARING_VIOLATION: i32 = 32;
 
-/// Input files of this run. No output replaces an input file.
-static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
-/// True if files that percuss did not write are replaced; set once, from the command line.
-static REPLACE_FOREIGN: AtomicBool = AtomicBool::new(false);
+thread_local! {
+    /// Input files of the run on this thread. No output replaces an input file.
+    static INPUTS: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+    /// True if this run replaces files that percuss did not write.
+    static REPLACE_FOREIGN: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Discards the input files and the permission of the previous run.
+pub fn begin_run() {
+    INPUTS.take();
+    REPLACE_FOREIGN.set(false);
+}
 
 /// Allows the replacement of files that percuss did not write.
 pub fn allow_replacement(forced: bool) {
-    REPLACE_FOREIGN.store(forced, Ordering::Relaxed);
+    REPLACE_FOREIGN.set(forced);
 }
 
 /// Records an input file; outputs do not replace recorded files.
 pub fn record_input(path: &str) {
-    // A panic of another thread does not change the list.
-    INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
+    INPUTS.with_borrow_mut(|inputs| inputs.push(path.to_owned()));
 }
 
 /// Output of a result. A new file is written in the same folder and renamed by [`finish`](Self::finish); an
@@ -71,8 +78,8 @@ impl Output {
     pub fn open(path: Option<&str>) -> Result<Self, Failure> {
         let mut unfinished = None;
         let out: Box<dyn Write + Send> = match path {
-            None if io::stdout().is_terminal() => Box::new(Terminal::new(io::stdout())),
-            None => Box::new(io::stdout()),
+            None if console::stdout().is_terminal() => Box::new(Terminal::new(console::stdout())),
+            None => Box::new(console::stdout()),
             Some(path) => {
                 check_writable(path)?;
                 let (file, kept) =
@@ -162,21 +169,19 @@ pub(super) fn not_built(path: &str, format: &str, feature: &str) -> Failure {
 /// The file and the remedy.
 pub fn check_writable(path: &str) -> Result<(), Failure> {
     check_built(path)?;
-    let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     // The comparison opens both files, and a pipe would wait for its other end. Writing to pipes and devices destroys nothing.
     let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());
-    for input in inputs.iter().filter(|input| is_file(path) && is_file(input)) {
-        // A file that cannot be opened counts as a different file.
-        if same_file::is_same_file(path, input).unwrap_or(false) {
-            let which = if input == path { String::new() } else { format!(" ({input})") };
-            return Err(Failure::bad_input(format!(
-                "--output {path}: this is an input file of the same run{which}; give another file"
-            )));
-        }
+    // A file that cannot be opened counts as a different file.
+    let is_same = |input: &String| {
+        is_file(path) && is_file(input) && same_file::is_same_file(path, input).unwrap_or(false)
+    };
+    if let Some(input) = INPUTS.with_borrow(|inputs| inputs.iter().find(|input| is_same(input)).cloned()) {
+        let which = if input == path { String::new() } else { format!(" ({input})") };
+        return Err(Failure::bad_input(format!(
+            "--output {path}: this is an input file of the same run{which}; give another file"
+        )));
     }
-    if REPLACE_FOREIGN.load(Ordering::Relaxed)
-        || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))?
-    {
+    if REPLACE_FOREIGN.get() || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))? {
         return Ok(());
     }
     Err(Failure::bad_input(format!(

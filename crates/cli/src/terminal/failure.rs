@@ -1,5 +1,6 @@
 //! Reasons for a command without a result, and exit codes.
 
+use crate::terminal::console;
 use crate::terminal::diagnostics::lines;
 use crate::terminal::escape;
 use crate::terminal::wrap;
@@ -78,7 +79,7 @@ impl Failure {
             }
             Failure::ClosedPipe => return 0,
         };
-        let mut stderr = io::stderr().lock();
+        let mut stderr = console::stderr();
         for line in lines {
             // A closed stderr does not affect the exit code.
             let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));

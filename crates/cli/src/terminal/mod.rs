@@ -1,5 +1,6 @@
 //! Text on the terminal: results, diagnostics, failures.
 
+pub(crate) mod console;
 pub(crate) mod design_changes;
 pub(crate) mod diagnostics;
 pub(crate) mod escape;

@@ -1,5 +1,6 @@
 //! Output of all commands: results to stdout, diagnostics to stderr.
 
+use crate::terminal::console;
 use crate::terminal::diagnostics::lines;
 use crate::terminal::escape::{self, Terminal};
 use crate::terminal::failure::Failure;
@@ -7,25 +8,27 @@ use crate::terminal::wrap;
 use percuss_formats::KNOWN_WARNING;
 use percuss_mechanism::Severity;
 use percuss_study::{DiagnosticRecord, Model};
-use std::io::{self, IsTerminal, Write};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::cell::Cell;
+use std::io::Write;
 
-/// True if notes are shown, false if notes are only counted; set once, from the command line.
-static NOTES_SHOWN: AtomicBool = AtomicBool::new(false);
+thread_local! {
+    /// True if the run on this thread shows notes, false if it only counts them.
+    static NOTES_SHOWN: Cell<bool> = const { Cell::new(false) };
+}
 
 /// Selects the output of notes: every note, or the number of notes.
 pub fn show_notes(shown: bool) {
-    NOTES_SHOWN.store(shown, Ordering::Relaxed);
+    NOTES_SHOWN.set(shown);
 }
 
 /// True if all notes are shown.
 pub fn notes_are_shown() -> bool {
-    NOTES_SHOWN.load(Ordering::Relaxed)
+    NOTES_SHOWN.get()
 }
 
 /// Writes a result to stdout.
 pub fn write_out(text: &str) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
+    let mut stdout = console::stdout();
     stdout.write_all(escape::lines(text).as_bytes())?;
     stdout.flush()?;
     Ok(())
@@ -34,7 +37,7 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
 /// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control
 /// characters and marks of direction.
 pub fn write_unescaped(bytes: &[u8]) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
+    let mut stdout = console::stdout();
     if stdout.is_terminal() {
         Terminal::new(&mut stdout).write_all(bytes)?;
     } else {
@@ -64,11 +67,8 @@ pub fn warn(message: &str) {
 
 /// Writes `severity: message` to stderr.
 fn write_message(severity: &str, message: &str) {
-    let _ = writeln!(
-        io::stderr().lock(),
-        "{}",
-        wrap::wrap_message(&format!("{severity}: {}", escape::line(message)))
-    );
+    let line = wrap::wrap_message(&format!("{severity}: {}", escape::line(message)));
+    let _ = writeln!(console::stderr(), "{line}");
 }
 
 /// Returns the result of a question. After an error, the findings about the model are written first, because they may be its cause.
@@ -86,7 +86,7 @@ pub fn with_findings<T, E: Into<Failure>>(result: Result<T, E>, model: &Model) -
 /// # Errors
 /// Any warning if `strict`; the error then contains the diagnostics.
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
-    let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
+    let mut lines = lines(diagnostics, NOTES_SHOWN.get());
     // A warning that the model file marks as known becomes a note; under --strict this note counts as a warning.
     let is_warning = |d: &&DiagnosticRecord| {
         d.severity == Severity::Warning || d.severity == Severity::Note && d.code == KNOWN_WARNING
@@ -96,7 +96,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
         lines.push(format!("error: {warnings} warning(s); --strict treats warnings as errors"));
         return Err(Failure::BadInput(lines));
     }
-    let mut stderr = io::stderr().lock();
+    let mut stderr = console::stderr();
     for line in lines {
         let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
     }

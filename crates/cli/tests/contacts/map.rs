@@ -1,6 +1,6 @@
 //! `percuss map` compared with `percuss mass` and with a closed form; contents of its files.
 
-use crate::support::{json, percuss, root};
+use crate::support::{json, percuss, workshop};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -312,5 +312,5 @@ fn bad_questions_are_refused() {
         assert_eq!(outcome.code, 2, "{flags}: {}", outcome.stdout);
         assert!(outcome.stderr.contains(what), "{flags}: {}", outcome.stderr);
     }
-    assert!(!root().join("a.obj").exists());
+    assert!(!workshop().join("a.obj").exists());
 }

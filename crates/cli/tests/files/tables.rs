@@ -118,7 +118,7 @@ fn a_figure_has_its_title_limits_series_and_names() {
 
 fn command(words: &[&str]) -> support::Outcome {
     let split = words.iter().flat_map(|w| w.split_whitespace().collect::<Vec<_>>());
-    support::command(split.chain(["Our bump stop"])).output().expect("it runs").into()
+    support::run(split.chain(["Our bump stop"]))
 }
 
 #[test]

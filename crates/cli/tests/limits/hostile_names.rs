@@ -1,7 +1,6 @@
 //! Names, paths and lines of files that contain terminal commands or imitate lines of the output.
 
-use crate::support::{Outcome, Scratch, command};
-use std::process::Stdio;
+use crate::support::{Scratch, run};
 
 /// A new line that imitates a result; the C1 control sequence introducer; reversed text; zero-width characters.
 const HOSTILE: [&str; 4] =
@@ -20,11 +19,6 @@ fn model(name: &str) -> String {
 
 fn plain(text: &str) -> String {
     text.replace("&#10;", "\n").replace("&#x9b;", "\u{9b}").replace("&#127;", "\u{7f}")
-}
-
-fn run(arguments: &[String]) -> Outcome {
-    let mut command = command(arguments);
-    command.stdin(Stdio::null()).output().expect("it runs").into()
 }
 
 fn assert_harmless(text: &str, what: &str) {

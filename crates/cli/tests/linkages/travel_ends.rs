@@ -1,7 +1,7 @@
 //! Travels beyond the dead centre of the joint that drives them first: four-bars whose rocker pin moves on where the crank
 //! or the coupler turns back, against the closed form.
 
-use crate::support::{Outcome, Scratch, command};
+use crate::support::{Scratch, run_in};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use serde_json::Value;
 use std::fs;
@@ -167,7 +167,7 @@ fn a_travel_goes_on_beyond_dead_centres_of_its_drivers() {
             "--format",
             "json",
         ];
-        let outcome: Outcome = command(words).current_dir(folder.path("")).output().expect("it runs").into();
+        let outcome = run_in(&folder, &words);
         assert_eq!(outcome.code, 0, "{bar:?} from {psi} to {to}, {reversals} reversals: {}", outcome.stderr);
         let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
         let mass = report["effective_mass"].as_f64().expect("a number");

@@ -1,7 +1,6 @@
 //! `percuss init` for every model of the repository: the study runs unchanged, and with all its suggestions.
 
-use crate::support;
-use crate::support::{Scratch, command, percuss, root};
+use crate::support::{Scratch, percuss, root, run};
 use std::fs;
 
 /// Files of a folder with the given ending.
@@ -78,7 +77,7 @@ fn a_study_made_is_the_users_own_and_finds_its_model() {
     let study = folder.path("inner/most/study.toml");
     let init = |more: &[&str]| {
         let words = ["init", &model, "-o", &study].into_iter().chain(more.iter().copied());
-        support::Outcome::from(command(words).output().expect("it runs"))
+        run(words)
     };
     assert_eq!(init(&[]).code, 0);
     let text = fs::read_to_string(&study).expect("written");

@@ -1,8 +1,7 @@
 //! Keys of a study: every misspelt key is refused with the correct key and the line; the page about studies lists all
 //! keys.
 
-use crate::support;
-use crate::support::{Scratch, command, percuss, root};
+use crate::support::{Scratch, percuss, root};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -229,7 +228,7 @@ fn a_study_answers_as_the_commands_do() {
         outcome.stdout
     };
     let printed = |line: &str| {
-        let outcome = support::Outcome::from(command(line.split_whitespace()).output().expect("it runs"));
+        let outcome = percuss(line);
         assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
         outcome.stdout
     };

@@ -177,7 +177,7 @@ fn the_page_has_all_that_the_study_asks() {
     let study = folder.write("my study.toml", text);
     let run = |study: &str, report: &str| {
         let words = ["run", study, "--report", report];
-        support::Outcome::from(support::command(words).output().expect("it runs"))
+        support::run(words)
     };
     let outcome = run(&study, &folder.path("r.html"));
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
@@ -215,8 +215,8 @@ fn the_page_has_all_that_the_study_asks() {
     let sum: String = Sha256::digest(mesh).iter().map(|byte| format!("{byte:02x}")).collect();
     assert_eq!(&hash[..64], sum);
     // The accompanying JSON equals the output of the command.
-    let json = support::command(["run", &study, "--format", "json"]).output().expect("it runs");
-    assert_eq!(fs::read(folder.path("r.json")).expect("written"), json.stdout);
+    let json = support::run(["run", &study, "--format", "json"]);
+    assert_eq!(fs::read_to_string(folder.path("r.json")).expect("written"), json.stdout);
     // Without the mesh file, the link is drawn as lines, and a note reports the reason.
     fs::remove_file(folder.path("meshes/finger.obj")).expect("removed");
     let study = folder.write("bare.toml", &text.replace("[map]\nlink = \"finger\"\nedge = 0.02\n", ""));

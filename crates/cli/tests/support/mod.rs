@@ -1,9 +1,15 @@
-//! Helpers that run the command from the root of the repository.
+//! Helpers that run the command.
 #![allow(dead_code, reason = "each suite uses its part")]
 
+pub mod blocks;
+
+use percuss_cli::CapturedRun;
+use std::ffi::{OsStr, OsString};
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
 
 /// Root folder of the repository.
 pub fn root() -> PathBuf {
@@ -13,8 +19,37 @@ pub fn root() -> PathBuf {
     std::path::absolute(crates.parent().expect("the repository")).expect("a working directory")
 }
 
-/// `percuss` with the given arguments, run from the root.
-pub fn command<S: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
+/// Folder with copies of `models` and `tests/malformed`, in which the commands of this process run: its current folder.
+pub fn workshop() -> &'static Path {
+    static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+        // Not in the temporary folder of the system, because no test runs last and could remove it. A second process waits.
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("percuss-cli");
+        let lock = File::create(folder.with_extension("lock")).expect("a file");
+        lock.lock().expect("a lock");
+        std::mem::forget(lock);
+        let _ = std::fs::remove_dir_all(&folder);
+        for part in ["models", "tests/malformed"] {
+            copy_folder(&root().join(part), &folder.join(part));
+        }
+        std::env::set_current_dir(&folder).expect("a folder");
+        folder
+    });
+    &FOLDER
+}
+
+/// Runs the command in this process. Each run has its own thread, with the stack of a main thread.
+pub fn run<S: Into<OsString>>(words: impl IntoIterator<Item = S>) -> Outcome {
+    workshop();
+    let words: Vec<OsString> =
+        std::iter::once("percuss".into()).chain(words.into_iter().map(Into::into)).collect();
+    let thread = std::thread::Builder::new().stack_size(8 << 20);
+    let run = thread.spawn(|| percuss_cli::run_captured(words)).expect("a thread").join();
+    let CapturedRun { code, stdout, stderr } = run.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+    Outcome::new(code.into(), stdout, stderr)
+}
+
+/// `percuss` as a process with the given arguments, run from the root.
+pub fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_percuss"));
     command.current_dir(root()).args(arguments).stdin(Stdio::null());
     command
@@ -30,24 +65,44 @@ pub struct Outcome {
     pub shown: String,
 }
 
+impl Outcome {
+    fn new(code: i32, stdout: Vec<u8>, stderr: Vec<u8>) -> Self {
+        let shown = String::from_utf8(stderr).expect("text on stderr");
+        let stdout = String::from_utf8(stdout).expect("text on stdout");
+        Outcome { code, stdout, stderr: shown.replace("\n  ", " "), shown }
+    }
+}
+
 impl From<Output> for Outcome {
     fn from(output: Output) -> Self {
-        let shown = String::from_utf8(output.stderr).expect("text on stderr");
-        Outcome {
-            code: output.status.code().expect("an exit code, not a signal"),
-            stdout: String::from_utf8(output.stdout).expect("text on stdout"),
-            stderr: shown.replace("\n  ", " "),
-            shown,
-        }
+        Self::new(output.status.code().expect("an exit code, not a signal"), output.stdout, output.stderr)
     }
+}
+
+/// Runs the command; words that are file names without a folder are files of `folder`.
+pub fn run_in(folder: &Scratch, words: &[&str]) -> Outcome {
+    let kinds =
+        ["toml", "urdf", "json", "jsonl", "csv", "xlsx", "xlsm", "parquet", "svg", "png", "pdf", "html"];
+    let is_file = |word: &str| {
+        let kind = Path::new(word).extension().and_then(OsStr::to_str);
+        !word.contains('/') && kind.is_some_and(|kind| kinds.contains(&kind))
+    };
+    run(words.iter().map(|word| if is_file(word) { folder.path(word) } else { (*word).to_owned() }))
+}
+
+/// Standard output of a command that succeeds, as [`run_in`].
+pub fn done(folder: &Scratch, words: &[&str]) -> String {
+    let outcome = run_in(folder, words);
+    assert_eq!(outcome.code, 0, "{words:?}: {}", outcome.stderr);
+    outcome.stdout
 }
 
 /// Runs the command with arguments separated by spaces.
 pub fn percuss(line: &str) -> Outcome {
-    command(line.split_whitespace()).output().expect("the command runs").into()
+    run(line.split_whitespace())
 }
 
-/// Runs the command with a text on stdin.
+/// Runs the command as a process with a text on stdin.
 pub fn percuss_with_stdin(line: &str, stdin: &[u8]) -> Outcome {
     let mut command = command(line.split_whitespace());
     let mut child = command
@@ -77,72 +132,6 @@ pub fn refused(line: &str, words: &[&str]) {
     }
 }
 
-/// Asserts that every line under a `$ percuss …` of a page occurs in the output of the command, in the same order.
-///
-/// The commands of a page run one after another in a temporary folder with a copy of `models`. A command with no line
-/// under it prints nothing to stdout. Commands are in `console` blocks only, so that none is left out.
-pub fn assert_page_shows_what_is_printed(page: &str, expected: usize) {
-    let text = std::fs::read_to_string(root().join(page)).expect("the page");
-    let folder = Scratch::new(&page.replace(['/', '.'], "-"));
-    let mut blocks = Vec::new();
-    let mut language = None;
-    for line in text.lines() {
-        match (language, line.strip_prefix("```")) {
-            (None, Some(name)) => {
-                language = Some(name);
-                blocks.push(String::new());
-            }
-            (Some(_), Some(_)) => language = None,
-            (Some("console"), None) => *blocks.last_mut().expect("a block") += &format!("{line}\n"),
-            (Some(_), None) => {
-                assert!(!line.starts_with("percuss "), "{page}: {line}: not in a console block")
-            }
-            (None, None) => {
-                assert!(!line.starts_with("    percuss "), "{page}: {line}: not in a console block")
-            }
-        }
-    }
-    assert!(language.is_none(), "{page}: a block has no end");
-    let mut commands = 0;
-    for block in blocks {
-        let mut parts = block.split("$ percuss ");
-        assert_eq!(parts.next(), Some(""), "{page}: a block starts without a command: {block}");
-        for part in parts {
-            if commands == 0 {
-                copy_folder(&root().join("models"), Path::new(&folder.path("models")));
-            }
-            commands += 1;
-            let part = part.replace("\\\n", " ");
-            let (line, shown) = part.split_once('\n').expect("a line");
-            let outcome: Outcome = command(line.split_whitespace())
-                .current_dir(folder.path(""))
-                .output()
-                .expect("it runs")
-                .into();
-            assert_eq!(outcome.code, 0, "{page}: {line}: {}", outcome.stderr);
-            assert_lines_are_printed(&format!("{page}: {line}"), shown, &outcome.stdout);
-        }
-    }
-    assert_eq!(commands, expected, "commands on {page}");
-}
-
-/// Asserts that the lines occur in the printed text, in the same order; without lines, that nothing is printed.
-fn assert_lines_are_printed(at: &str, lines: &str, printed: &str) {
-    let mut rest = printed;
-    let mut shown = 0;
-    for line in lines.lines().filter(|line| !line.is_empty()) {
-        shown += 1;
-        let mut end = 0;
-        let found = rest.split_inclusive('\n').find(|printed| {
-            end += printed.len();
-            is_shown(line, printed)
-        });
-        assert!(found.is_some(), "{at}: {line:?} is not, or not there, in\n{printed}");
-        rest = &rest[end..];
-    }
-    assert!(shown > 0 || printed.is_empty(), "{at}: the page shows nothing of\n{printed}");
-}
-
 /// Copies a folder with all files below it.
 fn copy_folder(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).expect("a folder");
@@ -154,21 +143,6 @@ fn copy_folder(from: &Path, to: &Path) {
             std::fs::copy(entry.path(), target).expect("a copy");
         }
     }
-}
-
-/// True if a line of a page equals a printed line. Numbers may differ by 1e-12 of their value, because the
-/// exponential function depends on the system.
-fn is_shown(line: &str, printed: &str) -> bool {
-    let is_digit = |c: char| c.is_ascii_digit() || c == '.';
-    let numbers = |text: &str| -> Vec<f64> {
-        text.split(|c| !is_digit(c)).filter_map(|number| number.parse().ok()).collect()
-    };
-    let words = |text: &str| text.split(is_digit).collect::<String>();
-    let (line, printed) = (line.trim_end(), printed.trim_end());
-    let (shown, found) = (numbers(line), numbers(printed));
-    let agree = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-12 * b.abs();
-    printed.contains(line)
-        || words(line) == words(printed) && shown.len() == found.len() && shown.iter().zip(&found).all(agree)
 }
 
 /// Rows of a sweep's CSV, by column.

@@ -1,8 +1,7 @@
 //! Mistakes and questions of every day about a suspension, with their answers.
 
-use super::own_suspension::{done, run};
 use crate::support;
-use crate::support::{Scratch, Sweep, percuss, root};
+use crate::support::{Scratch, Sweep, done, percuss, root, run_in as run};
 use serde_json::Value;
 use std::fs;
 

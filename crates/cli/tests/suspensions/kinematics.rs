@@ -1,7 +1,6 @@
 //! `percuss kinematics`: closed forms, differences of positions, symmetry, messages.
 
-use super::own_suspension::{done, run};
-use crate::support::{Scratch, refused};
+use crate::support::{Scratch, done, refused, run_in as run};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,7 +1,6 @@
 //! Contacts that a sheet names itself; axes of a sheet; forces outside the data of a sheet.
 
-use super::own_suspension::{done, run};
-use crate::support::Scratch;
+use crate::support::{Scratch, done, run_in as run};
 use serde_json::Value;
 
 const CONTACTS: &str = "

@@ -1,22 +1,10 @@
 //! A user's suspension from an empty folder to a report, with the messages for mistakes on the way.
 
 use crate::support;
-use crate::support::{Outcome, Scratch, Sweep, command};
+use crate::support::{Scratch, Sweep, done, run_in as run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-
-/// Runs the command in a folder, with the given arguments.
-pub(super) fn run(folder: &Scratch, words: &[&str]) -> Outcome {
-    command(words).current_dir(folder.path("")).output().expect("it runs").into()
-}
-
-/// Output of a command that succeeds.
-pub(super) fn done(folder: &Scratch, words: &[&str]) -> String {
-    let outcome = run(folder, words);
-    assert_eq!(outcome.code, 0, "{words:?}: {}", outcome.stderr);
-    outcome.stdout
-}
 
 /// Flags of the contact between pad and bump stop, along the line between them.
 fn drawn_line(side: &str) -> Vec<String> {
