@@ -249,6 +249,25 @@ fn files_keep_within_the_budget() {
     }
 }
 
+/// Other processes delay a test: limits concern processor time or counted work.
+#[test]
+fn no_test_reads_the_clock() {
+    for (ending, call, least) in [(".rs", "Instant::now", 100), (".py", "perf_counter", 20)] {
+        let is_of_tests = |path: &&PathBuf| {
+            let path = path.strip_prefix(root()).unwrap();
+            path.iter().any(|part| part == "tests")
+                && !path.starts_with("tests/external")
+                && !path.starts_with("tests/tidy")
+        };
+        let paths = files(ending);
+        let paths: Vec<_> = paths.iter().filter(is_of_tests).collect();
+        assert!(paths.len() > least, "only {} files {ending} of tests", paths.len());
+        for path in paths {
+            assert!(!fs::read_to_string(path).unwrap().contains(call), "{} reads the clock", path.display());
+        }
+    }
+}
+
 #[test]
 fn folders_of_sources_have_few_entries() {
     // Data of a crate among its sources, such as templates, count as well.

@@ -436,13 +436,13 @@ def test_other_threads_run_meanwhile() -> None:
     thread = threading.Thread(target=count)
     thread.start()
     started.wait()
-    before, begun = counted, time.perf_counter()
-    percuss.sweep(model, contact, q)
-    elapsed, after = time.perf_counter() - begun, counted
+    before, portions = counted, []
+    percuss.sweep(model, contact, q, progress=lambda rows, _: portions.append(rows))
+    after = counted
     over = True
     thread.join()
     # Portions last 50 ms or more: with the interpreter held, one turn each.
-    assert after - before > elapsed / 0.02, (after - before, elapsed)
+    assert after - before > 2.5 * len(portions) > 0, (after - before, portions)
 
 
 @pytest.mark.parametrize("what", ["whole", "drivers", "report", "matrices"])
@@ -474,7 +474,5 @@ def test_ctrl_c_stops_it(what: str) -> None:
     assert run.stdout is not None and run.stdout.readline() == "begun\n"
     time.sleep(0.4)
     os.kill(run.pid, signal.SIGINT)
-    begun = time.perf_counter()
     rest, _ = run.communicate(timeout=60)
     assert (run.returncode, rest) == (7, "stopped\n")
-    assert time.perf_counter() - begun < 20

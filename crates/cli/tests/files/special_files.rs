@@ -2,16 +2,13 @@
 
 #![cfg(unix)]
 
-use crate::support::{Outcome, Scratch, command, percuss, root};
+use crate::support::{Outcome, Scratch, command, percuss, percuss_with_stdin, root};
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
 
 const CONTACT: &str = "--link rod --point 0,0,-0.8 --normal 1,0,0";
 const MODEL: &str = "models/point_mass_pendulum.urdf";
-/// Time limit far above the time of a run; a run that waits for a pipe would never end.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 fn fifo(folder: &Scratch, name: &str) -> String {
     let path = folder.path(name);
@@ -19,16 +16,8 @@ fn fifo(folder: &Scratch, name: &str) -> String {
     path
 }
 
-/// Waits for the end of a run. A run beyond the time limit is killed, and the test fails.
-fn ended(mut run: Child) -> Outcome {
-    let begun = Instant::now();
-    while run.try_wait().expect("a process of ours").is_none() {
-        if begun.elapsed() > PATIENCE {
-            run.kill().expect("it runs");
-            panic!("the run does not end");
-        }
-        std::thread::sleep(Duration::from_millis(10));
-    }
+/// Waits for the end of a run.
+fn ended(run: Child) -> Outcome {
     run.wait_with_output().expect("it ended").into()
 }
 
@@ -183,9 +172,10 @@ fn a_table_of_points_is_in_the_folder_of_its_sheet() {
     symlink("../double-wishbone-points.xlsx", folder.path("sheets/link.xlsx")).expect("a link");
     let names = ["double-wishbone-points.xlsx", "./double-wishbone-points.xlsx"];
     let outside = ["../double-wishbone-points.xlsx", "link.xlsx", "/etc/passwd"];
+    // The standard input is a pipe.
     let import = |name: &str, flags: &str| {
         let path = folder.write("sheets/my.toml", &sheet.replace("double-wishbone-points.xlsx", name));
-        percuss(&format!("import {path} -o - {flags}"))
+        percuss_with_stdin(&format!("import {path} -o - {flags}"), b"")
     };
     for name in names {
         let outcome = import(name, "");

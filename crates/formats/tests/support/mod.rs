@@ -1,11 +1,24 @@
 //! Shared helpers of the tests of this crate.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
+use cpu_time::ThreadTime;
 use percuss_formats::{
     Diagnostic, LoadError, LoadOptions, Loaded, MemoryFiles, Source, load, load_file, write_urdf,
 };
 use percuss_mechanism::Severity;
 use std::path::PathBuf;
+use std::time::Duration;
+
+/// Largest processor time of a hostile file: less than a second is usual, and quadratic work would exceed the limit by far.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Result of `work`, which takes at most [`PATIENCE`] of the processor time of this thread.
+pub fn bounded<T>(what: &str, work: impl FnOnce() -> T) -> T {
+    let start = ThreadTime::now();
+    let result = work();
+    assert!(start.elapsed() < PATIENCE, "{what} took {:?}", start.elapsed());
+    result
+}
 
 /// Pendulum of 2 kg at a height of 1 m.
 pub const PENDULUM: &str = r#"<?xml version="1.0"?>
