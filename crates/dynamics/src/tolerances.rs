@@ -34,6 +34,8 @@ pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
+/// Relative error of m̄ that causes a warning: engineers compare about six digits, and rounded files are about as accurate.
+pub(crate) const WARNED_RELATIVE_ERROR: f64 = 1e-6;
 /// Largest relative difference of m̄ between the kernel of derivatives and the batch. Both round each sum of the recursion once; a
 /// larger difference means that one of them has lost digits: as large as [`LANES_TRUSTED_ERROR`](percuss_kernel::tolerances::LANES_TRUSTED_ERROR).
 pub(crate) const DERIVATIVE_AGREEMENT: f64 = 1e-9;

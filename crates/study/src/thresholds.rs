@@ -167,8 +167,6 @@ pub(crate) const FAR_POINT: f64 = 3.0;
 /// Least plausible distance of a contact point, relative to the reach of the link. If a far distance divided by 1000 is
 /// plausible, the unit may be millimetres.
 pub(crate) const NEAR_POINT: f64 = 0.01;
-/// Relative error of m̄ that causes a warning: engineers compare about six digits, and rounded files are about as accurate.
-pub(crate) const WARNED_RELATIVE_ERROR: f64 = 1e-6;
 /// Relative difference up to which limits of m̄ along branches count as equal: their errors are at most some 1e-7.
 pub(crate) const SAME_LIMIT: f64 = 1e-6;
 /// Distance of an assembly from its guess that causes a finding: rad, or characteristic lengths. Assembly modes are farther

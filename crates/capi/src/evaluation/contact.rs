@@ -224,7 +224,7 @@ pub const PERCUSS_REMARK_INEXACT_LOOPS: u32 = 512;
 pub const PERCUSS_REMARK_DRIVER_OFF_ZERO: u32 = 1024;
 /// A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is used.
 pub const PERCUSS_REMARK_OFF_TARGET: u32 = 2048;
-/// A joint is outside its limits. Workspaces and batches do not check limits.
+/// A joint is outside its limits. Workspaces do not check limits.
 pub const PERCUSS_REMARK_OUTSIDE_LIMITS: u32 = 4096;
 /// A small error in the file's numbers would leave the loops one more degree of freedom.
 pub const PERCUSS_REMARK_WEAKLY_CONSTRAINED: u32 = 8192;
@@ -241,6 +241,10 @@ pub const PERCUSS_REMARK_NOT_UNIT_QUATERNION: u32 = 131072;
 pub const PERCUSS_REMARK_OPEN_LOOPS: u32 = 262144;
 /// In batches, a row without an answer for another reason.
 pub const PERCUSS_REMARK_NO_ANSWER: u32 = 524288;
+/// The error of m̄ is above 1e-6 m̄; the gradient is not computed.
+pub const PERCUSS_REMARK_UNCERTAIN_MASS: u32 = 1048576;
+/// The error of m̄ is unknown.
+pub const PERCUSS_REMARK_UNKNOWN_ERROR: u32 = 2097152;
 
 /// Effective mass with its error and remarks. An unknown or inapplicable number is NaN.
 #[repr(C)]

@@ -66,10 +66,12 @@ impl ContactResponse {
             || self.base_velocity.angular.norm() > 0.0
     }
 
-    /// Kinds of the [`remarks`](Self::remarks), with [`RemarkFlags::SINGULAR_POSE`] if the pose is singular.
+    /// Kinds of the [`remarks`](Self::remarks), with [`RemarkFlags::SINGULAR_POSE`] if the pose is singular, and the flags of the
+    /// [error](RemarkFlags::of_error).
     pub fn remark_flags(&self) -> RemarkFlags {
         let singular = if self.singular_pose { RemarkFlags::SINGULAR_POSE } else { RemarkFlags::NONE };
-        self.remarks.iter().collect::<RemarkFlags>() | singular
+        let uncertain = RemarkFlags::of_error(self.effective_mass, self.effective_mass_error());
+        self.remarks.iter().collect::<RemarkFlags>() | singular | uncertain
     }
 
     /// Known error of m̄, kg: [`ErrorBudget::known`]. Errors in the figures of a file are included only if redundant

@@ -42,6 +42,16 @@ pub(crate) struct RouteResult {
     pub remarks: Vec<Remark>,
 }
 
+/// m̄ by the recursion, or by the dense route if the recursion is not accurate enough.
+pub(crate) struct EvaluatedMass {
+    pub mass: EffectiveMass,
+    /// Error by rounding, kg; `None` unless m̄ is finite.
+    pub error: Option<f64>,
+    pub flags: RemarkFlags,
+    /// Result of the dense route, if used.
+    dense: Option<RouteResult>,
+}
+
 impl RouteResult {
     /// Number of motions left out as massless.
     fn massless_motion_count(&self) -> usize {
@@ -231,18 +241,28 @@ impl RouteInput<'_> {
         if workspace.budget.is_filled() && (workspace.is_clear() || self.is_recursion_trusted(workspace)) {
             return Ok((workspace.mass(), self.recursive_flags(workspace, workspace.mass())));
         }
+        let found = self.evaluate(workspace)?;
+        Ok((found.mass, found.flags))
+    }
+
+    /// m̄ with its error, after the recursion ran. Allocates nothing after the first call if the recursion is accurate enough.
+    pub fn evaluate(&self, workspace: &mut RecursionWorkspace) -> Result<EvaluatedMass, RouteError> {
         let errors = self.recursion_errors(workspace);
-        match workspace.dense_reason(&errors) {
-            None => {
-                let mass = apply_energy_value(workspace.mass(), &errors);
-                Ok((mass, self.recursive_flags(workspace, mass)))
-            }
-            Some(_) => {
-                let found = self.more_accurate_result(workspace, errors)?;
-                let own = found.remarks.iter().collect::<RemarkFlags>();
-                Ok((found.mass, own | self.remark_flags(workspace, found.mass, found.closing_speed)))
-            }
+        if workspace.dense_reason(&errors).is_none() {
+            let mass = apply_energy_value(workspace.mass(), &errors);
+            let error = rounding_error(mass, &errors, workspace.closing_speed);
+            return Ok(EvaluatedMass {
+                mass,
+                error,
+                flags: self.recursive_flags(workspace, mass),
+                dense: None,
+            });
         }
+        let found = self.more_accurate_result(workspace, errors)?;
+        let flags = found.remarks.iter().collect::<RemarkFlags>()
+            | self.remark_flags(workspace, found.mass, found.closing_speed);
+        let error = rounding_error(found.mass, &found.errors, found.closing_speed);
+        Ok(EvaluatedMass { mass: found.mass, error, flags, dense: Some(found) })
     }
 
     /// m̄, its error by rounding (kg; `None` unless finite), findings, and v* in `velocities` (tree velocities at unit closing speed; zeros
@@ -252,25 +272,15 @@ impl RouteInput<'_> {
         workspace: &mut RecursionWorkspace,
         velocities: &mut [f64],
     ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), RouteError> {
-        let errors = self.recursion_errors(workspace);
-        let error_of = |mass: EffectiveMass, errors: &RelativeErrors, closing_speed: f64| match mass {
-            EffectiveMass::Finite(m) => Some(m * (errors.rounding + 2.0 * f64::EPSILON / closing_speed)),
-            EffectiveMass::Immovable | EffectiveMass::Massless => None,
-        };
-        if workspace.dense_reason(&errors).is_some() {
-            let found = self.more_accurate_result(workspace, errors)?;
-            velocities.copy_from_slice(&found.velocities);
-            let flags = found.remarks.iter().collect::<RemarkFlags>()
-                | self.remark_flags(workspace, found.mass, found.closing_speed);
-            return Ok((found.mass, error_of(found.mass, &found.errors, found.closing_speed), flags));
+        let found = self.evaluate(workspace)?;
+        match (&found.dense, found.mass) {
+            (Some(dense), _) => velocities.copy_from_slice(&dense.velocities),
+            (None, EffectiveMass::Finite(m)) => {
+                velocities.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
+            }
+            (None, _) => velocities.fill(0.0),
         }
-        let mass = apply_energy_value(workspace.mass(), &errors);
-        velocities.fill(0.0);
-        if let EffectiveMass::Finite(m) = mass {
-            velocities.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
-        }
-        let error = error_of(mass, &errors, workspace.closing_speed);
-        Ok((mass, error, self.recursive_flags(workspace, mass)))
+        Ok((found.mass, found.error, found.flags))
     }
 
     /// m̄, and v* in `velocities`, as by [`respond_into`](Self::respond_into). The error is not computed if the rounding is negligible.
@@ -566,6 +576,14 @@ impl RouteInput<'_> {
             twists.push(twist);
         }
         twists
+    }
+}
+
+/// Error of m̄ by rounding, kg: of the route and of the closing speed; `None` unless m̄ is finite.
+fn rounding_error(mass: EffectiveMass, errors: &RelativeErrors, closing_speed: f64) -> Option<f64> {
+    match mass {
+        EffectiveMass::Finite(m) => Some(m * (errors.rounding + 2.0 * f64::EPSILON / closing_speed)),
+        EffectiveMass::Immovable | EffectiveMass::Massless => None,
     }
 }
 

@@ -13,7 +13,7 @@ use crate::kernels::{kernel_contact, mechanism};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::model::input::{is_number, normalise_quaternion, quaternion_of};
-use crate::tolerances::{DERIVATIVE_AGREEMENT, LARGEST_DERIVATIVE_LOSS};
+use crate::tolerances::{DERIVATIVE_AGREEMENT, LARGEST_DERIVATIVE_LOSS, WARNED_RELATIVE_ERROR};
 use percuss_kernel::derivatives::{Derivative, DerivativeColumns, DerivativeKernel, INERTIA_NUMBERS};
 use percuss_kernel::{Aligned, LaneContacts, PositionColumns};
 use percuss_spatial::Transform;
@@ -98,7 +98,7 @@ impl BatchDerivatives {
     /// ```
     ///
     /// `gradients[c · n ..][.. n]`, n = [`velocities`](Self::velocities): configuration c, kg/rad or kg/m, as
-    /// [`Pose::effective_mass_gradient`]; NaN unless m̄ is finite. Points and normals of the rows are fixed in their frames.
+    /// [`Pose::effective_mass_gradient`]; NaN unless m̄ is finite with an error of at most 1e-6 m̄. Points and normals of the rows are fixed in their frames.
     ///
     /// On the calling thread. Relative accuracy: that of m̄, for the size of the terms.
     ///
@@ -166,7 +166,14 @@ impl BatchDerivatives {
             count: masses.len(),
         };
         self.pool.with_worker(&self.worker, |worker| {
-            worker.compute(self.batch.assembly(), self.batch.instructions(), derivative, rows, masses, values)
+            worker.compute(
+                self.batch.assembly(),
+                self.batch.instructions(),
+                derivative,
+                rows,
+                (masses, errors),
+                values,
+            )
         });
         Ok(())
     }
@@ -180,7 +187,7 @@ impl Worker {
         instructions: percuss_spatial::lanes::Instructions,
         derivative: Derivative,
         rows: Rows<'_>,
-        masses: &[f64],
+        (masses, errors): (&[f64], &[f64]),
         values: &mut [f64],
     ) {
         let width = values.len().checked_div(rows.count).unwrap_or(0);
@@ -212,6 +219,7 @@ impl Worker {
             for (lane, row) in to.chunks_exact_mut(width.max(1)).enumerate() {
                 let mass = masses[start + lane];
                 let is_clear = (responses[lane] * mass - 1.0).abs() <= DERIVATIVE_AGREEMENT
+                    && errors[start + lane] <= WARNED_RELATIVE_ERROR * mass
                     && losses[lane] <= LARGEST_DERIVATIVE_LOSS;
                 if !is_clear {
                     compute_at_pose(assembly, derivative, &rows, start + lane, row);

@@ -6,6 +6,7 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
+use crate::analysis::pose::Pose;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
@@ -17,6 +18,7 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_kernel::{Aligned, CertifiedMass, Kernel, LaneContacts, MassColumns, PositionColumns};
+use percuss_mechanism::{JointId, Limits};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
@@ -55,16 +57,21 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Rounding error, kg; `None` if not computed. For a massless contact: upper limit of m̄, if the contact is
+    /// Rounding error, kg; `None` unless m̄ is finite. For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
-    /// Findings about the result, or the reason for a missing result. Joint limits are not checked.
+    /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
     pub remarks: RemarkFlags,
 }
 
 impl BatchAnswer {
     /// Initial value: no result yet.
     pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
+
+    /// Finite m̄, kg, with its error.
+    fn finite(mass: f64, error: f64, remarks: RemarkFlags) -> Self {
+        Self { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), remarks }
+    }
 
     /// True if the contact is massless only within rounding. Masses lost in sums with larger masses may be present.
     pub fn is_massless_to_rounding(&self) -> bool {
@@ -97,6 +104,8 @@ struct Worker {
     remarks: RemarkFlags,
     /// Pose of the root link in the world, for normals given in the world.
     base_of_normal: Option<Transform<f64>>,
+    /// Indices of the positions with limits, and the limits.
+    limits: Vec<(usize, Limits)>,
 }
 
 impl Assembly {
@@ -138,6 +147,7 @@ impl Workspace {
             kernel: in_lanes,
             remarks,
             base_of_normal,
+            limits: position_limits(&assembly),
         };
         let instructions = Instructions::best();
         Ok(Batch {
@@ -198,11 +208,14 @@ impl Batch {
     /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        if let Some(clear) = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions)) {
-            let mass = Some(EffectiveMass::Finite(clear.mass));
-            return Ok(BatchAnswer { mass, error: Some(clear.error), remarks: self.worker.remarks });
-        }
-        Ok(compute_one(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
+        let remarks = self.worker.remarks;
+        let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
+        let mut answer = match clear {
+            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
+            None => self.worker.workspace.evaluate_row(&self.contact, positions, remarks),
+        };
+        answer.remarks |= limit_flags(&self.worker.limits, |q| positions[q]);
+        Ok(answer)
     }
 
     /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
@@ -231,9 +244,9 @@ impl Batch {
     }
 
     /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the rounding error, kg (NaN if not computed). The length of the columns is the number of
+    /// `errors` receives the rounding error, kg (NaN unless finite). The length of the columns is the number of
     /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
-    /// index and the result of each of them. All results that are not finite are among these.
+    /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
     ///
     /// # Errors
     /// As for [`run`](Self::run); `errors` and `masses` differ in length.
@@ -366,7 +379,7 @@ impl ResultSink for [BatchAnswer] {
     #[inline]
     fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
         for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
-            *answer = BatchAnswer { mass: Some(EffectiveMass::Finite(*mass)), error: Some(*error), remarks };
+            *answer = BatchAnswer::finite(*mass, *error, remarks);
         }
     }
 
@@ -410,7 +423,8 @@ impl Worker {
         first: usize,
         places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal } = self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits } =
+            self;
         let count = places.count();
         let of_rows = contacts.contacts;
         let contact_column = row.len();
@@ -457,16 +471,47 @@ impl Worker {
             places.store_lanes(block, masses, errors, *remarks);
             let clear =
                 |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
-            if (0..here).fold(true, |all, lane| all & clear(lane)) {
+            let outside = |lane: usize| limit_flags(limits, |q| positions.at(start + lane, q));
+            if (0..here).fold(true, |all, lane| all & clear(lane) & outside(lane).is_empty()) {
                 continue;
             }
-            for lane in (0..here).filter(|lane| !clear(*lane)) {
-                row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                let contact = contacts.at(start + lane, base_of_normal.as_ref());
-                places.store_one(block + lane, compute_one(workspace, &contact, row, *remarks));
+            for lane in 0..here {
+                let outside = outside(lane);
+                let mut answer = match clear(lane) {
+                    true if outside.is_empty() => continue,
+                    true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
+                    false => {
+                        row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                        let contact = contacts.at(start + lane, base_of_normal.as_ref());
+                        workspace.evaluate_row(&contact, row, *remarks)
+                    }
+                };
+                answer.remarks |= outside;
+                places.store_one(block + lane, answer);
             }
         }
     }
+}
+
+/// Indices and limits of the positions of all joints with limits. Positions of mimics are not read.
+fn position_limits(assembly: &Assembly) -> Vec<(usize, Limits)> {
+    let model = assembly.model();
+    let with_limits = |id: JointId| {
+        let joint = model.mechanism.joint(id);
+        let limits = joint.limits().filter(|_| joint.mimic().is_none())?;
+        Some((model.joint_q[id.index()].start, limits))
+    };
+    model.mechanism.joint_ids().filter_map(with_limits).collect()
+}
+
+/// [`RemarkFlags::OUTSIDE_LIMITS`] if a position is outside its limits.
+#[inline]
+fn limit_flags(limits: &[(usize, Limits)], position: impl Fn(usize) -> f64) -> RemarkFlags {
+    let is_outside = |(q, limits): &(usize, Limits)| {
+        let value = position(*q);
+        (value < limits.lower || value > limits.upper) && Pose::is_outside(value, *limits)
+    };
+    if limits.iter().any(is_outside) { RemarkFlags::OUTSIDE_LIMITS } else { RemarkFlags::NONE }
 }
 
 impl BatchPositions<'_> {
@@ -490,24 +535,5 @@ impl BatchPositions<'_> {
                 read.iter().for_each(|&q| to[q * BLOCK] = self.at(configuration, q));
             }
         }
-    }
-}
-
-/// Computes one configuration by the workspace.
-fn compute_one(
-    workspace: &mut Workspace,
-    contact: &Contact,
-    positions: &[f64],
-    remarks: RemarkFlags,
-) -> BatchAnswer {
-    if workspace.set_positions(positions).is_err() {
-        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
-    }
-    match workspace.recursion_mass_with(contact, remarks) {
-        Ok(mass) => {
-            let error = if mass == EffectiveMass::Massless { workspace.massless_limit() } else { None };
-            BatchAnswer { mass: Some(mass), error, remarks: workspace.remarks() }
-        }
-        Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }
 }

@@ -5,10 +5,11 @@ use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
+use crate::batch::rows::BatchAnswer;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::{Contact, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
-use crate::kinematics::outcome::{EffectiveMass, ResponseError};
+use crate::kinematics::outcome::{EffectiveMass, ResponseError, RouteError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
@@ -240,19 +241,29 @@ impl Workspace {
         &self.assembly
     }
 
-    /// Computes m̄ by the recursion, starting from findings that hold at every configuration.
-    pub(crate) fn recursion_mass_with(
+    /// Computes m̄ and its error (kg) at `positions` by the recursion. `remarks`: findings that hold at every configuration. The
+    /// error is that of [`BatchAnswer::error`].
+    pub(crate) fn evaluate_row(
         &mut self,
         contact: &Contact,
+        positions: &[f64],
         remarks: RemarkFlags,
-    ) -> Result<EffectiveMass, ResponseError> {
-        self.remarks = remarks;
-        self.recursion_mass(contact)
-    }
-
-    /// Upper limit of m̄ (kg) of the contact that the recursion last found massless; `None` if negligible.
-    pub(crate) fn massless_limit(&self) -> Option<f64> {
-        self.recursion.massless_limit(self.assembly.model())
+    ) -> BatchAnswer {
+        if self.set_positions(positions).is_err() {
+            return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+        }
+        let found = self.with_recursion(contact, |route_input, recursion| {
+            let found = route_input.evaluate(recursion)?;
+            let limit = route_input.massless_limit(recursion, found.mass);
+            Ok((found.mass, found.error.or(limit), found.flags))
+        });
+        match found {
+            Ok((mass, error, own)) => {
+                let remarks = remarks | own | RemarkFlags::of_error(mass, error);
+                BatchAnswer { mass: Some(mass), error, remarks }
+            }
+            Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
+        }
     }
 
     /// m̄ of a contact at the current positions, its error by rounding, and v*: the velocities of all joints at unit closing speed
@@ -284,7 +295,7 @@ impl Workspace {
         route_input.run_recursion(&mut self.recursion);
         let (effective_mass, error, own) =
             route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
-        self.remarks |= own;
+        self.remarks |= own | RemarkFlags::of_error(effective_mass, error);
         let base_velocity = self.split_velocities(model, velocities);
         Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
     }
@@ -364,6 +375,18 @@ impl Workspace {
 
     /// Computes m̄ by the recursion, without the SIMD kernel.
     pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        let (mass, flags) =
+            self.with_recursion(contact, |route_input, recursion| route_input.effective_mass(recursion))?;
+        self.remarks |= flags;
+        Ok(mass)
+    }
+
+    /// Runs the recursion for a contact at the current positions, and `evaluate` after it.
+    fn with_recursion<T>(
+        &mut self,
+        contact: &Contact,
+        evaluate: impl FnOnce(&RouteInput<'_>, &mut RecursionWorkspace) -> Result<T, RouteError>,
+    ) -> Result<T, ResponseError> {
         interruption::check();
         self.prepare_recursion()?;
         let model = self.assembly.model();
@@ -377,9 +400,7 @@ impl Workspace {
             located: &located,
         };
         route_input.run_recursion(&mut self.recursion);
-        let (mass, flags) = route_input.effective_mass(&mut self.recursion)?;
-        self.remarks |= flags;
-        Ok(mass)
+        Ok(evaluate(&route_input, &mut self.recursion)?)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Findings about a result, as flags and as text.
 
-use crate::kinematics::outcome::{Remark, ResponseError};
+use crate::kinematics::outcome::{EffectiveMass, Remark, ResponseError};
+use crate::tolerances::WARNED_RELATIVE_ERROR;
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
@@ -52,6 +53,20 @@ impl RemarkFlags {
     /// No result for another reason; [`Workspace::effective_mass`](crate::Workspace::effective_mass) returns the
     /// error.
     pub const NO_ANSWER: Self = Self(1 << 19);
+    /// The error of m̄ is above 1e-6 m̄.
+    pub const UNCERTAIN_MASS: Self = Self(1 << 20);
+    /// The error of a finite m̄ is unknown.
+    pub const UNKNOWN_ERROR: Self = Self(1 << 21);
+
+    /// Flags for the error of m̄, kg: [`UNCERTAIN_MASS`](Self::UNCERTAIN_MASS), [`UNKNOWN_ERROR`](Self::UNKNOWN_ERROR), or none.
+    pub fn of_error(mass: EffectiveMass, error: Option<f64>) -> Self {
+        match (mass, error) {
+            (EffectiveMass::Finite(m), Some(error)) if error <= WARNED_RELATIVE_ERROR * m => Self::NONE,
+            (EffectiveMass::Finite(_), Some(error)) if error.is_finite() => Self::UNCERTAIN_MASS,
+            (EffectiveMass::Finite(_), _) => Self::UNKNOWN_ERROR,
+            (EffectiveMass::Immovable | EffectiveMass::Massless, _) => Self::NONE,
+        }
+    }
 
     /// The flags as bits.
     pub const fn bits(self) -> u32 {

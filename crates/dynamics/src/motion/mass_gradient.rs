@@ -22,6 +22,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::response::ContactResponse;
 use crate::kinematics::contact::{Contact, Frame};
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
+use crate::kinematics::remarks::RemarkFlags;
 use crate::kinematics::rows::{MOST, closure_wrench_rates, closure_wrenches};
 use crate::model::{Constraint, CouplingTerm, Group, Model};
 use nalgebra::Vector3;
@@ -63,7 +64,8 @@ struct BodyResponse<'a> {
 }
 
 impl Pose {
-    /// Gradient of the effective mass of a contact; `None` unless m̄ is finite. The root link stays at its place.
+    /// Gradient of the effective mass of a contact. `None` unless m̄ is finite with an error of at most 1e-6 m̄
+    /// ([`RemarkFlags::of_error`]): a less accurate response v* leaves the gradient no digits. The root link stays at its place.
     ///
     /// ```text
     /// g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
@@ -77,6 +79,9 @@ impl Pose {
     pub fn effective_mass_gradient(&self, contact: &Contact) -> Result<Option<MassGradient>, ResponseError> {
         let response = self.respond(contact)?;
         let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
+        if !RemarkFlags::of_error(response.effective_mass, response.effective_mass_error()).is_empty() {
+            return Ok(None);
+        }
         let mut bodies = BodyResponse::new(self, &response, mass);
         bodies.add_contact(contact);
         let multipliers = bodies.multipliers();

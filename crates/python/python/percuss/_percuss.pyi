@@ -647,21 +647,21 @@ class Sweep:
         """m̄, kg; NaN unless finite; (N,)."""
     @property
     def error(self) -> _Array:
-        """Error of m̄, kg; NaN if not computed; (N,)."""
+        """Error of m̄, kg; NaN unless m̄ is finite; (N,)."""
     @property
     def status(self) -> NDArray[np.uint8]:
         """0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to
         rounding only: error is then the largest possible m̄ of the contact; uint8, (N,)."""
     @property
     def remarks(self) -> NDArray[np.uint32]:
-        """Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only."""
+        """Findings about each row: RemarkFlags added together; uint32, (N,)."""
     @property
     def findings(self) -> list[Diagnostic]:
         """Findings about the rows: one per kind of remark, with the first row and the number of further rows. Pose.respond
         at a row has the numbers."""
     @property
     def gradient(self) -> _Array:
-        """Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). With loops,
+        """Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite with an error of at most 1e-6 m̄; (N, n). With loops,
         only sums over admissible motions have a meaning. Raises NotComputedError unless the sweep had gradient=True."""
     @property
     def inverse_operational_inertia(self) -> _Array:

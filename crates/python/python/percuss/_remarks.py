@@ -32,3 +32,5 @@ class RemarkFlags(enum.IntFlag):
     NOT_UNIT_QUATERNION = 1 << 17
     OPEN_LOOPS = 1 << 18
     NO_ANSWER = 1 << 19
+    UNCERTAIN_MASS = 1 << 20
+    UNKNOWN_ERROR = 1 << 21

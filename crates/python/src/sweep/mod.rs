@@ -45,14 +45,14 @@ pub struct Sweep {
     /// m̄, kg; NaN unless finite; (N,).
     #[pyo3(get)]
     effective_mass: Py<PyArray1<f64>>,
-    /// Error of m̄, kg; NaN if not computed; (N,).
+    /// Error of m̄, kg; NaN unless m̄ is finite; (N,).
     #[pyo3(get)]
     error: Py<PyArray1<f64>>,
     /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to
     /// rounding only: error is then the largest possible m̄ of the contact; uint8, (N,).
     #[pyo3(get)]
     status: Py<PyArray1<u8>>,
-    /// Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only.
+    /// Findings about each row: RemarkFlags added together; uint32, (N,).
     #[pyo3(get)]
     remarks: Py<PyArray1<u32>>,
     /// Gradients, if requested.
@@ -489,7 +489,7 @@ impl Sweep {
         row_findings(rows, self.no_answer.as_deref()).into_iter().map(Diagnostic).collect()
     }
 
-    /// Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). With loops,
+    /// Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite with an error of at most 1e-6 m̄; (N, n). With loops,
     /// only sums over admissible motions have a meaning. Raises NotComputedError unless the sweep had gradient=True.
     #[getter]
     fn gradient(&self, py: Python<'_>) -> PyResult<Py<PyArray2<f64>>> {

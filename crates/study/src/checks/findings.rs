@@ -6,11 +6,11 @@ use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::joint_limit_finding;
 use crate::model::wheel_points::wheel_centres;
 use crate::question::field::{Field, Names};
-use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
+use crate::thresholds::FAR_FROM_GUESS;
 use crate::values::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
     Assembly, Base, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose,
-    Remark, RigidLoops, Singularity, System,
+    Remark, RemarkFlags, RigidLoops, Singularity, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
@@ -272,14 +272,15 @@ pub(crate) fn collect_response_findings(
     // The status of a massless result already reports massless motions.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
     found.extend(response.remarks.iter().filter(reported).filter_map(remark));
-    if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
+    let (mass, error) = (response.effective_mass, response.effective_mass_error());
+    let flags = RemarkFlags::of_error(mass, error);
+    if flags.contains(RemarkFlags::UNKNOWN_ERROR) {
         let message = "the error of the effective mass is unknown: near this pose the effective mass is not \
             finite; do not rely on its digits";
         found.push(Finding::about_result(FindingKind::UnknownError, message));
     }
-    if let (EffectiveMass::Finite(m), Some(error)) =
-        (response.effective_mass, response.effective_mass_error())
-        && error > WARNED_RELATIVE_ERROR * m
+    if let (true, EffectiveMass::Finite(m), Some(error)) =
+        (flags.contains(RemarkFlags::UNCERTAIN_MASS), mass, error)
     {
         let message = format!(
             "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or \

@@ -30,7 +30,7 @@ pub fn response_findings(
 }
 
 /// Kind of the finding and text for every kind of remark about a row.
-const REMARKS: [(RemarkFlags, FindingKind, &str); 20] = {
+const REMARKS: [(RemarkFlags, FindingKind, &str); 22] = {
     use FindingKind as Kind;
     use RemarkFlags as Flags;
     [
@@ -123,6 +123,17 @@ const REMARKS: [(RemarkFlags, FindingKind, &str); 20] = {
             "no result: the loops are open at the given positions; expected the positions of a pose",
         ),
         (Flags::NO_ANSWER, Kind::NoAnswer, "no result: the pose does not exist, or no route solves it"),
+        (
+            Flags::UNCERTAIN_MASS,
+            Kind::UncertainMass,
+            "the effective mass has a relative error above 1e-6, and no gradient: the pose is close to a singular one, or the \
+             mass matrix is nearly singular",
+        ),
+        (
+            Flags::UNKNOWN_ERROR,
+            Kind::UnknownError,
+            "the error of the effective mass is unknown: do not rely on its digits",
+        ),
     ]
 };
 
