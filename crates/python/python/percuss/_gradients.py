@@ -18,17 +18,13 @@ _TURNING = {"spherical": 3, "floating": 6}
 
 def multipliers(model: Model) -> dict[str, float]:
     """Multiplier of every mimic by its master's position."""
-    masters = {joint.mimics for joint in model.joints if joint.mimics}
     mimics = [joint for joint in model.joints if joint.mimics]
-    if not mimics:
-        return {}
-    if model.closures:
+    if mimics and model.closures:
         raise InputError(
             f'the model has loops and "{mimics[0].name}" mimics "{mimics[0].mimics}": gradients by positions are not '
             "defined; use Sweep.gradient with velocities"
         )
-    at = [model.pose({name: value for name in masters if name}).joints for value in (0.0, 1.0)]
-    return {joint.name: float(at[1][joint.name][0] - at[0][joint.name][0]) for joint in mimics}
+    return {joint.name: joint.multiplier or 0.0 for joint in mimics}
 
 
 def _columns(quaternion: _Array) -> _Array:

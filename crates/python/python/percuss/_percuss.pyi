@@ -169,6 +169,12 @@ class Joint:
     def mimics(self) -> str | None:
         """Name of the joint that a mimic joint follows; None for other joints."""
     @property
+    def multiplier(self) -> float | None:
+        """Multiplier of the position of the followed joint; None for other joints."""
+    @property
+    def offset(self) -> float | None:
+        """Offset of a mimic joint, rad or m; None for other joints."""
+    @property
     def positions(self) -> tuple[int, int]:
         """Range of the joint's entries in the position vector: first index, and last index plus one."""
     def __reduce__(self) -> tuple[Any, ...]: ...
@@ -709,7 +715,7 @@ def joint_of_parts(
     names: tuple[str, str, str],
     kind: _JointKind,
     limits: tuple[float, float] | None,
-    mimics: str | None,
+    mimic: tuple[str, float, float] | None,
     positions: tuple[int, int],
 ) -> Joint:
     """Rebuilds a pickled joint."""

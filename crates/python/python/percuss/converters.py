@@ -34,7 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError, ModelWarning
 from ._gradients import rotation_of
-from ._percuss import Model, loads
+from ._percuss import Joint, Model, loads
 
 __all__ = ["Converter", "from_mujoco", "from_pinocchio"]
 
@@ -222,7 +222,7 @@ class Converter:
 
     @classmethod
     def of_mujoco(cls, model: Model, other: Any) -> Converter:
-        """For a mujoco.MjModel with joints of the same names; a free joint of another name is that of the base."""
+        """For a mujoco.MjModel with joints of the same names; joints without a name are found by their body. A free joint of another name is that of the base."""
         joints: dict[str, tuple[slice, slice, str]] = {}
         # In percuss, and in its reader of MJCF, a joint is at zero as drawn.
         drawn: dict[str, tuple[float, ...]] = {}
@@ -232,9 +232,10 @@ class Converter:
             name, kind = str(other.joint(number).name), int(other.jnt_type[number])
             q, v = int(other.jnt_qposadr[number]), int(other.jnt_dofadr[number])
             nq, nv = widths[kind]
-            joints[name or f"joint {number}"] = (slice(q, q + nq), slice(v, v + nv), "free" if kind == 0 else "")
+            name = name or _unnamed_joint(model, other, number)
+            joints[name] = (slice(q, q + nq), slice(v, v + nv), "free" if kind == 0 else "")
             if kind != 1:
-                drawn[name or f"joint {number}"] = tuple(float(x) for x in other.qpos0[q : q + nq])
+                drawn[name] = tuple(float(x) for x in other.qpos0[q : q + nq])
 
         def layout(kind: str, _: int) -> tuple[str, str]:
             return "plain", ("linear_parent" if kind == "floating" else "same")
@@ -269,11 +270,26 @@ class Converter:
     def of_joint_state(cls, model: Model, names: Sequence[str]) -> Converter:
         """For the joints named in a ROS sensor_msgs/JointState: positions and velocities in the order of its name field.
 
-        Joints without an entry are at zero; entries of other joints (of other robots) are ignored.
+        Joints without an entry are at zero; entries of other joints (of other robots) are ignored. A ModelWarning names both if there are
+        both. Raises InputError if no name is that of a joint.
         """
         joints = {name: (slice(k, k + 1), slice(k, k + 1), "") for k, name in enumerate(names)}
         if len(joints) != len(names):
             raise InputError(f"names has {len(names)} entries, {len(joints)} of them different; expected each joint once")
+        own = [joint.name for joint in model.joints if joint.kind != "fixed" and joint.mimics is None]
+        foreign = [name for name in names if name not in {joint.name for joint in model.joints}]
+        absent = [name for name in own if name not in joints]
+        if own and len(absent) == len(own):
+            raise InputError(
+                f"names has {', '.join(map(repr, names))}: none is a joint of the model, which has {', '.join(map(repr, own))}. "
+                "Joints are matched by name; a prefix must be removed"
+            )
+        if foreign and absent:
+            warnings.warn(
+                f"no joint of the model: {', '.join(map(repr, foreign))}; without an entry, and at zero: {', '.join(map(repr, absent))}",
+                ModelWarning,
+                stacklevel=2,
+            )
         return cls._of(model, "JointState", len(names), len(names), joints, lambda *_: ("plain", "same"), partial=True)
 
     @classmethod
@@ -326,6 +342,14 @@ class Converter:
                 base = _Block(name, slice(0, 7), q, slice(0, 6), v, how, twist)
         return cls(model, program, count, velocities, tuple(blocks), base)
 
+    def _own_velocities(self) -> list[tuple[Joint, slice]]:
+        """Joints of percuss with the ranges of their velocities."""
+        found, first = [], 0
+        for joint in self.model.joints:
+            found.append((joint, slice(first, first + _VELOCITIES[joint.kind])))
+            first = found[-1][1].stop
+        return found
+
     @property
     def velocity_names(self) -> list[str]:
         """Joint of each velocity of percuss, in the order of Model.velocity_names."""
@@ -368,6 +392,7 @@ class Converter:
     def velocities(self, v: ArrayLike, q: ArrayLike | None = None) -> _Array:
         """Velocities of percuss (..., n), the order of the gradient of a sweep, of those of the other program.
 
+        Mimic joints follow their masters. The velocity of a floating base is no velocity of a joint: base_velocity has it.
         q: positions of the other program; needed with free and planar joints, whose axes differ.
         """
         found = self._checked(v, "v", self.velocity_count, self.program)
@@ -378,7 +403,28 @@ class Converter:
             out[..., block.own_velocity] = _twist_to_percuss(block.twist, found[..., block.other_velocity], rotation)
             if block.twist == "planar_child" and own is not None:
                 out[..., block.own_velocity] = _plane(out[..., block.own_velocity], own[..., block.own][..., 2], 1.0)
+        first = {joint.name: at.start for joint, at in self._own_velocities()}
+        for joint, at in self._own_velocities():
+            if joint.mimics is not None:
+                out[..., at.start] = (joint.multiplier or 0.0) * out[..., first[joint.mimics]]
         return out
+
+    def base_velocity(self, v: ArrayLike, q: ArrayLike | None = None) -> _Array | None:
+        """Velocity of the root link (..., 6), as Response.base_velocity: angular, then linear, in the axes of the root link at its origin.
+
+        q: positions of the other program; needed for MuJoCo and Drake, whose axes are those of the world. None if the base of the other
+        program is fixed.
+        """
+        found = self._checked(v, "v", self.velocity_count, self.program)
+        if self.base is None:
+            return None
+        rotation = None
+        if self.base.twist != "linear_first":
+            if q is None:
+                raise InputError(f"the velocity of the base is in other axes in {self.program}; expected q, the positions, too")
+            pose = self.base_pose(q)
+            rotation = None if pose is None else rotation_of(pose[..., 3:])
+        return _twist_to_percuss(self.base.twist, found[..., self.base.other_velocity], rotation)
 
     def from_velocities(self, v: ArrayLike, q: ArrayLike | None = None) -> _Array:
         """Velocities of the other program (..., nv) of those of percuss; q: positions of percuss."""
@@ -406,6 +452,18 @@ class Converter:
             return rotation_of(own[..., block.own])
         # From the axes of the child to those of the parent of the other program, the world of MuJoCo.
         return rotation_of(_to_percuss(block.layout, block.from_percuss(own[..., block.own]))[..., 3:])
+
+
+def _unnamed_joint(model: Model, other: Any, number: int) -> str:
+    """Name in percuss of a joint without a name in a mujoco.MjModel: found by its body."""
+    name = f"joint {number}"
+    by_child = {joint.child: joint for joint in model.joints}
+    body = int(other.jnt_bodyid[number])
+    found = by_child.get(str(other.body(body).name))
+    # The last joint of a body moves the link of the body, the joints before it massless links.
+    for _ in range(int(other.body_jntadr[body]) + int(other.body_jntnum[body]) - 1 - number):
+        found = found and by_child.get(found.parent)
+    return name if found is None or any(joint.name == name for joint in model.joints) else found.name
 
 
 def _plane(v: _Array, angle: _Array, sense: float) -> _Array:

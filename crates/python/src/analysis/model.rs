@@ -8,8 +8,9 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Name, parent and child; kind; limits; followed joint; range of positions.
-type JointParts = ((String, String, String), String, Option<(f64, f64)>, Option<String>, (usize, usize));
+/// Name, parent and child; kind; limits; followed joint, multiplier and offset; range of positions.
+type JointParts =
+    ((String, String, String), String, Option<(f64, f64)>, Option<(String, f64, f64)>, (usize, usize));
 
 /// Rebuilds a pickled joint.
 #[pyfunction]
@@ -17,13 +18,15 @@ pub fn joint_of_parts(
     names: (String, String, String),
     kind: &str,
     limits: Option<(f64, f64)>,
-    mimics: Option<String>,
+    mimic: Option<(String, f64, f64)>,
     positions: (usize, usize),
 ) -> PyResult<Joint> {
     let kind = JOINT_KINDS.into_iter().map(JointKind::name).find(|name| *name == kind);
     let kind = kind.ok_or_else(|| errors::input("an unknown kind of joint"))?;
     let (name, parent, child) = names;
-    Ok(Joint { name, kind, parent, child, limits, mimics, positions })
+    let (multiplier, offset) = mimic.as_ref().map(|mimic| (mimic.1, mimic.2)).unzip();
+    let mimics = mimic.map(|mimic| mimic.0);
+    Ok(Joint { name, kind, parent, child, limits, mimics, multiplier, offset, positions })
 }
 
 /// The kinds of joints.
@@ -53,6 +56,10 @@ pub struct Joint {
     pub limits: Option<(f64, f64)>,
     /// Name of the joint that a mimic joint follows; None for other joints.
     pub mimics: Option<String>,
+    /// Multiplier of the position of the followed joint; None for other joints.
+    pub multiplier: Option<f64>,
+    /// Offset of a mimic joint, rad or m; None for other joints.
+    pub offset: Option<f64>,
     /// Range of the joint's entries in the position vector: first index, and last index plus one.
     pub positions: (usize, usize),
 }
@@ -62,7 +69,9 @@ impl Joint {
     /// Pickles a joint as its parts.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, JointParts)> {
         let ends = (self.name.clone(), self.parent.clone(), self.child.clone());
-        let parts = (ends, self.kind.to_owned(), self.limits, self.mimics.clone(), self.positions);
+        let mimic = self.mimics.clone().zip(self.multiplier).zip(self.offset);
+        let mimic = mimic.map(|((master, multiplier), offset)| (master, multiplier, offset));
+        let parts = (ends, self.kind.to_owned(), self.limits, mimic, self.positions);
         Ok((py.import("percuss")?.getattr("_joint")?, parts))
     }
 

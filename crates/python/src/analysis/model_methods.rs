@@ -49,6 +49,8 @@ impl Model {
                 child: link(joint.child()),
                 limits: joint.limits().map(|limits| (limits.lower, limits.upper)),
                 mimics: joint.mimic().map(|mimic| mechanism.joint(mimic.master).name().to_owned()),
+                multiplier: joint.mimic().map(|mimic| mimic.multiplier),
+                offset: joint.mimic().map(|mimic| mimic.offset),
                 positions,
             }
         };

@@ -168,19 +168,17 @@ impl Travel {
     }
 }
 
+/// Largest relative difference between the given velocity of a mimic joint and that of its master: rounding of sums.
+const MIMIC_SLACK: f64 = 1e-9;
+
 /// Velocities of all joints, joint by joint, from a dict of some joints. Mimic joints follow; other joints are at rest.
 fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Vec<f64>>> {
     let mut all: Vec<Vec<f64>> =
         mechanism.joints().iter().map(|joint| vec![0.0; joint.kind().dofs()]).collect();
+    let mut is_given = vec![false; all.len()];
     for (name, values) in numbers(given, "velocity")? {
         let id = mechanism.find_joint(&name).map_err(input)?;
         let joint = mechanism.joint(id);
-        if let Some(mimic) = joint.mimic() {
-            let master = mechanism.joint(mimic.master).name();
-            return Err(input(format_args!(
-                "velocity of \"{name}\": it follows \"{master}\"; give the velocity of \"{master}\" instead"
-            )));
-        }
         if values.len() != all[id.index()].len() {
             let expected = all[id.index()].len();
             return Err(input(format_args!(
@@ -192,11 +190,21 @@ fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyRes
             return Err(input(format_args!("velocity of \"{name}\" has {bad}; expected finite numbers")));
         }
         all[id.index()] = values;
+        is_given[id.index()] = true;
     }
     for (number, joint) in mechanism.joints().iter().enumerate() {
-        if let Some(mimic) = joint.mimic() {
-            all[number] = all[mimic.master.index()].iter().map(|rate| mimic.multiplier * rate).collect();
+        let Some(mimic) = joint.mimic() else { continue };
+        let followed: Vec<f64> =
+            all[mimic.master.index()].iter().map(|rate| mimic.multiplier * rate).collect();
+        let (name, master) = (joint.name(), mechanism.joint(mimic.master).name());
+        let differs = |(given, follows): (&f64, &f64)| (given - follows).abs() > MIMIC_SLACK * follows.abs();
+        if is_given[number] && all[number].iter().zip(&followed).any(differs) {
+            return Err(input(format_args!(
+                "velocity of \"{name}\" is {}: it follows \"{master}\", so that it is {}; give the velocity of \"{master}\" alone",
+                all[number][0], followed[0]
+            )));
         }
+        all[number] = followed;
     }
     Ok(all)
 }
