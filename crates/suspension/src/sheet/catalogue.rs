@@ -1,9 +1,11 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
+use super::entries::Entries;
 use super::template::{Keys, Template};
 use crate::corner;
 use crate::corner::design::{Part, SEATS, STOPS, is_central};
+use crate::findings::Findings;
 use crate::limits::MAX_SHEET_KEYS;
 use percuss_formats::reading::quoted;
 use percuss_mechanism::near_names;
@@ -97,6 +99,32 @@ impl Template {
     pub fn optional_group(point: &str) -> Option<&'static [&'static str]> {
         let seats = SEATS.iter().find(|(_, pair)| pair.contains(&point));
         seats.map(|(_, pair)| &pair[..]).or_else(|| BAR_POINTS.contains(&point).then_some(&BAR_POINTS[..]))
+    }
+}
+
+/// Warns about sections of parts that are not built because their points are missing: their masses and rates have no effect.
+pub(super) fn warn_unbuilt_parts(entries: &Entries, findings: &mut Findings) {
+    let bar = (&["anti_roll_bar", "drop_link"][..], &BAR_POINTS[..]);
+    let seats = SEATS.iter().map(|(section, pair)| (std::slice::from_ref(section), &pair[..]));
+    for (sections, points) in seats.chain([bar]) {
+        // A stop with a gap may be on the damper; without a damper it is an error.
+        let has_gap = entries.has(&format!("{}.gap", sections[0]));
+        if has_gap || points.iter().any(|point| entries.has(&format!("points.{point}"))) {
+            continue;
+        }
+        let given = sections.iter().map(|section| (section, entries.keys_in(section)));
+        let given = given.filter(|(_, keys)| !keys.is_empty());
+        let given: Vec<String> =
+            given.map(|(section, keys)| format!("[{section}] ({})", keys.join(", "))).collect();
+        let spot = sections.iter().find_map(|section| entries.spot_in(&format!("{section}.")));
+        if let Some(spot) = spot {
+            let message = format!(
+                "{} has no effect: the part is not built, its points are missing: {}. Give these points, or delete the section",
+                given.join(" and "),
+                points.join(", ")
+            );
+            findings.warning("section-without-points", &spot, message);
+        }
     }
 }
 
