@@ -105,7 +105,7 @@ pub(super) fn report_unknown_points(
 }
 
 /// Point of a template with a meaning like that of a name of another program: at least two words in common, and more than any other.
-fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+pub(super) fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
     let words = |text: &str| -> Vec<String> {
         let lower = text.to_lowercase();
         let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
@@ -132,8 +132,8 @@ fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option
 /// Unknown names of points, each with the point of nearest spelling or meaning among `points`.
 fn names_with_nearest(names: &[String], points: &[&str]) -> String {
     let with_nearest = |name: &String| {
-        let near = near_names(name, points.iter().copied()).into_iter().next();
-        let near = near.or_else(|| near_meaning(name, points.iter().copied()).map(str::to_owned));
+        let near = near_meaning(name, points.iter().copied()).map(str::to_owned);
+        let near = near.or_else(|| near_names(name, points.iter().copied()).into_iter().next());
         near.map_or_else(|| quoted(name), |near| format!("{} ({near}?)", quoted(name)))
     };
     names.iter().map(with_nearest).collect::<Vec<_>>().join(", ")

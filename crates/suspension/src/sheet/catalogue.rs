@@ -1,6 +1,7 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
+use super::aliases;
 use super::entries::Entries;
 use super::template::{Keys, Template};
 use crate::corner;
@@ -119,7 +120,7 @@ pub(super) fn warn_unbuilt_parts(entries: &Entries, findings: &mut Findings) {
         let spot = sections.iter().find_map(|section| entries.spot_in(&format!("{section}.")));
         if let Some(spot) = spot {
             let message = format!(
-                "{} has no effect: the part is not built, its points are missing: {}. Give these points, or delete the section",
+                "{}: without effect, because the part is not built. Its points are missing: {}; give them, or delete the section",
                 given.join(" and "),
                 points.join(", ")
             );
@@ -170,8 +171,14 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
 /// Message about an unknown key: the nearest key, and the known keys of its section, or the sections if the section is unknown; the
 /// nearest come first.
 pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
-    let near = near_keys(key, known.iter().map(String::as_str));
-    let section = split(key).0;
+    let mut near = near_keys(key, known.iter().map(String::as_str));
+    let (section, last) = split(key);
+    if section == "points" {
+        // A point is similar to points only, unless it is a key of another section.
+        near.retain(|other| split(other).0 == section || split(other).1 == last);
+        let points = known.iter().filter_map(|other| other.strip_prefix("points."));
+        near.splice(..0, aliases::near_meaning(last, points).map(|point| format!("points.{point}")));
+    }
     let rank = |of: &str, near: &[&str]| near.iter().position(|other| *other == of).unwrap_or(near.len());
     let of_section = known.iter().map(|other| split(other)).filter(|(other, _)| *other == section);
     let mut of_section: Vec<&str> = of_section.map(|(_, last)| last).collect();
