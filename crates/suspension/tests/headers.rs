@@ -149,6 +149,9 @@ fn columns_have_the_meaning_of_their_words() {
                     [name.to_owned()].into_iter().chain(values).collect()
                 };
                 let text = table(&car, "", separator, &header, row);
+                // The header is below the keys or the first row of the file.
+                let at = text.find(&header.join(separator)).expect("the header");
+                let text = if round == 0 { text } else { format!("{}{}", &text[at..], &text[..at]) };
                 let is_known = i < WORDS.len();
                 // A trap may be a title of another kind of table, but its points are never read.
                 assert_eq!(is_read(&text, &car), is_known, "{header:?}");
