@@ -215,6 +215,7 @@ fn columns_of_names_units_and_sides_are_found() {
         table(&car, "", ";", &texts(&["Point", "y", "x", "z\n;[in];[in];[in]"]), in_inches),
         table(&car, "", ";", &texts(&["Point [in]", "y", "x", "z"]), in_inches),
         table(&car, "", ";", &texts(&["Point", "y", "x", "z", "Unit"]), of_row),
+        format!("Units;inch\n{}", table(&car, "", ";", &texts(&["Point", "y", "x", "z"]), in_inches)),
         // Not understood, and refused.
         table(&car, "", ";", &texts(&["Point", "y_mm [in]", "x", "z"]), plain),
         table(&car, "", ";", &texts(&["Point", "y [in]", "x [in]", "z [in]\n;[mm];[mm];[mm]"]), plain),
@@ -226,7 +227,7 @@ fn columns_of_names_units_and_sides_are_found() {
     .iter()
     .map(|text| is_read(text, &car))
     .collect();
-    assert_eq!(found, [[true; 10].as_slice(), &[false; 6]].concat());
+    assert_eq!(found, [[true; 11].as_slice(), &[false; 6]].concat());
     // The columns used are stated.
     let imported =
         read(&table(&car, "", ";", &texts(&["Punkt", "Breite", "Länge", "Höhe", "Bemerkung"]), plain))

@@ -225,36 +225,6 @@ fn the_ratio_of_a_contact_patch_is_per_travel_of_the_centre() {
         let height = |travel: &str| {
             number(&report(&format!("{rack} --wheel-travel {travel}"))["contact"]["point_world"][2])
         };
-        let slope = (gap(at - h) - gap(at + h)) / (2.0 * h);
-        // The third derivative of the gap is below 1e2 / m², so that the difference quotient is exact to 1e-6.
-        assert!((ratio / slope - 1.0).abs() < 1e-6, "{build}: {ratio} {slope}");
-    }
-}
-
-/// The motion ratio of a contact patch is per travel of the wheel centre, with a fixed and with a sliding rack: the slope of the height of
-/// the lowest point, a central difference.
-#[test]
-fn the_ratio_of_a_contact_patch_is_per_travel_of_the_centre() {
-    let folder = Scratch::new("patch-ratio");
-    let sheet =
-        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
-    let sheet = sheet
-        .replace("camber = \"0 deg\"", "camber = \"-4 deg\"")
-        .replace("toe = \"0 deg\"", "toe = \"1 deg\"");
-    let sliding = sheet.replace("slides = false", "slides = true");
-    assert_ne!(sheet, sliding);
-    for (name, text) in [("fixed.toml", &sheet), ("sliding.toml", &sliding)] {
-        folder.write(name, text);
-        let path = folder.path(name);
-        let report = |flags: &str| json(&format!("mass {path} --at contact_patch {flags} --format json"));
-        let height = |travel: &str| {
-            number(
-                &report(
-                    &format!("--set rack=0 --wheel-travel {travel}")
-                        .replace(if name == "fixed.toml" { "--set rack=0 " } else { "\n" }, ""),
-                )["contact"]["point_world"][2],
-            )
-        };
         let slope = (height("0.1mm") - height("-0.1mm")) / 2e-4;
         let ratios = report("")["motion_ratios"].clone();
         assert_eq!(ratios[0]["link"], "wheel_centre", "{name}: {ratios}");

@@ -308,7 +308,21 @@ fn columns(
     Ok(Columns { name: 0, xyz, units, unit, shift: 0, is_plain })
 }
 
+/// Unit of length that a title states: "Units; mm", "Hardpoints [in]"; `None` if a word is unknown.
+pub(super) fn unit_of_title(cells: &[Cell]) -> Option<LengthUnit> {
+    let words = cells.iter().filter_map(word);
+    let meanings = words.map(Meaning::of).collect::<Option<Vec<_>>>()?;
+    let units: Vec<LengthUnit> = meanings.iter().flat_map(|m| m.units.clone()).collect();
+    let is_plain = meanings.iter().all(|m| m.axes.is_empty() && m.sides.is_empty());
+    units.first().copied().filter(|unit| is_plain && units.iter().all(|other| other == unit))
+}
+
 impl Columns {
+    /// Columns name, x, y, z of a table without a header.
+    pub fn without_header() -> Self {
+        Self { name: 0, xyz: [1, 2, 3], units: None, unit: None, shift: 0, is_plain: true }
+    }
+
     /// Finds the column of the names: text in all rows of points, by preference below a word such as "name". A header without a cell for
     /// the names begins at the second column.
     pub fn find_names<'r>(&mut self, header: &[Cell], rows: impl Iterator<Item = &'r [Cell]> + Clone) {
@@ -361,12 +375,12 @@ impl Columns {
         self.units.filter(|[x, y, z]| x == y && y == z).map(|[x, ..]| x)
     }
 
-    /// Coordinates of a row, each number with its unit.
-    pub fn values(&self, row: &[Cell]) -> Vec<Cell> {
+    /// Coordinates of a row, each number with its unit; `default`: unit if the header has none.
+    pub fn values(&self, row: &[Cell], default: Option<LengthUnit>) -> Vec<Cell> {
         let of_row = self.unit.and_then(|i| row.get(i)).and_then(word);
         let value = |(axis, i): (usize, usize)| {
             let unit = of_row.map(|word| unit_of(&word.to_lowercase()).map_or(word, |unit| unit.name()));
-            let of_column = self.units.map(|units| units[axis].name());
+            let of_column = self.units.map(|units| units[axis]).or(default).map(LengthUnit::name);
             with_units(row.get(i)?, &[unit, of_column])
         };
         self.xyz.into_iter().enumerate().filter_map(value).collect()

@@ -18,7 +18,6 @@ use crate::options::Side;
 pub(super) use header::unit_of;
 use header::{Columns, Row};
 use percuss_formats::reading::{quoted, shortened};
-use percuss_units::LengthUnit;
 
 /// Largest number of title rows.
 const MAX_TITLE_ROWS: usize = 20;
@@ -160,19 +159,25 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         .map(|row| if is_key(&row.cells) { Row::Other } else { header::read(&row.cells, side) })
         .collect();
     let titles = title_rows(&rows, &kinds);
+    let of_title = |row: &TableRow| Some((header::unit_of_title(&row.cells)?, row.spot.clone()));
+    let title_unit = rows[..titles].iter().rev().find_map(of_title);
     if let Some(last) = titles.checked_sub(1).and_then(|last| rows.get(last)) {
         let text = rows[0].cells.iter().find(|cell| !is_blank(cell)).map_or_else(String::new, Cell::to_text);
+        let unit = title_unit.as_ref().map_or_else(String::new, |(unit, _)| {
+            format!("; the points are in {}, unless a header states another unit", unit.name())
+        });
         let message = if titles == 1 {
-            format!("the row {text} is taken as a title; it has no key and no numbers")
+            format!("the row {text} is taken as a title; it has no key and no numbers{unit}")
         } else {
             format!(
-                "the first {titles} rows, from {text}, are taken as titles; they have no key and no numbers"
+                "the first {titles} rows, from {text}, are taken as titles; they have no key and no numbers{unit}"
             )
         };
         findings.note("title-row", &last.spot.clone(), message);
     }
-    let mut columns: Option<Columns> = None;
-    let mut table_unit: Option<(LengthUnit, Spot)> = None;
+    let has_header = kinds.iter().any(|kind| matches!(kind, Row::Header(_)));
+    let mut columns = title_unit.as_ref().filter(|_| !has_header).map(|_| Columns::without_header());
+    let mut table_unit = title_unit.clone();
     let (mut nameless, mut is_below_header) = (Vec::new(), false);
     for (i, (row, kind)) in rows.iter().zip(kinds).enumerate().skip(titles) {
         let spot = row.spot.clone();
@@ -203,7 +208,9 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
                         if let Some(message) = found.message(&row.cells) {
                             findings.note("columns", &spot, message);
                         }
-                        table_unit = found.common_unit().map(|unit| (unit, spot));
+                        if found.units.is_some() {
+                            table_unit = found.common_unit().map(|unit| (unit, spot));
+                        }
                         is_below_header = true;
                         columns = Some(found);
                     }
@@ -230,7 +237,7 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         };
         let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
         let mut values: Vec<Cell> = match columns.as_ref().filter(|_| key.starts_with("points.")) {
-            Some(columns) => columns.values(&row.cells),
+            Some(columns) => columns.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)),
             None => row.cells.iter().skip(name + 1).cloned().collect(),
         };
         while values.last().is_some_and(is_blank) {
