@@ -222,12 +222,15 @@ fn columns_of_names_units_and_sides_are_found() {
         table(&car, "", ";", &texts(&["Point", "y [mm]", "x", "z"]), plain),
         table(&car, "", ";", &texts(&["Point", "y", "x"]), plain),
         table(&car, "", ";", &texts(&["Point", "Coordinates (y, x, z)"]), plain),
+        table(&car, "", ";", &texts(&["name", "y", "x", "z"]), plain) + "name;x;y;z\n",
+        table(&car, "", ";", &texts(&["name", "y", "x", "z"]), plain).replace("name;y;x;z\n", "")
+            + "name;y;x;z\n",
         table(&car, "side,right\n", ";", &texts(&["Point", "Y_L", "X_L", "Z_L"]), plain),
     ]
     .iter()
     .map(|text| is_read(text, &car))
     .collect();
-    assert_eq!(found, [[true; 11].as_slice(), &[false; 6]].concat());
+    assert_eq!(found, [[true; 11].as_slice(), &[false; 8]].concat());
     // The columns used are stated.
     let imported =
         read(&table(&car, "", ";", &texts(&["Punkt", "Breite", "Länge", "Höhe", "Bemerkung"]), plain))

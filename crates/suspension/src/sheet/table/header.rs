@@ -325,14 +325,11 @@ impl Columns {
 
     /// Finds the column of the names: text in all rows of points, by preference below a word such as "name". A header without a cell for
     /// the names begins at the second column.
-    pub fn find_names<'r>(&mut self, header: &[Cell], rows: impl Iterator<Item = &'r [Cell]> + Clone) {
-        let is_value = |cell: Option<&Cell>| {
-            cell.is_some_and(|cell| !matches!(cell, Cell::Text(text) if !is_number(text)))
-        };
-        let points = rows.filter(|row| row.iter().filter(|cell| is_value(Some(cell))).count() >= 3);
-        let has_names = |i: usize| {
-            points.clone().next().is_some() && points.clone().all(|row| row.get(i).and_then(word).is_some())
-        };
+    pub fn find_names<'r>(&mut self, header: &[Cell], rows: impl Iterator<Item = &'r [Cell]>) {
+        let is_value = |cell: &&Cell| !matches!(cell, Cell::Text(text) if !is_number(text));
+        let points: Vec<&[Cell]> = rows.filter(|row| row.iter().filter(is_value).count() >= 3).collect();
+        let has_names =
+            |i: usize| !points.is_empty() && points.iter().all(|row| row.get(i).and_then(word).is_some());
         if self.xyz.contains(&0) && has_names(0) {
             (self.xyz, self.unit, self.shift) = (self.xyz.map(|i| i + 1), self.unit.map(|i| i + 1), 1);
             return;

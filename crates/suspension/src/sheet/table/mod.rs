@@ -178,7 +178,9 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
     let has_header = kinds.iter().any(|kind| matches!(kind, Row::Header(_)));
     let mut columns = title_unit.as_ref().filter(|_| !has_header).map(|_| Columns::without_header());
     let mut table_unit = title_unit.clone();
-    let (mut nameless, mut is_below_header) = (Vec::new(), false);
+    // The first header as written, without the column of the names.
+    let mut header: Option<Columns> = None;
+    let (mut nameless, mut is_below_header, mut has_points) = (Vec::new(), false, false);
     for (i, (row, kind)) in rows.iter().zip(kinds).enumerate().skip(titles) {
         let spot = row.spot.clone();
         if let (true, Some(columns)) = (std::mem::take(&mut is_below_header), &mut columns) {
@@ -197,14 +199,21 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         match kind {
             Row::Other => {}
             Row::Header(mut found) => {
-                found.find_names(&row.cells, rows[i + 1..].iter().map(|row| &row.cells[..]));
-                match &columns {
-                    Some(known) if *known != found => {
-                        let reason = "a row above names other columns";
+                let defect = match &header {
+                    Some(known) if *known != found => Some("a row above names other columns"),
+                    None if has_points && (found.xyz != [1, 2, 3] || found.units.is_some()) => {
+                        Some("it is below rows of points")
+                    }
+                    _ => None,
+                };
+                match (defect, &header) {
+                    (Some(reason), _) => {
                         findings.error("unknown-header", &spot, unclear_header(&row.cells, reason));
                     }
-                    Some(_) => {}
-                    None => {
+                    (None, Some(_)) => {}
+                    (None, None) => {
+                        header = Some(found.clone());
+                        found.find_names(&row.cells, rows[i + 1..].iter().map(|row| &row.cells[..]));
                         if let Some(message) = found.message(&row.cells) {
                             findings.note("columns", &spot, message);
                         }
@@ -236,6 +245,7 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
             }
         };
         let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
+        has_points |= key.starts_with("points.");
         let mut values: Vec<Cell> = match columns.as_ref().filter(|_| key.starts_with("points.")) {
             Some(columns) => columns.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)),
             None => row.cells.iter().skip(name + 1).cloned().collect(),
