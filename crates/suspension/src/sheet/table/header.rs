@@ -70,7 +70,8 @@ impl Meaning {
             // The preposition of "x in mm"; the unit of "x_in [mm]" is inches, a contradiction.
             let is_open = after.starts_with(' ') && !before.contains('_');
             let next = after.trim_matches(|c| SEPARATORS.contains(c));
-            if !(word == "in" && is_open && unit_of(next).is_some()) && !meaning.add(word) {
+            let is_preposition = word == "in" && is_open && unit_of(next).is_some();
+            if !is_preposition && !meaning.add(word) {
                 return None;
             }
         }
@@ -260,7 +261,7 @@ fn columns(
             .collect();
         // Complete blocks x, y, z of the left and of the right side, or of two units: the first one is used.
         let blocks = with_axis.len() / 3;
-        let is_block = with_axis.len() % 3 == 0
+        let is_block = with_axis.len().is_multiple_of(3)
             && with_axis.chunks(3).all(|block| block.iter().any(|(_, m)| m.axes == [axis]));
         xyz[axis] = match of_axis[..] {
             [column] => column,
