@@ -54,6 +54,7 @@ mod suspensions {
     mod contact_patches;
     mod daily_use;
     mod import;
+    mod incomplete_sheets;
     mod kinematics;
     mod own_contacts;
     mod own_suspension;

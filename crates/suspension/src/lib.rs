@@ -112,7 +112,7 @@ fn import_sheet(
     check_options(&mut findings, options);
     let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
         let built = sheet::build(&sheet, &mut findings)?;
-        if sheet.wheel.is_none() {
+        if sheet.wheel.is_none() && sheet.missing_masses.is_empty() {
             warn_no_wheel(&mut findings, "and the sheet has no [wheel]");
         }
         let facts = SuspensionFacts {
@@ -131,7 +131,10 @@ fn import_sheet(
             middle: sheet.template.middle,
             forces: sheet.forces.clone(),
         };
-        build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)
+        let (mechanism, comments, mut understood) =
+            build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)?;
+        understood.missing_masses = sheet.missing_masses;
+        Some((mechanism, comments, understood))
     });
     let failed = findings.has_errors();
     let inputs = files.iter().map(|(name, _)| name.clone()).collect();

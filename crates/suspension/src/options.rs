@@ -62,6 +62,8 @@ pub struct ImportOptions {
     /// True if a rod without mass becomes a massless link on a universal joint instead of a distance closure: its joints can
     /// drive the suspension. The motion is the same.
     pub movable: bool,
+    /// True if the masses, centres of mass and inertias of a sheet may be missing: they are zero, which is sufficient for kinematics.
+    pub masses_optional: bool,
     /// Findings that the user accepts.
     pub accept: Accept,
     /// True if a sheet may refer to a table of points outside the folder of the sheet. Messages quote text from the table.

@@ -43,6 +43,9 @@ pub struct Understood {
     pub axle: bool,
     /// Forces of springs and stops.
     pub forces: ForceElements,
+    /// Keys of masses, centres of mass and inertias that are missing in the sheet and optional
+    /// ([`masses_optional`](super::ImportOptions::masses_optional)): they are zero.
+    pub missing_masses: Vec<String>,
     /// Lines of the picture.
     pub lines: Vec<Line>,
     /// Wheels of the picture.

@@ -1,9 +1,9 @@
 //! Keys of sheets: unknown ones, and the link that a part is on.
 
 use super::sheet_refusals::{errors, refused, with};
-use super::sheets::sheet;
+use super::sheets::{Car, sheet};
 use percuss_formats::Source;
-use percuss_suspension::{ImportOptions, import};
+use percuss_suspension::{ImportOptions, import, template_names};
 
 /// The key `on` of a stop: with a gap and no points it names the damper or nothing; with points, a link.
 #[test]
@@ -90,4 +90,108 @@ fn unknown_keys_list_the_known_ones() {
             assert!(finding.message.contains(word), "{word} is missing: {finding}");
         }
     }
+}
+
+/// Sections whose points are missing: a warning names the section, its keys and the points, for every part of every template.
+#[test]
+fn a_section_without_points_is_a_warning() {
+    let bar = ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
+    let parts: [(&[&str], &[&str]); 5] = [
+        (&["spring"], &["spring_seat", "spring_chassis_seat"]),
+        (&["damper"], &["damper_seat", "damper_chassis_seat"]),
+        (&["bump_stop"], &["bump_stop_pad", "bump_stop"]),
+        (&["rebound_stop"], &["rebound_stop_pad", "rebound_stop"]),
+        (&["anti_roll_bar", "drop_link"], &bar),
+    ];
+    let mut count = 0;
+    for (template, _) in template_names() {
+        let text = sheet(template);
+        for (sections, points) in parts {
+            let is_of_part = |line: &&str| {
+                let key = line.split(" = ").next().unwrap_or_default();
+                points.contains(&key) || key == "gap" && sections[0].ends_with("stop")
+            };
+            let lines: Vec<&str> = text.lines().filter(|line| !is_of_part(line)).collect();
+            let cut = lines.join("\n").replacen("[spring]", "[spring]\nrate = \"35 N/mm\"", 1);
+            if !sections.iter().all(|section| cut.contains(&format!("[{section}]"))) {
+                continue;
+            }
+            let read = |text: &str| {
+                let imported = import(&Source::from_text("my.toml", text), &ImportOptions::default());
+                let found =
+                    imported.unwrap_or_else(|error| panic!("{template} {sections:?}: {error}")).diagnostics;
+                found.into_iter().find(|d| d.code == "section-without-points")
+            };
+            let told = read(&cut).unwrap_or_else(|| panic!("{template} {sections:?}: no warning"));
+            let section = format!("[{}] (", sections[0]);
+            for words in
+                points.iter().copied().chain([&*section]).chain((sections[0] == "spring").then_some("rate"))
+            {
+                assert!(told.message.contains(words), "{template} {words}: {told}");
+            }
+            assert!(told.line.is_some(), "{told}");
+            count += 1;
+            // Without its sections the part is left out as a whole.
+            let mut kept = Vec::new();
+            let mut is_kept = true;
+            for line in cut.lines() {
+                if let Some(name) = line.strip_prefix('[') {
+                    is_kept = !sections.contains(&name.trim_end_matches(']'));
+                }
+                kept.extend(is_kept.then_some(line));
+            }
+            assert!(read(&kept.join("\n")).is_none(), "{template} {sections:?}");
+        }
+        assert!(!import(&Source::from_text("my.toml", &*text), &ImportOptions::default()).is_ok_and(
+            |imported| { imported.diagnostics.iter().any(|d| d.code == "section-without-points") }
+        ));
+    }
+    assert!(count >= 5 * 15, "{count}");
+}
+
+/// Names of another program: one error with the nearest points by meaning, and the points that are missing.
+#[test]
+fn unknown_names_of_points_are_one_error() {
+    let names = [
+        ("lower_front", "lower_wishbone_inboard_front", "lower_front?"),
+        ("lower_back", "LCA rear pivot", "lower_back?"),
+        ("lower_ball", "LBJ", "lower_ball?"),
+        ("upper_front", "upper control arm, front", "upper_front?"),
+        ("upper_back", "upper_wishbone_inboard_rear", "upper_back?"),
+        ("upper_ball", "upper_wishbone_outboard", "upper_ball?"),
+        ("tie_rod_inner", "track_rod_inboard", "tie_rod_inner?"),
+        ("wheel_centre", "wheel center", "wheel_centre?"),
+        ("tie_rod_outer", "Q7", "\"Q7\""),
+    ];
+    let mut text = sheet("double-wishbone");
+    for (own, other, _) in names {
+        text = text.replacen(&format!("\n{own} ="), &format!("\n\"{other}\" ="), 1);
+    }
+    let found = errors("my.toml", &text, &ImportOptions::default());
+    assert_eq!(found.len(), 1, "{found:?}");
+    let told = &found[0].message;
+    for (own, _, words) in names {
+        assert!(told.contains(words) && told.contains(&format!("{own} (")), "{own}: {told}");
+    }
+    assert!(!told.contains("axle_inertia") && told.matches("lower_front").count() <= 3, "{told}");
+}
+
+/// Masses that are optional: all lengths are those of the sheet with masses, and the keys are listed.
+#[test]
+fn missing_masses_are_listed_if_they_are_optional() {
+    let text = sheet("double-wishbone");
+    let is_mass = |line: &&str| ["mass =", "com =", "inertia ="].iter().any(|key| line.starts_with(key));
+    let cut: Vec<&str> = text.lines().filter(|line| !is_mass(line)).collect();
+    let source = Source::from_text("my.toml", cut.join("\n"));
+    let options = ImportOptions { masses_optional: true, ..ImportOptions::default() };
+    let found = import(&source, &options).unwrap_or_else(|error| panic!("{error}")).understood;
+    for key in ["lower_arm.mass", "upright.mass", "spindle.mass", "wheel.mass"] {
+        assert!(found.missing_masses.iter().any(|missing| missing == key), "{key}");
+    }
+    let car = Car::example("double-wishbone");
+    assert!(found.coordinates.iter().all(|(name, at)| (car.point(name).z - at[2]).abs() < 1e-15));
+    assert_eq!((found.total_mass, found.wheel.and_then(|wheel| wheel.radius)), (0.0, Some(0.3)));
+    assert!(
+        errors("my.toml", &cut.join("\n"), &ImportOptions::default()).iter().all(|d| d.code == "missing-key")
+    );
 }

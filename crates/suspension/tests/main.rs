@@ -1,6 +1,7 @@
 //! Import of hardpoint files: links and joints, positions, masses, refusals.
 
 mod figures;
+mod headers;
 mod implausible;
 mod keys;
 mod mechanics;

@@ -2,7 +2,7 @@
 
 use crate::terminal::failure::Failure;
 use clap::Args;
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions};
 use percuss_study::headings::READING;
 use percuss_study::{Changes, Model, ModelTable};
 
@@ -30,28 +30,37 @@ pub struct ReadingArgs {
     pub strict: bool,
 }
 
+/// Reader of a model: path, largest size, options, worksheet.
+type ReadModel = fn(&str, u64, &LoadOptions, Option<&str>) -> Result<Model, LoadError>;
+
 impl ModelArgs {
     /// Reads the model.
     pub fn load(&self) -> Result<Model, Failure> {
         self.reading.load(&self.model)
     }
 
+    /// Reads the model of a suspension, whose masses may be missing.
+    pub fn load_for_kinematics(&self) -> Result<Model, Failure> {
+        self.reading.load_with(Model::load_for_kinematics, &self.model, &self.reading.options())
+    }
+
     /// Reads the model, with notes about the parts of its file that are no part of a mechanism.
     pub fn load_for_conversion(&self) -> Result<Model, Failure> {
-        self.reading.load_with(&self.model, &LoadOptions { list_unread: true, ..self.reading.options() })
+        let options = LoadOptions { list_unread: true, ..self.reading.options() };
+        self.reading.load_with(Model::load_worksheet, &self.model, &options)
     }
 }
 
 impl ReadingArgs {
     /// Reads a model.
     pub fn load(&self, path: &str) -> Result<Model, Failure> {
-        self.load_with(path, &self.options())
+        self.load_with(Model::load_worksheet, path, &self.options())
     }
 
     /// Reads a model with the changes of the flags.
-    fn load_with(&self, path: &str, options: &LoadOptions) -> Result<Model, Failure> {
+    fn load_with(&self, read: ReadModel, path: &str, options: &LoadOptions) -> Result<Model, Failure> {
         let worksheet = self.changes.worksheet.as_deref();
-        let model = Model::load_worksheet(path, self.max_size, options, worksheet)?;
+        let model = read(path, self.max_size, options, worksheet)?;
         let changes = self.changes();
         if changes.is_empty() { Ok(model) } else { Ok(model.with_changes(&changes)?) }
     }

@@ -204,3 +204,33 @@ fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
         assert!((ratio / slope - 1.0).abs() < 1e-6, "{build}: {ratio} {slope}");
     }
 }
+
+/// The motion ratio of a contact patch is per travel of the wheel centre, with a fixed and with a sliding rack: the slope of the height of
+/// the lowest point, a central difference.
+#[test]
+fn the_ratio_of_a_contact_patch_is_per_travel_of_the_centre() {
+    let folder = Scratch::new("patch-ratio");
+    let sheet =
+        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
+    let sheet = sheet
+        .replace("camber = \"0 deg\"", "camber = \"-4 deg\"")
+        .replace("toe = \"0 deg\"", "toe = \"1 deg\"");
+    let sliding = sheet.replace("slides = false", "slides = true");
+    assert_ne!(sheet, sliding);
+    for (name, text) in [("fixed.toml", &sheet), ("sliding.toml", &sliding)] {
+        folder.write(name, text);
+        let path = folder.path(name);
+        let report = |flags: &str| json(&format!("mass {path} --at contact_patch {flags} --format json"));
+        let rack = if name == "sliding.toml" { "--set rack=0" } else { "" };
+        let height = |travel: &str| {
+            number(&report(&format!("{rack} --wheel-travel {travel}"))["contact"]["point_world"][2])
+        };
+        let slope = (height("0.1mm") - height("-0.1mm")) / 2e-4;
+        let ratios = report("")["motion_ratios"].clone();
+        assert_eq!(ratios[0]["link"], "wheel_centre", "{name}: {ratios}");
+        let ratio = number(&ratios[0]["contact_per_wheel"]);
+        // Error of the difference: the square of the travel times the third derivative.
+        assert!((ratio + slope).abs() < 1e-6 && (slope - 1.0).abs() > 1e-4, "{name}: {ratio}, {slope}");
+        assert_eq!(ratios[0]["held"].is_null(), name == "fixed.toml", "{ratios}");
+    }
+}

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::fmt::Write;
 
 /// Rows of the report of a sheet.
-fn rows(folder: &Scratch, sheet: &str, flags: &[&str]) -> Vec<Value> {
+pub fn rows(folder: &Scratch, sheet: &str, flags: &[&str]) -> Vec<Value> {
     let words = [&["kinematics", sheet, "--format", "json"], flags].concat();
     let report: Value = serde_json::from_str(&done(folder, &words)).expect("JSON");
     report["rows"].as_array().expect("rows").clone()

@@ -279,7 +279,7 @@ fn a_table_beside_a_sheet_has_its_own_unit() {
     }
     folder.write("points.csv", "name;x [ell];y [ell];z [ell]\nwheel_centre;1;2;3\n");
     let outcome = run(&folder, &["import", "my.toml", "-o", "my.urdf"]);
-    assert!(outcome.code == 2 && outcome.stderr.contains("\"ell\" is not known"), "{}", outcome.stderr);
+    assert!(outcome.code == 2 && outcome.stderr.contains("\"x [ell]\""), "{}", outcome.stderr);
 }
 
 /// When the pad has passed its stop, the line between them reverses. Such a pose or row is refused, and the message

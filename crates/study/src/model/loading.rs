@@ -102,6 +102,8 @@ pub(crate) struct SheetKinematics {
     pub axle: bool,
     /// Forces of springs and stops.
     pub forces: ForceElements,
+    /// Keys of masses that are missing in the sheet: they are zero.
+    pub missing_masses: Vec<String>,
 }
 
 /// Point in the unit and the axes of a suspension sheet.
@@ -167,7 +169,21 @@ impl Model {
         options: &LoadOptions,
         worksheet: Option<&str>,
     ) -> Result<Self, LoadError> {
-        Self::read_source(&Source::read(path, max_size)?, options, worksheet)
+        Self::read_source(&Source::read(path, max_size)?, options, worksheet, false)
+    }
+
+    /// Reads a file as [`load_worksheet`](Self::load_worksheet) for kinematics: masses, centres of mass and inertias of a sheet may be
+    /// missing; they are zero.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load_worksheet`](Self::load_worksheet).
+    pub fn load_for_kinematics(
+        path: &str,
+        max_size: u64,
+        options: &LoadOptions,
+        worksheet: Option<&str>,
+    ) -> Result<Self, LoadError> {
+        Self::read_source(&Source::read(path, max_size)?, options, worksheet, true)
     }
 
     /// Reads a URDF, an MJCF, an SDF or a suspension's sheet from memory.
@@ -175,16 +191,24 @@ impl Model {
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).
     pub fn from_source(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
-        Self::read_source(source, options, None)
+        Self::read_source(source, options, None, false)
     }
 
     fn read_source(
         source: &Source,
         options: &LoadOptions,
         worksheet: Option<&str>,
+        masses_optional: bool,
     ) -> Result<Self, LoadError> {
         let input = Input::from_source(source);
-        if let Some(sheet) = Sheet::from_source(source, options.accept, worksheet) {
+        let import = ImportOptions {
+            accept: options.accept,
+            worksheet: worksheet.map(str::to_owned),
+            masses_optional,
+            ..ImportOptions::default()
+        };
+        if Sheet::is_sheet(source) {
+            let sheet = Sheet::with_options(source, &import);
             if sheet.is_study() {
                 return Err(LoadError::of_file(&source.name, "study", A_STUDY));
             }
@@ -246,6 +270,7 @@ impl Model {
             steering_axis: understood.steering_axis,
             axle: understood.axle,
             forces: understood.forces,
+            missing_masses: understood.missing_masses,
         };
         let (unit, axes, lines) = (understood.unit, understood.axes, understood.lines);
         let files = sheet.files().clone();

@@ -2,7 +2,6 @@
 
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{LoadError, SharedFiles, Source};
-use percuss_mechanism::Accept;
 use percuss_suspension::{ImportOptions, Imported, Rack, import};
 use std::path::Path;
 
@@ -24,13 +23,10 @@ pub(crate) fn is_study(source: &Source) -> bool {
 }
 
 impl Sheet {
-    /// Source as a sheet; `None` if the file name has no extension of a sheet.
-    pub(crate) fn from_source(source: &Source, accept: Accept, worksheet: Option<&str>) -> Option<Self> {
-        let ending = Path::new(&source.name).extension()?.to_str()?;
-        let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));
-        let worksheet = worksheet.map(str::to_owned);
-        let options = ImportOptions { accept, worksheet, ..ImportOptions::default() };
-        is_sheet.then(|| Self { source: source.clone(), options })
+    /// True if the file name has an extension of a suspension file.
+    pub(crate) fn is_sheet(source: &Source) -> bool {
+        let ending = Path::new(&source.name).extension().and_then(|ending| ending.to_str());
+        ending.is_some_and(|ending| SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known)))
     }
 
     /// Suspension file with import options.

@@ -4,7 +4,9 @@ use percuss_dynamics::LowestPoint;
 use percuss_mechanism::{ContactKind, JointId, JointKind, LinkId, Mechanism, NamedContact};
 
 /// Link names given by the suspension importer; their vertical motion is the wheel travel.
-const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
+const WHEEL_POINTS: [&str; 2] = [WHEEL_CENTRE, "contact_patch"];
+/// Link at the centre of a wheel, without the suffix of the side.
+pub(crate) const WHEEL_CENTRE: &str = "wheel_centre";
 /// Joint of the rack of an imported suspension.
 pub(crate) const RACK: &str = "rack";
 /// Suffixes of the sides in names of the importer.

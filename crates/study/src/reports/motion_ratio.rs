@@ -1,7 +1,7 @@
 //! Motion ratios: closing speed of the contact per speed of a wheel or of a given point.
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
-use crate::model::wheel_points::{sliding_rack, wheel_points};
+use crate::model::wheel_points::{WHEEL_CENTRE, sliding_rack, wheel_points};
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
@@ -56,20 +56,21 @@ pub(crate) fn motion_ratios(
         }
         found.extend(ratio(&evaluated.pose, response, link, point, direction.normalize()));
     }
-    let given = found.len();
     let wheels = wheel_points(mechanism, &evaluated.prepared.question.link);
     let of_wheels = |pose: &Pose, response: &ContactResponse| -> Vec<MotionRatioRecord> {
         let ratio = |link| ratio(pose, response, link, Vector3::zeros(), Vector3::z());
         wheels.iter().filter_map(|link| ratio(*link)).filter(|ratio| ratio.one_travel).collect()
     };
-    found.extend(of_wheels(&evaluated.pose, response));
-    if found.len() == given
-        && !wheels.is_empty()
-        && let Some((pose, response, rack)) = with_rack_held(evaluated)
-    {
-        let held = |ratio| MotionRatioRecord { held: Some(rack.clone()), ..ratio };
-        found.extend(of_wheels(&pose, &response).into_iter().map(held));
-    }
+    let free = of_wheels(&evaluated.pose, response);
+    // The travel of a wheel is that of its centre. A contact patch moves with itself in every motion, which determines no travel.
+    let is_of_centre = |ratio: &MotionRatioRecord| ratio.link.starts_with(WHEEL_CENTRE);
+    let has_centre = wheels.is_empty() || free.iter().any(is_of_centre);
+    let held = if has_centre { None } else { with_rack_held(evaluated) };
+    let held = held.map_or_else(Vec::new, |(pose, response, rack)| {
+        let with_rack = |ratio| MotionRatioRecord { held: Some(rack.clone()), ..ratio };
+        of_wheels(&pose, &response).into_iter().map(with_rack).collect()
+    });
+    found.extend(if held.is_empty() { free } else { held });
     Ok(found)
 }
 

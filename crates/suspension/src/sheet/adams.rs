@@ -39,7 +39,7 @@ pub(super) fn read(
             && key.trim().eq_ignore_ascii_case("LENGTH")
         {
             let name = value.trim().trim_matches(['\'', '"', ' ']).to_ascii_lowercase();
-            match unit_of(&name) {
+            match super::table::unit_of(&name) {
                 Some(known) => unit = known,
                 None => {
                     let message = format!(
@@ -89,17 +89,6 @@ fn row(line: &str) -> Option<(String, [f64; 3])> {
     let numbers: Vec<f64> = numbers.split_whitespace().map_while(|x| x.parse().ok()).collect();
     let [x, y, z] = <[f64; 3]>::try_from(numbers.get(..3)?).ok()?;
     (!name.is_empty() && [x, y, z].iter().all(|x| x.is_finite())).then_some((name, [x, y, z]))
-}
-
-/// Unit of length with a name of Adams.
-fn unit_of(name: &str) -> Option<LengthUnit> {
-    match name {
-        "millimeter" | "millimetre" => Some(LengthUnit::Millimetre),
-        "centimeter" | "centimetre" => Some(LengthUnit::Centimetre),
-        "meter" | "metre" => Some(LengthUnit::Metre),
-        "inch" => Some(LengthUnit::Inch),
-        name => LengthUnit::from_name(name),
-    }
 }
 
 #[cfg(test)]

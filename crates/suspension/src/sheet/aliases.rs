@@ -1,9 +1,11 @@
-//! Names of hardpoints in other programs: Adams/Car and OptimumK.
+//! Names of hardpoints in other programs: Adams/Car and OptimumK; suggestions for other names.
 
+use super::catalogue;
 use super::entries::Entries;
 use super::template::Template;
 use crate::findings::{Findings, Spot};
 use percuss_formats::reading::{quoted, shortened};
+use percuss_mechanism::near_names;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
@@ -68,4 +70,71 @@ pub(super) fn rename_points(template: &Template, entries: &mut Entries, findings
     for (name, _) in right.iter().chain(&unused) {
         entries.find(&format!("points.{name}"));
     }
+}
+
+/// Reports several unknown names of points in one error, with the points of the template that are missing; true if there are several.
+pub(super) fn report_unknown_points(
+    template: &'static Template,
+    entries: &mut Entries,
+    findings: &mut Findings,
+) -> bool {
+    let unread = entries.unread().filter_map(|entry| entry.key.strip_prefix("points."));
+    let names: Vec<String> =
+        unread.filter(|name| template.point(name).is_none()).map(str::to_owned).collect();
+    if names.len() < 2 {
+        return false;
+    }
+    let is_missing = |key: &&str| !entries.has(&format!("points.{key}"));
+    let missing: Vec<&str> = template.points.iter().map(|(key, _)| &**key).filter(is_missing).collect();
+    let list = missing.iter().map(|key| {
+        let optional = if Template::optional_group(key).is_some() { ", may be left out" } else { "" };
+        format!("{key} ({}{optional})", catalogue::description_of(&catalogue::keys().points, key))
+    });
+    let message = format!(
+        "{} names of points are not known to the template {}: {}. Its points that are not given: {}",
+        names.len(),
+        template.name,
+        names_with_nearest(&names, &missing),
+        list.collect::<Vec<_>>().join("; ")
+    );
+    let spots: Vec<Spot> =
+        names.iter().filter_map(|name| Some(entries.find(&format!("points.{name}"))?.1)).collect();
+    let spot = Spot { path: Some("points".to_owned()), ..spots.into_iter().next().unwrap_or_default() };
+    findings.error("unknown-points", &spot, message);
+    true
+}
+
+/// Point of a template with a meaning like that of a name of another program: at least two words in common, and more than any other.
+pub(super) fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    let words = |text: &str| -> Vec<String> {
+        let lower = text.to_lowercase();
+        let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+        let with_meaning =
+            |word: &str| catalogue::keys().words.get(word).cloned().unwrap_or_else(|| vec![word.to_owned()]);
+        words.flat_map(with_meaning).collect()
+    };
+    let of_name = words(name);
+    let score = |key: &str| {
+        let of_key = words(key);
+        let all = [of_key.clone(), words(catalogue::description_of(&catalogue::keys().points, key))].concat();
+        let common = of_name.iter().filter(|word| all.contains(word)).count();
+        let unmatched = of_key.iter().filter(|word| !of_name.contains(word)).count();
+        (common, std::cmp::Reverse(unmatched))
+    };
+    let mut ranked: Vec<_> = points.map(|key| (score(key), key)).collect();
+    ranked.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+    match ranked[..] {
+        [(first, key), (second, _), ..] if first.0 >= 2 && first > second => Some(key),
+        _ => None,
+    }
+}
+
+/// Unknown names of points, each with the point of nearest spelling or meaning among `points`.
+fn names_with_nearest(names: &[String], points: &[&str]) -> String {
+    let with_nearest = |name: &String| {
+        let near = near_meaning(name, points.iter().copied()).map(str::to_owned);
+        let near = near.or_else(|| near_names(name, points.iter().copied()).into_iter().next());
+        near.map_or_else(|| quoted(name), |near| format!("{} ({near}?)", quoted(name)))
+    };
+    names.iter().map(with_nearest).collect::<Vec<_>>().join(", ")
 }

@@ -1,14 +1,17 @@
 //! Builds the corner of a sheet.
 
+use super::catalogue;
 use super::read::Sheet;
 use crate::corner::Body;
 use crate::corner::build::{self, Built};
 use crate::corner::design::GivenBody;
 use crate::corner::spindle::Spindle;
 use crate::findings::{Findings, Spot};
+use crate::limits::MAX_SHIFT;
 use crate::options::Side;
 use crate::units::{VehicleAxes, short};
-use percuss_spatial::Matrix3;
+use percuss_formats::reading::quoted;
+use percuss_spatial::{Matrix3, Vector3};
 
 /// Smallest moment of inertia of a link about its own line, relative to the sum of its principal moments, at which the pins of its
 /// universal joint change the digits of a report.
@@ -43,6 +46,34 @@ fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
             links.join(", ")
         );
         findings.note("assumed-pins", spot, message);
+    }
+}
+
+/// Applies the displacements of hardpoints (name; m, in the axes of the sheet and on the side of its points).
+pub(super) fn apply_moves(sheet: &mut Sheet, moves: &[(String, [f64; 3])], findings: &mut Findings) {
+    for (name, by) in moves {
+        let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
+        if sheet.points_side == Side::Right && !sheet.template.is_central(name) {
+            by.y = 0.0 - by.y;
+        }
+        match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
+            Some(_) if by.amax() > MAX_SHIFT => {
+                let shift = by.amax();
+                let message = format!(
+                    "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
+                     also if the sheet is in {}: write {shift}mm for millimetres (--move)",
+                    quoted(name),
+                    sheet.frame.unit.name()
+                );
+                findings.error("wrong-unit", &Spot::default(), message);
+            }
+            Some((_, (at, _))) => *at += by,
+            None => {
+                let near = catalogue::suggestion(name, sheet.design.points.keys().copied());
+                let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
+                findings.error("unknown-point", &Spot::default(), message);
+            }
+        }
     }
 }
 

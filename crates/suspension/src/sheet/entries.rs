@@ -56,6 +56,10 @@ pub(super) struct Entries {
     list: Vec<Entry>,
     /// Keys of the template; empty before the template is known.
     known: Vec<String>,
+    /// True if masses, centres of mass and inertias may be missing.
+    pub masses_optional: bool,
+    /// Keys of these that are missing.
+    pub missing_masses: Vec<String>,
 }
 
 /// Quantity of a number.
@@ -163,6 +167,12 @@ impl Entries {
         self.list.iter().any(|e| e.key.split_once('.').is_some_and(|(head, _)| head == section))
     }
 
+    /// Names of the keys of a section.
+    pub fn keys_in(&self, section: &str) -> Vec<&str> {
+        let keys = self.list.iter().filter_map(|entry| entry.key.split_once('.'));
+        keys.filter(|(head, _)| *head == section).map(|(_, key)| key).collect()
+    }
+
     /// Place of the first key that begins with `prefix`.
     pub fn spot_in(&self, prefix: &str) -> Option<Spot> {
         self.list.iter().find(|entry| entry.key.starts_with(prefix)).map(|entry| entry.spot.clone())
@@ -214,7 +224,12 @@ impl Entries {
     }
 
     /// Reports a missing key, with the most similar key of the sheet that the template does not have.
-    pub fn missing(&self, findings: &mut Findings, key: &str, expected: &str) {
+    /// A mass that is optional is noted.
+    pub fn missing(&mut self, findings: &mut Findings, key: &str, expected: &str) {
+        if self.masses_optional && [".mass", ".com", ".inertia"].iter().any(|end| key.ends_with(end)) {
+            self.missing_masses.push(key.to_owned());
+            return;
+        }
         let mut message = format!("the key is missing; {expected} is expected");
         let unknown =
             self.unread().map(|e| e.key.as_str()).filter(|key| !self.known.iter().any(|k| k == key));

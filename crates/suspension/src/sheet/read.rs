@@ -1,15 +1,15 @@
 //! Reader of the entries of a sheet according to its template.
 
 use super::catalogue;
-use super::entries::{Cell, Entries, Quantity};
+use super::entries::{Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{Shape, Template, symmetric_matrix};
-use super::{adams, aliases, contacts, table, toml_text};
+use super::{adams, aliases, build, contacts, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
 use crate::forces::ForceElements;
-use crate::limits::{MAX_CAMBER, MAX_SHIFT, MAX_TOE};
+use crate::limits::{MAX_CAMBER, MAX_TOE};
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
@@ -39,6 +39,8 @@ pub(in super::super) struct Sheet {
     /// Body of the chassis.
     pub chassis: Option<corner::Body>,
     pub forces: ForceElements,
+    /// Keys of masses that are missing and optional: they are zero.
+    pub missing_masses: Vec<String>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -78,13 +80,16 @@ pub(in super::super) fn read(
     if findings.has_errors() {
         return None;
     }
-    let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
-    for entry in entries.unread() {
-        let spot = &entry.spot;
-        if let Some(sheet) = &sheet {
-            let mut known = catalogue::keys_of(sheet.template);
-            known.extend(contacts::contact_keys(&entries));
-            findings.error("unknown-key", spot, catalogue::unknown_key_message(&entry.key, &known));
+    entries.masses_optional = options.masses_optional;
+    let mut sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
+    if let Some(sheet) = &mut sheet {
+        build::apply_moves(sheet, &options.moves, findings);
+    }
+    if let Some(sheet) = &sheet {
+        let mut known = catalogue::keys_of(sheet.template);
+        known.extend(contacts::contact_keys(&entries));
+        for entry in entries.unread() {
+            findings.error("unknown-key", &entry.spot, catalogue::unknown_key_message(&entry.key, &known));
         }
     }
     sheet.filter(|_| !findings.has_errors())
@@ -143,7 +148,8 @@ impl SheetReader<'_> {
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
-        let mut sheet = Sheet {
+        catalogue::warn_unbuilt_parts(self.entries, self.findings);
+        Some(Sheet {
             template,
             name,
             frame,
@@ -157,9 +163,8 @@ impl SheetReader<'_> {
             points_side,
             chassis,
             forces,
-        };
-        self.apply_moves(&mut sheet);
-        Some(sheet)
+            missing_masses: std::mem::take(&mut self.entries.missing_masses),
+        })
     }
 
     /// Template named in the sheet or by the option.
@@ -314,6 +319,7 @@ impl SheetReader<'_> {
             self.findings.error("missing-key", &spot, message);
             return points;
         }
+        let has_unknown = aliases::report_unknown_points(template, self.entries, self.findings);
         let (mut farthest, mut farthest_spot): (f64, Spot) = (0.0, Spot::default());
         for (key, _) in &template.points {
             let path = format!("points.{key}");
@@ -327,7 +333,7 @@ impl SheetReader<'_> {
                     }
                     points.insert(&**key, (at, spot));
                 }
-                None if self.entries.has(&path) => {}
+                None if has_unknown || self.entries.has(&path) => {}
                 None => {
                     let group = Template::optional_group(key);
                     let is_group_given = group.is_some_and(|group| {
@@ -484,11 +490,19 @@ impl SheetReader<'_> {
         if self.options.wheel.is_some() {
             return self.options.wheel;
         }
-        let (mass, _) = mass?;
+        let mass = match mass {
+            Some((mass, _)) => mass,
+            // The radius alone defines the contact point.
+            None if self.options.masses_optional && radius.is_some() && !self.entries.has("wheel.mass") => {
+                self.entries.missing(self.findings, "wheel.mass", "the mass of the wheel, kg,");
+                0.0
+            }
+            None => return None,
+        };
         let inertia = match inertia {
             Some((values, _)) => [values[0], values[1], values[2]],
             None => {
-                if !self.entries.has("wheel.inertia") {
+                if mass != 0.0 && !self.entries.has("wheel.inertia") {
                     let expected = "[xx, yy, zz] about the wheel's centre, y along the spin axis,";
                     self.entries.missing(self.findings, "wheel.inertia", expected);
                 }
@@ -562,39 +576,6 @@ impl SheetReader<'_> {
         match (slides && template.has_rack(), mass) {
             (true, mass) => Rack::Sliding { mass: mass.map_or(0.0, |(mass, _)| mass) },
             (false, _) => Rack::Fixed,
-        }
-    }
-
-    /// Applies the displacements of hardpoints, in the axes of the sheet and on the side of its points.
-    fn apply_moves(&mut self, sheet: &mut Sheet) {
-        for (name, by) in &self.options.moves {
-            let is_right = matches!(
-                self.entries.find("side").as_ref().map(|(cells, _)| &cells[..]),
-                Some([Cell::Text(side)]) if side == "right"
-            );
-            let is_central = sheet.template.is_central(name);
-            let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
-            if is_right && !is_central {
-                by.y = 0.0 - by.y;
-            }
-            match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
-                Some(_) if by.amax() > MAX_SHIFT => {
-                    let shift = by.amax();
-                    let message = format!(
-                        "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
-                         also if the sheet is in {}: write {shift}mm for millimetres (--move)",
-                        quoted(name),
-                        sheet.frame.unit.name()
-                    );
-                    self.findings.error("wrong-unit", &Spot::default(), message);
-                }
-                Some((_, (at, _))) => *at += by,
-                None => {
-                    let near = catalogue::suggestion(name, sheet.design.points.keys().copied());
-                    let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
-                    self.findings.error("unknown-point", &Spot::default(), message);
-                }
-            }
         }
     }
 }

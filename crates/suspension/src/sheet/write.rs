@@ -119,9 +119,10 @@ impl SheetWriter<'_> {
 
     fn write_points(&mut self, template: &Template) {
         self.write_line("");
-        self.write_line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with both");
-        let bar = if template.middle { "" } else { ", the anti-roll bar with its four" };
-        self.write_line(&format!("# its points{bar}."));
+        self.write_line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with its");
+        let bar =
+            if template.middle { "" } else { ", the anti-roll bar with its two sections and four points" };
+        self.write_line(&format!("# section and both points{bar}."));
         self.write_line("[points]");
         for (key, at) in &template.points {
             let at = self.point_text(*at);

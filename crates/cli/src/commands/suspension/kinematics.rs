@@ -20,7 +20,7 @@ use std::fmt::Write;
 pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     args.writing.apply();
     let question = args.question()?;
-    let model = args.model.load()?;
+    let model = args.model.load_for_kinematics()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     args.output.as_deref().map_or(Ok(()), check_writable)?;
     args.format()?;

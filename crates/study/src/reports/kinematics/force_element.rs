@@ -86,6 +86,11 @@ pub(crate) fn force_elements(
 }
 
 impl ForceElement {
+    /// True for a spring.
+    pub fn is_spring(&self) -> bool {
+        self.kind == ContactKind::Spring
+    }
+
     /// True for a spring or damper, whose line turns with the mechanism.
     pub fn is_line(&self) -> bool {
         matches!(self.kind, ContactKind::Spring | ContactKind::Damper)

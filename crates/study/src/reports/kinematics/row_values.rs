@@ -188,7 +188,7 @@ impl<'k> RowEvaluation<'k> {
         let total = if found.iter().any(|(element, ..)| element.spring.is_some()) {
             Ok(found.iter().filter_map(|(_, rates, share)| Some(share * rates.parameter_rate()?)).sum())
         } else {
-            Err("spring.rate is missing in the sheet".to_owned())
+            Err(kinematics.missing_rate.to_owned())
         };
         for (element, rates, _) in found.iter().filter(|(element, ..)| shown(element)) {
             let name = &element.name;
@@ -207,6 +207,11 @@ impl<'k> RowEvaluation<'k> {
     /// Effective mass at each contact patch along the vertical, kg. Two wheels on one axle move together as in the motion of
     /// the derivatives: with the inverse masses Λ at both patches and the signs s of their motion, mᵢ = sᵢ Σ (Λ⁻¹)ᵢⱼ sⱼ.
     fn unsprung_masses(&self) -> Vec<Result<f64, String>> {
+        let missing = &self.kinematics.missing_masses;
+        if !missing.is_empty() {
+            let reason = format!("masses are missing in the sheet: {}", missing.join(", "));
+            return self.kinematics.wheels.iter().map(|_| Err(reason.clone())).collect();
+        }
         let (pose, mechanism) = (self.pose, self.kinematics.mechanism());
         let patches: Vec<_> = self
             .kinematics

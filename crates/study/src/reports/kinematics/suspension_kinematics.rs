@@ -34,6 +34,10 @@ pub(crate) struct SuspensionKinematics {
     pub solid_axle: bool,
     /// Springs, dampers and stops.
     pub elements: Vec<ForceElement>,
+    /// Keys of masses that are missing in the sheet.
+    pub missing_masses: Vec<String>,
+    /// Reason for the absence of the wheel rate, if no spring has a rate.
+    pub missing_rate: &'static str,
     /// Joint of the rack, fixed or sliding.
     rack: Option<JointId>,
     /// True if the rack of the sheet slides.
@@ -71,6 +75,17 @@ impl SuspensionKinematics {
             steering_points.extend(<[_; 2]>::try_from(points).ok());
         }
         let elements = force_elements(mechanism, &drawn, &wheels, &origin.forces);
+        let has_spring = elements.iter().any(ForceElement::is_spring);
+        let missing_rate = match (has_spring, origin.forces.springs.is_empty()) {
+            (true, _) => "spring.rate is missing in the sheet",
+            (false, true) => {
+                "the points of the spring (spring_seat, spring_chassis_seat) and spring.rate are missing in the sheet"
+            }
+            (false, false) => {
+                "the sheet has spring.rate, and the points of the spring are missing: spring_seat, spring_chassis_seat (of a coil-over: \
+                 those of the damper)"
+            }
+        };
         let solid_axle = origin.axle;
         Ok(Self {
             model,
@@ -80,6 +95,8 @@ impl SuspensionKinematics {
             wheels,
             solid_axle,
             elements,
+            missing_masses: origin.missing_masses,
+            missing_rate,
             rack,
             rack_slides,
             steering_points,

@@ -1,10 +1,11 @@
 //! Reader of hardpoint tables: CSV (comma, semicolon or tab; decimal point or comma) or a worksheet of an XLSX workbook.
 //!
 //! A row contains a key and its values: `lower_ball; 5; 720; 180`. Keys other than points contain the section,
-//! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A header with the names x, y and z, optionally with
-//! a unit (`x [mm]`), defines these columns; columns with other names are ignored. The unit applies to the points of the
-//! table, and by default to all lengths. Titles may precede the header or the first key. Rows that begin with # are comments.
+//! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A header names the columns; columns with other names are
+//! not used. Its unit applies to the points of the table, and by default to all lengths. Titles may precede the header or the first
+//! key. Rows that begin with # are comments.
 
+mod header;
 #[cfg(feature = "xlsx")]
 mod workbook;
 
@@ -13,18 +14,13 @@ use super::entries::{Cell, Entries, TableRow, parse_number};
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
+use crate::options::Side;
+pub(super) use header::unit_of;
+use header::{Columns, Row};
 use percuss_formats::reading::{quoted, shortened};
-use percuss_units::LengthUnit;
 
 /// Largest number of title rows.
 const MAX_TITLE_ROWS: usize = 20;
-
-/// Names of the columns of coordinates in headers, also those that Adams/Car writes.
-const COLUMNS: [[&str; 4]; 3] = [
-    ["x", "loc_x", "x_value", "loc x"],
-    ["y", "loc_y", "y_value", "loc y"],
-    ["z", "loc_z", "z_value", "loc z"],
-];
 
 /// True if the bytes begin like an XLSX workbook (a ZIP archive).
 pub(in super::super) fn is_workbook(bytes: &[u8]) -> bool {
@@ -50,7 +46,7 @@ fn separator_of(text: &str) -> char {
             let is_of_head =
                 cells.len() > 1 && matches!(&cells[0], Cell::Text(text) if HEAD.contains(&text.trim()));
             is_of_head
-                || find_columns(&cells).is_some()
+                || matches!(header::read(&cells, Side::Left), Row::Header(_))
                 || cells.iter().skip(1).filter(is_number).count() >= 3
         })
     });
@@ -142,98 +138,187 @@ pub(super) fn read_workbook(
     }
 }
 
-/// Adds an entry for each row, with the key in the first cell.
+/// Adds an entry for each row, with the key in the first cell or in the column of the names.
 fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
-    let is_blank = |cell: &Cell| matches!(cell, Cell::Text(text) if text.trim().is_empty());
     let rows = rows.into_iter().filter(|row| {
         let comment =
             matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
         !comment && !row.cells.iter().all(is_blank)
     });
     let mut rows: Vec<TableRow> = rows.collect();
-    let titles = title_rows(&rows);
+    let blank_columns =
+        rows.iter().map(|row| row.cells.iter().take_while(|cell| is_blank(cell)).count()).min();
+    rows.iter_mut().for_each(|row| drop(row.cells.drain(..blank_columns.unwrap_or_default())));
+    let side_of_rows =
+        rows.iter().find(|row| matches!(row.cells.first(), Some(Cell::Text(key)) if key.trim() == "side"));
+    let side =
+        side_of_rows.and_then(|row| row.cells.get(1)).map_or_else(|| entries.given("side"), Cell::to_text);
+    let side = if side.contains("right") { Side::Right } else { Side::Left };
+    let kinds: Vec<Row> = rows
+        .iter()
+        .map(|row| if is_key(&row.cells) { Row::Other } else { header::read(&row.cells, side) })
+        .collect();
+    let titles = title_rows(&rows, &kinds);
+    let of_title = |row: &TableRow| Some((header::unit_of_title(&row.cells)?, row.spot.clone()));
+    let title_unit = rows[..titles].iter().rev().find_map(of_title);
     if let Some(last) = titles.checked_sub(1).and_then(|last| rows.get(last)) {
         let text = rows[0].cells.iter().find(|cell| !is_blank(cell)).map_or_else(String::new, Cell::to_text);
+        let unit = title_unit.as_ref().map_or_else(String::new, |(unit, _)| {
+            format!("; the points are in {}, unless a header states another unit", unit.name())
+        });
         let message = if titles == 1 {
-            format!("the row {text} is taken as a title; it has no key and no numbers")
+            format!("the row {text} is taken as a title; it has no key and no numbers{unit}")
         } else {
             format!(
-                "the first {titles} rows, from {text}, are taken as titles; they have no key and no numbers"
+                "the first {titles} rows, from {text}, are taken as titles; they have no key and no numbers{unit}"
             )
         };
         findings.note("title-row", &last.spot.clone(), message);
     }
-    rows.drain(..titles);
-    let mut columns: Option<[usize; 3]> = None;
-    let mut points_unit: Option<(String, Spot)> = None;
-    for row in rows {
-        if columns.is_none()
-            && let Some((found, unit)) = find_columns(&row.cells)
-        {
-            columns = Some(found);
-            let spot = Spot { path: Some("unit".to_owned()), ..row.spot };
-            match unit {
-                Some(unit) if LengthUnit::from_name(&unit).is_none() => {
-                    let message = format!(
-                        "{} is not known; a unit of length (m, cm, mm, in) is expected",
-                        quoted(&unit)
-                    );
-                    findings.error("unknown-word", &spot, message);
+    let has_header = kinds.iter().any(|kind| matches!(kind, Row::Header(_)));
+    let mut columns = title_unit.as_ref().filter(|_| !has_header).map(|_| Columns::without_header());
+    let mut table_unit = title_unit.clone();
+    // The first header as written, without the column of the names.
+    let mut header: Option<Columns> = None;
+    let (mut nameless, mut is_below_header, mut has_points) = (Vec::new(), false, false);
+    for (i, (row, kind)) in rows.iter().zip(kinds).enumerate().skip(titles) {
+        let spot = row.spot.clone();
+        if let (true, Some(columns)) = (std::mem::take(&mut is_below_header), &mut columns) {
+            match columns.add_units(&row.cells) {
+                Ok(false) => {}
+                Ok(true) => {
+                    table_unit = columns.common_unit().map(|unit| (unit, spot));
+                    continue;
                 }
-                unit => points_unit = unit.map(|unit| (unit, spot)),
+                Err(reason) => {
+                    findings.error("unknown-header", &spot, unclear_header(&row.cells, &reason));
+                    continue;
+                }
             }
-            continue;
         }
-        let key = match row.cells.first() {
-            Some(Cell::Text(text)) if !text.trim().is_empty() => text.trim().to_owned(),
+        match kind {
+            Row::Other => {}
+            Row::Header(mut found) => {
+                let defect = match &header {
+                    Some(known) if *known != found => Some("a row above names other columns"),
+                    None if has_points && (found.xyz != [1, 2, 3] || found.units.is_some()) => {
+                        Some("it is below rows of points")
+                    }
+                    _ => None,
+                };
+                match (defect, &header) {
+                    (Some(reason), _) => {
+                        findings.error("unknown-header", &spot, unclear_header(&row.cells, reason));
+                    }
+                    (None, Some(_)) => {}
+                    (None, None) => {
+                        header = Some(found.clone());
+                        found.find_names(&row.cells, rows[i + 1..].iter().map(|row| &row.cells[..]));
+                        if let Some(message) = found.message(&row.cells) {
+                            findings.note("columns", &spot, message);
+                        }
+                        if found.units.is_some() {
+                            table_unit = found.common_unit().map(|unit| (unit, spot));
+                        }
+                        is_below_header = true;
+                        columns = Some(found);
+                    }
+                }
+                continue;
+            }
+            Row::Unclear { reason, .. } => {
+                findings.error("unknown-header", &spot, unclear_header(&row.cells, &reason));
+                continue;
+            }
+        }
+        let name = columns.as_ref().map_or(0, |columns| columns.name);
+        let key = match row.cells.get(name) {
+            Some(Cell::Text(text)) if !text.trim().is_empty() && parse_number(text).is_none() => {
+                text.trim().to_owned()
+            }
             first => {
-                let found = first.map_or_else(|| "nothing".to_owned(), Cell::to_text);
-                let message =
-                    format!("the row begins with {found}, which is no name; name, x, y, z are expected");
-                findings.error("wrong-type", &row.spot, message);
+                nameless.push((
+                    first.filter(|cell| !is_blank(cell)).map_or_else(|| "nothing".to_owned(), Cell::to_text),
+                    spot,
+                ));
                 continue;
             }
         };
         let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
-        let named_columns = columns.filter(|_| key.starts_with("points."));
-        let mut values: Vec<Cell> = match named_columns {
-            Some(columns) => columns.iter().filter_map(|i| row.cells.get(*i).cloned()).collect(),
-            None => row.cells.into_iter().skip(1).collect(),
+        has_points |= key.starts_with("points.");
+        let mut values: Vec<Cell> = match columns.as_ref().filter(|_| key.starts_with("points.")) {
+            Some(columns) => columns.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)),
+            None => row.cells.iter().skip(name + 1).cloned().collect(),
         };
-        if let (Some(_), Some((unit, _))) = (named_columns, &points_unit) {
-            values.iter_mut().for_each(|cell| append_unit(cell, unit));
-        }
         while values.last().is_some_and(is_blank) {
             values.pop();
         }
-        let path = match &row.spot.path {
+        let path = match &spot.path {
             Some(place) => format!("{} ({place})", shortened(&key)),
             None => shortened(&key),
         };
-        let spot = Spot { path: Some(path), ..row.spot };
-        entries.add(findings, key, values, spot);
+        entries.add(findings, key, values, Spot { path: Some(path), ..spot });
     }
-    if let Some((unit, spot)) = points_unit.filter(|_| !entries.has("unit")) {
-        entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit)], spot);
+    if let Some((first, spot)) = nameless.first() {
+        let more = if nameless.len() > 1 {
+            format!(", and so do {} more rows", nameless.len() - 1)
+        } else {
+            String::new()
+        };
+        let message = format!(
+            "the row begins with {first}, which is no name{more}; name, x, y, z are expected, or a row above the points that names \
+             the columns (a row that begins with # is a comment)"
+        );
+        findings.error("wrong-type", spot, message);
+    }
+    if let Some((unit, spot)) = table_unit.filter(|_| !entries.has("unit")) {
+        let spot = Spot { path: Some("unit".to_owned()), ..spot };
+        entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit.name().to_owned())], spot);
     }
 }
 
+/// Message about a row of words that determines no columns.
+fn unclear_header(cells: &[Cell], reason: &str) -> String {
+    let words: Vec<String> = cells.iter().filter(|cell| !is_blank(cell)).take(8).map(Cell::to_text).collect();
+    format!(
+        "the row {} is no header that is understood: {reason}. Name the columns, in the order of the table, by name, x (longitudinal), \
+         y (lateral) and z (vertical), each with its unit m, cm, mm or in, or all without one: name, y [mm], x [mm], z [mm]. A title is \
+         one cell, or a row that begins with #",
+        words.join(", ")
+    )
+}
+
+/// True for an empty cell.
+fn is_blank(cell: &Cell) -> bool {
+    matches!(cell, Cell::Text(text) if text.trim().is_empty())
+}
+
+/// True if the first cell is a point or a key of a section; `name` and `points` may also be in a header.
+fn is_key(cells: &[Cell]) -> bool {
+    let Some(Cell::Text(first)) = cells.iter().find(|cell| !is_blank(cell)) else { return false };
+    let first = first.trim();
+    catalogue::keys().points.iter().any(|(key, _)| key == first)
+        || first.split_once('.').is_some_and(|(section, _)| is_section(section))
+}
+
 /// Number of title rows before the header or the first key. A title has no number, and its first cell is no key.
-fn title_rows(rows: &[TableRow]) -> usize {
-    let is_title = |row: &&TableRow| {
-        let filled = |cell: &&Cell| !matches!(cell, Cell::Text(text) if text.trim().is_empty());
+fn title_rows(rows: &[TableRow], kinds: &[Row]) -> usize {
+    let header = kinds.iter().position(|kind| matches!(kind, Row::Header(_)));
+    let is_title = |(i, (row, kind)): &(usize, (&TableRow, &Row))| {
         let is_value = |cell: &Cell| !matches!(cell, Cell::Text(text) if parse_number(text).is_none());
-        let first = match row.cells.iter().find(filled) {
-            Some(Cell::Text(text)) => text.trim(),
-            _ => return false,
+        let is_of_head = || {
+            let first = row.cells.iter().find(|cell| !is_blank(cell));
+            matches!(first, Some(Cell::Text(first)) if HEAD.contains(&first.trim()))
         };
-        let is_key = HEAD.contains(&first)
-            || catalogue::keys().points.iter().any(|(key, _)| key == first)
-            || first.split_once('.').is_some_and(|(section, _)| is_section(section));
-        let has_values = row.cells.iter().any(is_value);
-        find_columns(&row.cells).is_none() && !is_key && !has_values
+        // Words above a header are a title unless they name an axis, a unit or a side.
+        let is_words = match kind {
+            Row::Other => true,
+            Row::Header(_) => false,
+            Row::Unclear { has_parts, .. } => !has_parts && header.is_some_and(|header| *i < header),
+        };
+        is_words && !is_key(&row.cells) && !is_of_head() && !row.cells.iter().any(is_value)
     };
-    let titles = rows.iter().take(MAX_TITLE_ROWS).take_while(is_title).count();
+    let titles = rows.iter().zip(kinds).enumerate().take(MAX_TITLE_ROWS).take_while(is_title).count();
     if titles < rows.len() { titles } else { 0 }
 }
 
@@ -241,38 +326,4 @@ fn title_rows(rows: &[TableRow]) -> usize {
 fn is_section(name: &str) -> bool {
     let is_body = || catalogue::keys().bodies.iter().any(|(key, _)| key == name);
     ["points", "wheel", "rack", "spring", "damper"].contains(&name) || STOPS.contains(&name) || is_body()
-}
-
-/// Gives a number the unit of its column, unless the number has a unit.
-fn append_unit(cell: &mut Cell, unit: &str) {
-    let with_unit = match &*cell {
-        Cell::Number(x) => format!("{x} {unit}"),
-        Cell::Text(text) if parse_number(text).is_some() => format!("{} {unit}", text.trim()),
-        Cell::Text(_) | Cell::Switch(_) | Cell::Unreadable(_) => return,
-    };
-    *cell = Cell::Text(with_unit);
-}
-
-/// Columns named x, y and z, and their unit, if the row is a header.
-fn find_columns(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
-    let mut columns = [None; 3];
-    let mut unit: Option<String> = None;
-    for (i, cell) in cells.iter().enumerate() {
-        let Cell::Text(text) = cell else { continue };
-        let (name, rest) = match text.split_once(['[', '(']) {
-            Some((name, rest)) => (name, rest.trim().trim_end_matches([']', ')'])),
-            None => (text.as_str(), ""),
-        };
-        let name = name.trim().to_ascii_lowercase();
-        let Some(axis) = COLUMNS.iter().position(|names| names.contains(&&*name)) else { continue };
-        columns[axis].get_or_insert(i);
-        // Different units of the columns give a text that is no valid unit.
-        match &unit {
-            None if !rest.is_empty() => unit = Some(rest.to_owned()),
-            Some(known) if known != rest => unit = Some(format!("{known} and {rest}")),
-            Some(_) | None => {}
-        }
-    }
-    let [Some(x), Some(y), Some(z)] = columns else { return None };
-    Some(([x, y, z], unit))
 }
