@@ -270,27 +270,32 @@ fn two_hinges(rng: &mut StdRng) -> Pose {
     system.pose(&system.configuration()).expect("a pose")
 }
 
-/// Inverse mass matrix under the constraints, N (NᵀMN)⁻¹ Nᵀ, by singular values. `None` if some motion has no mass.
-fn response(pose: &Pose) -> Option<DMatrix<f64>> {
+/// Factor F of the inverse mass matrix under the constraints, F Fᵀ = N (NᵀMN)⁻¹ Nᵀ, by singular values. `None` if some motion has no mass.
+fn response_factor(pose: &Pose) -> Option<DMatrix<f64>> {
     let mass = pose.mass_matrix();
     let n = mass.nrows();
-    let mut rows = DMatrix::zeros(n, n);
-    for group in pose.constraint_groups() {
-        let own = DMatrix::from_fn(group.rows.nrows(), n, |r, c| {
-            group.coordinates.iter().position(|at| *at == c).map_or(0.0, |at| group.rows[(r, at)])
-        });
-        rows += own.transpose() * own;
+    let groups = pose.constraint_groups();
+    let rank: usize = groups.iter().map(|group| group.rank).sum();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for group in &groups {
+        for r in 0..group.rows.nrows() {
+            let mut row = vec![0.0; n];
+            group.coordinates.iter().enumerate().for_each(|(at, c)| row[*c] = group.rows[(r, at)]);
+            rows.push(row);
+        }
     }
-    let eigen = rows.symmetric_eigen();
-    let largest = eigen.eigenvalues.amax();
-    let free: Vec<usize> = (0..n).filter(|k| eigen.eigenvalues[*k] <= 1e-14 * largest).collect();
-    let basis = eigen.eigenvectors.select_columns(&free);
+    rows.resize(rows.len().max(n), vec![0.0; n]);
+    let svd = DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c]).svd(false, true);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| svd.singular_values[*a].total_cmp(&svd.singular_values[*b]));
+    let basis = svd.v_t?.transpose().select_columns(&order[..n - rank]);
     let reduced = basis.transpose() * mass * &basis;
     let values = reduced.clone().symmetric_eigenvalues();
     if values.is_empty() || values.min() <= 1e-6 * values.max() {
         return None;
     }
-    Some(&basis * reduced.try_inverse()? * basis.transpose())
+    let inverse = reduced.cholesky()?.l().solve_lower_triangular(&DMatrix::identity(n - rank, n - rank))?;
+    Some(basis * inverse.transpose())
 }
 
 /// Solution of W z + q ≥ 0 ⊥ z ≥ 0 for two contacts with a regular W, in scaled unknowns.
@@ -344,11 +349,11 @@ fn poses(count: u64) -> Vec<(String, Pose, Contact)> {
 fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exact() {
     let equal = ContactStiffness { ratios: vec![1.0; 2], exponent: 1.0 };
     let (mut immovable, mut compared, mut slow, mut energetic) = (0, 0, 0, 0);
-    for (number, (name, pose, contact)) in poses(16).into_iter().enumerate() {
+    for (number, (name, pose, contact)) in poses(8).into_iter().enumerate() {
         let mut rng = StdRng::seed_from_u64(77 + number as u64);
         let Ok(alone) = pose.respond(&contact) else { continue };
         let EffectiveMass::Finite(mass) = alone.effective_mass else { continue };
-        let Some(response) = response(&pose) else { continue };
+        let Some(factor) = response_factor(&pose) else { continue };
         let located = alone.contact;
         if !pose.rank().clear || located.is_moment {
             continue;
@@ -361,7 +366,8 @@ fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exac
             .map(|axis| pose.locate(&further(axis)).map(|at| DVector::from_vec(pose.contact_row(&at))));
         let [Ok(x), Ok(y), Ok(z)] = rows else { continue };
         let jacobian = DMatrix::from_columns(&[x, y, z]).transpose();
-        let block = &jacobian * &response * jacobian.transpose();
+        let moved = &jacobian * &factor;
+        let block = &moved * moved.transpose();
         let eigen = Matrix3::from_iterator(block.iter().copied()).symmetric_eigen();
         let (still, moving) = (eigen.eigenvalues.imin(), eigen.eigenvalues.imax());
         let (least, most) = (eigen.eigenvalues[still], eigen.eigenvalues[moving]);
@@ -370,7 +376,7 @@ fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exac
             continue;
         }
         let (still, moving) = (eigen.eigenvectors.column(still), eigen.eigenvectors.column(moving));
-        let motion = &response * DVector::from_fn(response.nrows(), |_, _| rng.random_range(-1.0..1.0));
+        let motion = &factor * DVector::from_fn(factor.ncols(), |_, _| rng.random_range(-1.0..1.0));
         let row = DVector::from_vec(pose.contact_row(&located));
         let motion = if row.dot(&motion) < 0.0 { -motion } else { motion };
         let closing = row.dot(&motion);
@@ -395,8 +401,8 @@ fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exac
             assert!(is_immovable || scale > 0.0, "{name}: {scale:e}");
             let own = DVector::from_vec(pose.contact_row(&second));
             let exact = Matrix2::from_fn(|r, c| {
-                let of = |i: usize| if i == 0 { &row } else { &own };
-                of(r).dot(&(&response * of(c)))
+                let moved = |i: usize| factor.tr_mul(if i == 0 { &row } else { &own });
+                moved(r).dot(&moved(c))
             });
             let before = Vector2::new(-closing, -own.dot(&motion));
             // Opposite contacts of one motion can have no solution by Newton's law.
@@ -425,10 +431,11 @@ fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exac
                     immovable += 1;
                     continue;
                 }
-                // Rounding of the second row, relative to its size.
+                // Rounding of the second row, and of the motions that loops permit, relative to the row.
                 let size = Vector2::new(exact[(0, 0)].sqrt(), exact[(1, 1)].sqrt());
                 let energy = before.component_div(&size).norm();
-                let limit = (1e-9 + 1e-13 / angle) / (1.0 - coupling) * energy.max(motion.norm());
+                let noise = if pose.constraint_groups().is_empty() { 1e-13 } else { 1e-9 };
+                let limit = (1e-9 + noise / angle) / (1.0 - coupling) * energy.max(motion.norm());
                 if law == SimultaneousLaw::Energetic {
                     let after = before + exact * Vector2::new(found.solution[0], found.solution[1]);
                     let least = after.component_div(&size).min();
@@ -450,5 +457,5 @@ fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exac
         }
     }
     println!("{immovable} immovable, {compared} compared, {energetic} energetic, {slow} slow");
-    assert!(immovable > 60 && compared > 200 && energetic > 60, "{immovable} {compared} {energetic} {slow}");
+    assert!(immovable > 60 && compared > 100 && energetic > 40, "{immovable} {compared} {energetic} {slow}");
 }
