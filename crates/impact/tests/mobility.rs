@@ -6,7 +6,7 @@ use percuss_dynamics::{Base, Conditions, Contact, Direction, EffectiveMass, Fram
 use percuss_impact::{
     Delassus, FrictionLaw, JointRates, PhaseKind, RestitutionLaw, RigidImpact, frictional_collision,
 };
-use percuss_mechanism::{Inertial, LinkDescription, MechanismBuilder};
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder};
 use percuss_oracle::random;
 use percuss_spatial::Twist;
 use rand::rngs::StdRng;
@@ -234,4 +234,54 @@ fn small_sliding_speeds_change_little_in_space() {
         }
     }
     assert!(compared > 1000, "{compared}");
+}
+
+/// All laws at a contact of one relative motion, a rod on a hinge, in closed form: the normal impulses, and the separation speeds.
+#[test]
+fn all_laws_have_closed_forms_for_one_relative_motion() {
+    let about_com = Matrix3::from_diagonal(&Vector3::new(0.01, 1.0, 1.0)) / 12.0;
+    let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
+    let rod = Inertial { mass: 1.0, com: Vector3::x() * 0.5, about_com };
+    let mut hinge = JointDescription::new("hinge", JointKind::Continuous, "ground", "rod");
+    hinge.axis = Vector3::z();
+    let builder = MechanismBuilder::new("rod").link(LinkDescription::new("ground", none));
+    let built = builder.link(LinkDescription::new("rod", rod)).joint(hinge).build().expect("a mechanism");
+    let system = System::new(Arc::new(built.mechanism), &Conditions::new()).expect("a system");
+    let pose = system.pose(&system.configuration()).expect("a pose");
+    let link = pose.mechanism().find_link("rod").expect("a link");
+    let (speed, e) = (1.3, 0.6);
+    for slope in [0.0_f64, 0.3, 1.0, 2.5] {
+        // The end moves along y; the normal is turned by the angle whose tangent is the slope.
+        let response = pose.respond(&Contact::new(link, Vector3::x(), Vector3::new(slope, 1.0, 0.0)));
+        let response = response.expect("a contact");
+        let momentum = response.effective_mass.kilograms().expect("a mass") * speed;
+        for friction in [0.0, 0.2, 0.35, 0.9] {
+            let law = FrictionLaw { coefficient: friction, restitution: RestitutionLaw::Energetic };
+            let impact =
+                RigidImpact::with_friction(&pose, &response, speed, e, law, None).expect("an impact");
+            let product = friction * slope;
+            let wedged = product >= 1.0;
+            let [plus, minus] = [1.0 + product, 1.0 - product];
+            for found in impact.friction.expect("friction").laws {
+                let (impulse, separation) = match found.law {
+                    RestitutionLaw::Algebraic => ((1.0 + e) / plus, e),
+                    _ if wedged => (1.0 / plus, 0.0),
+                    RestitutionLaw::Energetic => {
+                        (1.0 / plus + e / (plus * minus).sqrt(), e * (minus / plus).sqrt())
+                    }
+                    RestitutionLaw::Poisson => ((1.0 + e) / plus, e * minus / plus),
+                    RestitutionLaw::Newton => (1.0 / plus + e / minus, e),
+                };
+                let context = format!("{slope} {friction} {found:?}");
+                assert!(
+                    (found.normal_impulse / momentum - impulse).abs() < 1e-12 * impulse,
+                    "{context} {impulse}"
+                );
+                assert!(
+                    (found.separation_speed / speed - separation).abs() < 1e-12,
+                    "{context} {separation}"
+                );
+            }
+        }
+    }
 }

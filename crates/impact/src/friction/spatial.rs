@@ -376,3 +376,27 @@ fn finish(state: &mut State, y: &[f64], (works, impulses): ([f64; 2], [f64; 2]))
     state.impulse = Vector3::new(y[IMPULSE], y[TANGENTIAL], y[TANGENTIAL + 1]);
     (state.works, state.impulses) = (works, impulses);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With A = diag(1, 2) and a along the first axis, sliding along both signs of this axis does not turn. For small µ the direction of a is
+    /// stable, and the opposite one is not.
+    #[test]
+    fn only_stable_invariant_directions_are_kept() {
+        let blocks = |coupling| Blocks {
+            coupling: Vector2::new(coupling, 0.0),
+            tangential: Matrix2::new(1.0, 0.0, 0.0, 2.0),
+            friction: 0.1,
+        };
+        let keeps =
+            |coupling: f64, x: f64, y: f64| blocks(coupling).keeps_direction(&Vector2::new(x, y), 1.0);
+        assert!(keeps(0.5, 1.0, 0.0) && !keeps(0.5, -1.0, 0.0));
+        assert!(keeps(-0.5, -1.0, 0.0) && !keeps(-0.5, 1.0, 0.0));
+        // Directions that turn, towards the stable one and away from the other one.
+        assert!(!keeps(0.5, 0.8, 0.6) && !keeps(0.5, -0.8, 0.6));
+        // The derivative −a − µ (A₂₂ − A₁₁) of the turning vanishes: no stable direction.
+        assert!(!keeps(-0.1, 1.0, 0.0));
+    }
+}
