@@ -73,8 +73,11 @@ fn integrate(
     let constant = damper.impact(contact, speed)?;
     let step = constant.duration.unwrap_or(4.0 * constant.time_of_max_penetration) / STEPS;
     let force = |x: f64, rate: f64| damper.force(contact, x, rate);
-    let ends_at_zero_force =
-        matches!(damper, Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. });
+    // Without damping the force stays zero after the separation, so the penetration determines the end.
+    let ends_at_zero_force = matches!(
+        damper,
+        Damper::KelvinVoigt { separation: Separation::ForceVanishes, coefficient, .. } if coefficient > 0.0
+    );
     let mass = |x: f64| interpolate(profile, x);
     let rates = |(x, w): (f64, f64)| {
         let root = mass(x).sqrt();

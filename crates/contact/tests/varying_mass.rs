@@ -177,3 +177,51 @@ fn prescribed_accelerations_of_a_bar_on_a_hinge() {
         assert!(largest > 2e-3, "{full}: the motion of the bar has an effect: {largest}");
     }
 }
+
+/// Without damping the force stays zero after the separation: the contact ends at zero penetration, not at the end of a step.
+#[test]
+fn an_elastic_contact_ends_at_zero_penetration() {
+    for (mass, speed, exponent) in [(3.0, 0.5, 1.0), (150.0, 0.1, 1.0), (0.7, 2.0, 1.5), (20.0, 0.3, 2.0)] {
+        let contact = CompliantContact::new(mass, STIFFNESS).and_then(|c| c.with_exponent(exponent));
+        let contact = contact.expect("a contact");
+        let profile = [(0.0, mass), (1e-3, mass), (1.0, mass)];
+        for damper in dampers(contact, 1.0, speed) {
+            let exact = damper.impact(contact, speed).expect("an impact");
+            let samples =
+                history_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end");
+            let last = samples.last().expect("samples");
+            assert!((last.time / exact.duration.expect("an end") - 1.0).abs() < 1e-6, "{damper:?}: {last:?}");
+            assert!(last.penetration.abs() < 1e-9 * exact.max_penetration, "{damper:?}: {last:?}");
+        }
+    }
+}
+
+/// An overdamped contact never ends with the mass at the touch, whose duration then has no value, but ends if the mass grows with the
+/// penetration. The step follows from the time of the largest penetration. Reference: the equation m x″ + ½ m′ x′² = −F with shorter steps.
+#[test]
+fn a_contact_can_end_because_the_mass_grows() {
+    for (mass, growth) in [(2.0, 3e3), (0.5, 1e4)] {
+        let contact = CompliantContact::new(mass, STIFFNESS).expect("a contact");
+        let damper = Damper::kelvin_voigt(contact, 1.01, Separation::GapCloses).expect("a damper");
+        let Damper::KelvinVoigt { coefficient, .. } = damper else { panic!("{damper:?}") };
+        let speed = 1.0;
+        assert_eq!(damper.impact(contact, speed).expect("an impact").duration, None);
+        let mass_at = |x: f64| mass * (1.0 + growth * x);
+        let profile: Vec<(f64, f64)> =
+            (0..=50).map(|i| 2e-4 * f64::from(i)).map(|x| (x, mass_at(x))).collect();
+        let found = impact_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end");
+        let acceleration =
+            |x: f64, v: f64| -(STIFFNESS * x + coefficient * v + 0.5 * mass * growth * v * v) / mass_at(x);
+        let (mut x, mut v, mut deepest, h) = (0.0, speed, 0.0f64, 1e-8);
+        for _ in 0..10_000_000 {
+            if x < 0.0 {
+                break;
+            }
+            let (middle, rate) = (x + 0.5 * h * v, v + 0.5 * h * acceleration(x, v));
+            (x, v) = (x + h * rate, v + h * acceleration(middle, rate));
+            deepest = deepest.max(x);
+        }
+        assert!((found.max_penetration / deepest - 1.0).abs() < 1e-5, "{found:?} {deepest}");
+        assert!((found.restitution + v / speed).abs() < 1e-6, "{found:?} {v}");
+    }
+}

@@ -43,6 +43,18 @@ pub enum ImpactError {
         /// Name of the law.
         law: &'static str,
     },
+    /// The integration of the energetic law of several contacts has too many steps, because one contact is far slower than another.
+    #[error(
+        "the energetic law has no result within its largest number of steps: contact number {contact} (from 1) can hardly move or is soft, \
+         and its impact takes {ratio:.1e} times as long as that of another contact; expected similar mobilities and stiffnesses, or the \
+         question without this contact"
+    )]
+    SlowContact {
+        /// Number of the contact, from 1.
+        contact: usize,
+        /// Ratio of the durations.
+        ratio: f64,
+    },
     /// Too many simultaneous contacts.
     #[error("{got} simultaneous contacts; at most {most} are supported")]
     TooManyContacts {

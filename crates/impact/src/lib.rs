@@ -48,9 +48,12 @@ pub use ranges::extremes::{extreme_along_path, extreme_effective_mass, extreme_q
 pub use ranges::extremes_error::ExtremesError;
 pub use ranges::mimic_substitute::{MimicJoint, MimicSubstitute, NoSubstitute};
 pub use ranges::reflected::{
-    ReflectedError, ReflectedInertia, driving_joints, held_point_mass, locked_body_masses, reflected_inertia,
+    ReflectedError, ReflectedInertia, driving_joints, driving_joints_with, held_point_mass,
+    locked_body_masses, reflected_inertia, reflected_inertia_with,
 };
-pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
+pub use ranges::reflected_range::{
+    RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over, reflected_inertia_over_with,
+};
 pub use reactions::bearing::Bearing;
 pub use reactions::reaction::{
     Component, DriveImpulse, JointConstraint, JointConstraintReaction, JointReaction, Reaction, Reactions,

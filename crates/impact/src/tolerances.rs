@@ -18,6 +18,10 @@ pub const INVOLVED: f64 = 1e-6;
 /// Ratio of the pivots of the driver rows to the largest, above which a freedom is determined by the given rates.
 pub const DETERMINED: f64 = 1e-9;
 
+/// Part of the displacement rate of a joint, in a motion of unit displacement rates, that earlier driving joints do not determine, above which
+/// the joint can drive. At a smaller part the joint is near its dead centre.
+pub const DRIVES: f64 = 1e-6;
+
 /// Residual of given rates, relative to the largest displacement rate, above which they are inadmissible. Values
 /// typed with six digits are accepted.
 pub const INADMISSIBLE: f64 = 1e-5;
@@ -45,8 +49,15 @@ pub const NO_SLIDING: f64 = 1e-9;
 /// rounding of W.
 pub const MASSLESS_RESPONSE: f64 = 1e-12;
 
-/// Mobility of sticking along the normal, relative to that of a sliding contact, below which a sticking contact cannot
-/// rebound: rounding of the Schur complement.
+/// Speed of a contact, relative to that of the other contacts at the same energy, up to which the contact counts as immovable: rounding of
+/// the contact rows. The mobility has the square of this ratio.
+pub const UNMOVED: f64 = 1e-10;
+
+/// Component of a speed, relative to the summed terms of the coordinates, that is rounding.
+pub const SPEED_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Change of the normal velocity per normal impulse, relative to that without friction, up to which the impulse does not change the
+/// velocity: rounding of the Schur complement of a sticking contact, and of the difference of a sliding one.
 pub const WEDGED: f64 = 1e-12;
 
 /// Coupling out of a plane, relative to the norm of the mobility matrix, up to which a frictional impact is planar.
@@ -70,6 +81,9 @@ pub const MOST_CONTACTS: usize = 12;
 
 /// Largest number of integration steps of the energetic law of several contacts: contacts with small e close some hundred times.
 pub const MOST_ENERGETIC_STEPS: usize = 200_000;
+
+/// Ratio of the natural frequencies of two contacts above which it is stated as the reason for too many steps of the energetic law.
+pub const DIFFERENT_FREQUENCIES: f64 = 100.0;
 
 /// Smallest coefficient of restitution above 0 of the energetic law of several contacts: the expansion is shorter by this factor.
 pub const LEAST_ENERGETIC: f64 = 0.01;

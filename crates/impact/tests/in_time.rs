@@ -425,6 +425,70 @@ fn springs_and_dampers_of_joints_act() {
     assert!(matches!(refused, Err(ImpactError::Spring { .. })), "{refused:?}");
 }
 
+/// End of m x″ = −k xᵖ − d x′ from x = 0 with the speed `speed`: duration and speed ratio, by the Runge-Kutta method of order 4 and the time at
+/// which x returns to 0.
+fn damped_block(mass: f64, stiffness: f64, exponent: f64, damping: f64, speed: f64) -> (f64, f64) {
+    let rates = |(x, v): (f64, f64)| (v, -(stiffness * x.max(0.0).powf(exponent) + damping * v) / mass);
+    let along = |(x, v): (f64, f64), (dx, dv): (f64, f64), h: f64| (x + h * dx, v + h * dv);
+    let step = |y: (f64, f64), h: f64| {
+        let a = rates(y);
+        let b = rates(along(y, a, 0.5 * h));
+        let c = rates(along(y, b, 0.5 * h));
+        let d = rates(along(y, c, h));
+        (y.0 + h / 6.0 * (a.0 + 2.0 * (b.0 + c.0) + d.0), y.1 + h / 6.0 * (a.1 + 2.0 * (b.1 + c.1) + d.1))
+    };
+    let depth = (0.5 * (exponent + 1.0) * mass * speed * speed / stiffness).powf(1.0 / (exponent + 1.0));
+    let (h, mut t, mut y) = (1e-4 * depth / speed, 0.0, (0.0, speed));
+    loop {
+        let next = step(y, h);
+        if next.0 <= 0.0 && next.1 < 0.0 {
+            let (mut low, mut high) = (0.0, h);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if step(y, middle).0 > 0.0 { low = middle } else { high = middle }
+            }
+            return (t + low, -step(y, low).1 / speed);
+        }
+        (t, y) = (t + h, next);
+    }
+}
+
+/// A contact without damping, and a contact force that cannot pull, end where the penetration returns to zero, and not at the end of a step
+/// of the integration. Linear contacts: half a period of the damped oscillator.
+#[test]
+fn contacts_without_pull_end_at_zero_penetration() {
+    let (mass, stiffness, speed) = (2.5, 3e5, 1.3);
+    let (pose, contact) = at(&body(JointKind::Prismatic, mass), 0.2, Vector3::x());
+    let joint =
+        pose.mechanism().joint_ids().find(|id| pose.motion_subspace(*id).len() == 1).expect("a joint");
+    let before = motion(&pose, &contact, speed);
+    for (exponent, largest) in [(1.0, 411.0), (1.5, 150.0), (3.0, 15.0)] {
+        for damping in [0.0, 0.3 * largest, largest] {
+            let spring = JointSpring { joint, stiffness: 0.0, damping, free_position: None };
+            let (duration, ratio) = damped_block(mass, stiffness, exponent, damping, speed);
+            for ends_without_force in [true, false].into_iter().take(if damping > 0.0 { 1 } else { 2 }) {
+                let conditions =
+                    TimeConditions { ends_without_force, springs: vec![spring], ..TimeConditions::default() };
+                let force = |x: f64, _: f64| stiffness * x.max(0.0).powf(exponent);
+                let found =
+                    impact_in_time(&pose, &contact, speed, &before, &force, &conditions).expect("an impact");
+                let context = format!("{exponent} {damping} {ends_without_force}");
+                assert!(
+                    (found.duration / duration - 1.0).abs() < 1e-8,
+                    "{context}: {} {duration}",
+                    found.duration
+                );
+                assert!((found.restitution - ratio).abs() < 1e-8, "{context}: {} {ratio}", found.restitution);
+            }
+            if exponent == 1.0 {
+                let (natural, decay) = ((stiffness / mass).sqrt(), 0.5 * damping / mass);
+                let half = std::f64::consts::PI / (natural * natural - decay * decay).sqrt();
+                assert!((duration / half - 1.0).abs() < 1e-8 && (ratio - (-decay * half).exp()).abs() < 1e-8);
+            }
+        }
+    }
+}
+
 /// Forces that never stop the motion, and weights that keep the contact closed, are refused.
 #[test]
 fn contacts_without_an_end_are_refused() {

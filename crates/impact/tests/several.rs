@@ -1,11 +1,16 @@
-//! Several simultaneous contacts: balls in a row, a rod on two stops.
+//! Several simultaneous contacts: balls in a row, a rod on two stops, contacts of which one cannot move or can hardly move.
 
-use nalgebra::{DMatrix, DVector};
+use crate::cases::all;
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2, Vector3};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_impact::{
-    ContactStiffness, ImpactError, SimultaneousImpact, SimultaneousLaw, simultaneous_impact_of_matrix,
+    ContactStiffness, Delassus, ImpactError, JointRates, SimultaneousImpact, SimultaneousLaw,
+    simultaneous_impact, simultaneous_impact_of_matrix, sticking_impact,
 };
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use std::sync::Arc;
 
 /// Contacts between neighbours in a row of balls of mass 1, the first of which moves with the speed 1.
 fn row_of_balls(count: usize) -> (DMatrix<f64>, DVector<f64>) {
@@ -241,4 +246,216 @@ fn invalid_values_are_refused() {
     assert!(matches!(solve(&-&u, &[1.0, 1.0], &equal), ImpactError::ClosingSpeed { .. }));
     assert!(matches!(solve(&u, &[1.0, 1.0], &stiffness(&[1.0, -1.0], 1.0)), ImpactError::OutOfRange { .. }));
     assert!(matches!(solve(&u, &[1.0, 1.0], &stiffness(&[1.0, 1.0], 0.5)), ImpactError::OutOfRange { .. }));
+}
+
+fn vector(rng: &mut StdRng) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0))
+}
+
+/// Two links on two hinges with random axes.
+fn two_hinges(rng: &mut StdRng) -> Pose {
+    let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
+    let mut builder = MechanismBuilder::new("arm").link(LinkDescription::new("ground", none));
+    for (name, parent) in [("a", "ground"), ("b", "a")] {
+        let about_com = Matrix3::identity() * rng.random_range(0.01..0.2);
+        let inertial = Inertial { mass: rng.random_range(0.5..3.0), com: vector(rng), about_com };
+        builder = builder.link(LinkDescription::new(name, inertial));
+        let mut hinge = JointDescription::new(&format!("h{name}"), JointKind::Continuous, parent, name);
+        hinge.axis = vector(rng).normalize();
+        hinge.origin.translation = vector(rng);
+        builder = builder.joint(hinge);
+    }
+    let mechanism = Arc::new(builder.build().expect("a mechanism").mechanism);
+    let system = System::new(mechanism, &Conditions::new()).expect("a system");
+    system.pose(&system.configuration()).expect("a pose")
+}
+
+/// Factor F of the inverse mass matrix under the constraints, F Fᵀ = N (NᵀMN)⁻¹ Nᵀ, by singular values. `None` if some motion has no mass.
+fn response_factor(pose: &Pose) -> Option<DMatrix<f64>> {
+    let mass = pose.mass_matrix();
+    let n = mass.nrows();
+    let groups = pose.constraint_groups();
+    let rank: usize = groups.iter().map(|group| group.rank).sum();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for group in &groups {
+        for r in 0..group.rows.nrows() {
+            let mut row = vec![0.0; n];
+            group.coordinates.iter().enumerate().for_each(|(at, c)| row[*c] = group.rows[(r, at)]);
+            rows.push(row);
+        }
+    }
+    rows.resize(rows.len().max(n), vec![0.0; n]);
+    let svd = DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c]).svd(false, true);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| svd.singular_values[*a].total_cmp(&svd.singular_values[*b]));
+    let basis = svd.v_t?.transpose().select_columns(&order[..n - rank]);
+    let reduced = basis.transpose() * mass * &basis;
+    let values = reduced.clone().symmetric_eigenvalues();
+    if values.is_empty() || values.min() <= 1e-6 * values.max() {
+        return None;
+    }
+    let inverse = reduced.cholesky()?.l().solve_lower_triangular(&DMatrix::identity(n - rank, n - rank))?;
+    Some(basis * inverse.transpose())
+}
+
+/// Solution of W z + q ≥ 0 ⊥ z ≥ 0 for two contacts with a regular W, in scaled unknowns.
+fn two_contacts(w: &Matrix2<f64>, q: &Vector2<f64>) -> Vector2<f64> {
+    let s = Vector2::new(w[(0, 0)].sqrt().recip(), w[(1, 1)].sqrt().recip());
+    let (c, q) = (w[(0, 1)] * s[0] * s[1], q.component_mul(&s));
+    let both = Vector2::new(c * q[1] - q[0], c * q[0] - q[1]) / (1.0 - c * c);
+    let all = [Vector2::zeros(), Vector2::new(-q[0], 0.0), Vector2::new(0.0, -q[1]), both];
+    let violation = |z: &Vector2<f64>| {
+        let u = Vector2::new(q[0] + z[0] + c * z[1], q[1] + c * z[0] + z[1]);
+        [-z[0], -z[1], -u[0], -u[1], (z[0] * u[0]).abs(), (z[1] * u[1]).abs()].into_iter().fold(0.0, f64::max)
+    };
+    let best = all.into_iter().min_by(|a, b| violation(a).total_cmp(&violation(b)));
+    best.expect("four subsets").component_mul(&s)
+}
+
+/// Impulses of two contacts by Newton's or Poisson's law.
+fn reference(w: &Matrix2<f64>, u: &Vector2<f64>, e: f64, law: SimultaneousLaw) -> Vector2<f64> {
+    match law {
+        SimultaneousLaw::Newton => two_contacts(w, &u.map(|u| u + e * u.min(0.0))),
+        _ => {
+            let compression = two_contacts(w, u) * (1.0 + e);
+            let s = Vector2::new(w[(0, 0)].sqrt(), w[(1, 1)].sqrt());
+            let after = u + w * compression;
+            let size = u.component_div(&s).amax();
+            let after = after.zip_map(&s, |u, s| if u.abs() <= 1e-8 * size * s { 0.0 } else { u });
+            compression + two_contacts(w, &after)
+        }
+    }
+}
+
+/// Poses with two contacts: the first in a random direction, the second in a direction in which its point cannot move, turned by the angle
+/// √scale towards a direction in which it moves.
+fn poses(count: u64) -> Vec<(String, Pose, Contact)> {
+    let mut found = Vec::new();
+    for seed in 0..count {
+        let mut rng = StdRng::seed_from_u64(31_000 + seed);
+        let pose = two_hinges(&mut rng);
+        for link in ["a", "b"] {
+            let link = pose.mechanism().find_link(link).expect("a link");
+            let normal = Direction::Along(vector(&mut rng), Frame::World);
+            let contact = Contact { link, against: None, point: vector(&mut rng), normal };
+            found.push((format!("two hinges {seed}"), pose.clone(), contact));
+        }
+    }
+    found.extend(all(count / 8).into_iter().map(|case| (case.name, case.pose, case.contact)));
+    found
+}
+
+#[test]
+fn an_immovable_further_contact_changes_nothing_and_a_hardly_movable_one_is_exact() {
+    let equal = ContactStiffness { ratios: vec![1.0; 2], exponent: 1.0 };
+    let (mut immovable, mut compared, mut slow, mut energetic) = (0, 0, 0, 0);
+    for (number, (name, pose, contact)) in poses(8).into_iter().enumerate() {
+        let mut rng = StdRng::seed_from_u64(77 + number as u64);
+        let Ok(alone) = pose.respond(&contact) else { continue };
+        let EffectiveMass::Finite(mass) = alone.effective_mass else { continue };
+        let Some(factor) = response_factor(&pose) else { continue };
+        let located = alone.contact;
+        if !pose.rank().clear || located.is_moment {
+            continue;
+        }
+        let links: Vec<_> = pose.mechanism().link_ids().collect();
+        let (link, point) = (links[rng.random_range(0..links.len())], vector(&mut rng));
+        let further =
+            |normal| Contact { link, against: None, point, normal: Direction::Along(normal, Frame::World) };
+        let rows = [Vector3::x(), Vector3::y(), Vector3::z()]
+            .map(|axis| pose.locate(&further(axis)).map(|at| DVector::from_vec(pose.contact_row(&at))));
+        let [Ok(x), Ok(y), Ok(z)] = rows else { continue };
+        let jacobian = DMatrix::from_columns(&[x, y, z]).transpose();
+        let moved = &jacobian * &factor;
+        let block = &moved * moved.transpose();
+        let eigen = Matrix3::from_iterator(block.iter().copied()).symmetric_eigen();
+        let (still, moving) = (eigen.eigenvalues.imin(), eigen.eigenvalues.imax());
+        let (least, most) = (eigen.eigenvalues[still], eigen.eigenvalues[moving]);
+        // Also points that cannot move at all: on the axis of a hinge, or on the ground.
+        if least > 1e-14 * most && most > 0.0 {
+            continue;
+        }
+        let (still, moving) = (eigen.eigenvectors.column(still), eigen.eigenvectors.column(moving));
+        let motion = &factor * DVector::from_fn(factor.ncols(), |_, _| rng.random_range(-1.0..1.0));
+        let row = DVector::from_vec(pose.contact_row(&located));
+        let motion = if row.dot(&motion) < 0.0 { -motion } else { motion };
+        let closing = row.dot(&motion);
+        if closing < 1e-3 * motion.norm() {
+            continue;
+        }
+        let (joints, base) = pose.joint_velocities(motion.as_slice());
+        let rates = JointRates { joints, base };
+        let e = rng.random_range(0.1..1.0);
+        for scale in [0.0_f64, 1e-16, 1e-12, 1e-8, 1e-4, 0.5] {
+            let angle = scale.sqrt();
+            let sign = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+            let normal: Vector3<f64> = sign * still + angle * moving;
+            let Ok(second) = pose.locate(&further(normal)) else { continue };
+            let Ok(delassus) = Delassus::new(&pose, &[located, second]) else { continue };
+            let velocities = delassus.velocities(&pose, &rates);
+            let speeds = DVector::from_vec(vec![velocities[0], velocities[3]]);
+            let is_immovable = matches!(
+                pose.respond(&further(normal)).map(|response| response.effective_mass),
+                Ok(EffectiveMass::Immovable)
+            );
+            assert!(is_immovable || scale > 0.0, "{name}: {scale:e}");
+            let own = DVector::from_vec(pose.contact_row(&second));
+            let exact = Matrix2::from_fn(|r, c| {
+                let moved = |i: usize| factor.tr_mul(if i == 0 { &row } else { &own });
+                moved(r).dot(&moved(c))
+            });
+            let before = Vector2::new(-closing, -own.dot(&motion));
+            // Opposite contacts of one motion can have no solution by Newton's law.
+            let coupling = exact[(0, 1)].powi(2) / (exact[(0, 0)] * exact[(1, 1)]);
+            if !is_immovable && coupling > 1.0 - 1e-4 {
+                continue;
+            }
+            for law in SimultaneousLaw::ALL {
+                let context = format!("{name}, {scale:e}, {}", law.name());
+                let found = match simultaneous_impact(&delassus, &speeds, &[e; 2], law, &equal) {
+                    Err(ImpactError::SlowContact { contact: 2, ratio }) if scale < 1e-3 && ratio > 1e2 => {
+                        slow += 1;
+                        continue;
+                    }
+                    found => found.unwrap_or_else(|error| panic!("{context}: {error}")),
+                };
+                if is_immovable {
+                    let impulse = (1.0 + e) * mass * closing;
+                    let error = found.impulses[0].expect("an impulse") / impulse - 1.0;
+                    assert!(error.abs() < 1e-8, "{context}: {found:?} {impulse}");
+                    assert_eq!((found.impulses[1], found.after[1]), (None, 0.0), "{context}");
+                    assert!((found.after[0] / closing - e).abs() < 1e-8, "{context}: {found:?}");
+                    let loss = 0.5 * mass * (1.0 - e * e) * closing * closing;
+                    assert!((found.energy_loss - loss).abs() < 1e-8 * mass * closing * closing, "{context}");
+                    assert!(!found.creates_energy, "{context}");
+                    immovable += 1;
+                    continue;
+                }
+                // Rounding of the second row, and of the motions that loops permit, relative to the row.
+                let size = Vector2::new(exact[(0, 0)].sqrt(), exact[(1, 1)].sqrt());
+                let energy = before.component_div(&size).norm();
+                let noise = if pose.constraint_groups().is_empty() { 1e-13 } else { 1e-9 };
+                let limit = (1e-9 + noise / angle) / (1.0 - coupling) * energy.max(motion.norm());
+                if law == SimultaneousLaw::Energetic {
+                    let after = before + exact * Vector2::new(found.solution[0], found.solution[1]);
+                    let least = after.component_div(&size).min();
+                    assert!(least > -1e-6 * energy - limit, "{context}: {after}");
+                    assert!(found.energy_loss > -1e-6 * energy * energy - limit, "{context}: {found:?}");
+                    energetic += 1;
+                    continue;
+                }
+                let expected = reference(&exact, &before, e, law);
+                for i in 0..2 {
+                    let error = (found.solution[i] - expected[i]).abs() * size[i];
+                    assert!(error < limit, "{context}: {} {expected} {exact} {before}", found.solution);
+                }
+                compared += 1;
+            }
+            if is_immovable && let Ok(found) = sticking_impact(&delassus, &velocities) {
+                assert_eq!(found.contacts[1].normal_impulse, None, "{name}");
+            }
+        }
+    }
+    println!("{immovable} immovable, {compared} compared, {energetic} energetic, {slow} slow");
+    assert!(immovable > 60 && compared > 100 && energetic > 40, "{immovable} {compared} {energetic} {slow}");
 }

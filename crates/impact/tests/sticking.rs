@@ -207,3 +207,25 @@ fn redundant_feet_leave_the_friction_open() {
     assert!(((normal[0] - normal[1]) * 0.5 - 0.3 * 2.0 * 0.2).abs() < ROUNDING, "{normal:?}");
     assert!((impact.energy_loss - 0.5 * 2.0 * 1.04).abs() < ROUNDING);
 }
+
+/// Three feet in a line leave the distribution of their normal impulses open, but not its resultant: if the resultant is beyond the outer
+/// foot, two feet would pull in every distribution, and only the outer foot sticks.
+#[test]
+fn open_impulses_cannot_pull_in_every_distribution() {
+    for (turning, expected) in [(0.2, 3), (0.9, 3), (1.5, 1), (3.0, 1)] {
+        let inertial = Inertial { mass: 1.0, com: Vector3::zeros(), about_com: Matrix3::identity() };
+        let builder = MechanismBuilder::new("bar").link(LinkDescription::new("bar", inertial));
+        let bar = Arc::new(builder.build().expect("a mechanism").mechanism);
+        let pose = pose_of(&bar, Base::Floating, &[]);
+        let at =
+            [-1.0, 0.0, 1.0].map(|x| pose.locate(&foot(&bar, "bar", Vector3::x() * x)).expect("a contact"));
+        let delassus = Delassus::new(&pose, &at).expect("a mobility");
+        let twist = Twist::new(Vector3::z() * turning, -Vector3::y());
+        let before = JointRates { joints: Vec::new(), base: twist };
+        let found = sticking_impact(&delassus, &delassus.velocities(&pose, &before)).expect("an impact");
+        let sticks: Vec<bool> = found.contacts.iter().map(|contact| contact.sticks).collect();
+        assert_eq!(sticks.iter().filter(|sticks| **sticks).count(), expected, "{turning}: {sticks:?}");
+        // The bar turns about z, so that the foot at x = −1 hits first.
+        assert!(sticks[0], "{turning}: {sticks:?}");
+    }
+}

@@ -245,6 +245,8 @@ pub const SLOW_IMPACT: f64 = 0.01;
 pub const IMPACT_RADIUS: f64 = 0.01;
 /// Least radius of that sphere over the greatest penetration: the centre remains outside the other geom.
 pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;
+/// Smallest number that MuJoCo does not take as zero, `mjMINVAL`, 1/kg.
+pub(crate) const MUJOCO_MINVAL: f64 = 1e-15;
 /// Shift of the restitution of an exported impact, relative to the permitted error, up to which the time step is not shortened. The bound
 /// of the error of a time step contains a margin of 10 % of the largest measured error.
 pub(crate) const NEGLIGIBLE_SHIFT: f64 = 0.01;

@@ -476,3 +476,26 @@ fn the_stop_of_a_joint_has_the_inertia_of_both_sides() {
         assert!(outcome.stderr.contains(told), "{line}: {}", outcome.stderr);
     }
 }
+
+/// The centre of mass of a balanced wheel does not move, so that MuJoCo takes the mean inverse inertia 1/(3 I) for its `body_invweight0`.
+#[test]
+fn a_balanced_wheel_can_be_exported() {
+    let folder = Scratch::new("wheel");
+    for com in ["0 0 0", "0 0.2 0", "1e-10 0 0"] {
+        let model = folder.write(
+            "wheel.urdf",
+            &format!(
+                "<robot name=\"w\"><link name=\"base\"/><link name=\"wheel\"><inertial><origin xyz=\"{com}\"/><mass value=\"5\"/>\
+                 <inertia ixx=\"0.05\" iyy=\"0.08\" izz=\"0.05\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><collision><geometry>\
+                 <cylinder radius=\"0.3\" length=\"0.1\"/></geometry></collision></link><joint name=\"h\" type=\"continuous\"><parent \
+                 link=\"base\"/><child link=\"wheel\"/><axis xyz=\"0 1 0\"/></joint></robot>"
+            ),
+        );
+        let contact =
+            "--link wheel --point 0.3,0,0 --normal 0,0,1 --stiffness 1e5 --restitution 0.3 --speed 1";
+        let text = percuss(&format!("damp --mass-from {model} {contact} --for all")).stdout;
+        // α = m̄/(3 I) with m̄ = I/r².
+        assert!(text.contains("3.7037037"), "{text}");
+        percuss(&format!("export {model} {contact} -o {}", folder.path("wheel.xml")));
+    }
+}

@@ -185,3 +185,65 @@ fn positions_without_a_finite_inertia_leave_no_constant() {
         assert!(report["reflected_over"][0]["best_constant"].is_null(), "{line}");
     }
 }
+
+/// A joint whose position is given drives its loop, so that `held` has a value and names the other drivers. Without it, a joint that is no
+/// automatic driver has a warning.
+#[test]
+fn joints_with_given_positions_drive() {
+    let folder = Scratch::new("drives");
+    let link = |name: &str, x: f64, mass: f64| {
+        format!(
+            "<link name=\"{name}\"><inertial><origin xyz=\"{x} 0 0\"/><mass value=\"{mass}\"/><inertia ixx=\"1e-3\" iyy=\"0.01\" \
+             izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+        )
+    };
+    let hinge = |name: &str, parent: &str, child: &str, x: f64| {
+        format!(
+            "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{child}\"/><origin xyz=\"{x} 0 0\"/>\
+             <axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    // Five bars with motors at both hinges on the ground.
+    let loop_at = "<loop name=\"tip\" type=\"revolute\"><predecessor link=\"rod_l\"><origin xyz=\"0.5 0 0\"/></predecessor><successor \
+                   link=\"rod_r\"><origin xyz=\"0.5 0 0\"/></successor><axis xyz=\"0 0 1\"/></loop>";
+    let parts = [
+        "<robot name=\"five\"><link name=\"ground\"/>".to_owned(),
+        link("arm_l", 0.15, 0.8)
+            + &link("rod_l", 0.25, 0.5)
+            + &link("arm_r", 0.15, 0.8)
+            + &link("rod_r", 0.25, 0.5),
+        hinge("left", "ground", "arm_l", 0.0) + &hinge("elbow_l", "arm_l", "rod_l", 0.3),
+        hinge("right", "ground", "arm_r", 0.4) + &hinge("elbow_r", "arm_r", "rod_r", 0.3),
+        format!("{loop_at}</robot>"),
+    ];
+    let model = folder.write("five.urdf", &parts.concat());
+    for (left, right) in [(1.2, 2.3), (1.4, 1.9), (2.0, 1.3)] {
+        let pose = format!("impact {model} --set left={left} --set right={right}");
+        let report =
+            json(&format!("{pose} --reflected left --reflected right --reflected elbow_l --format json"));
+        assert_eq!(report["drivers"], serde_json::json!(["left", "right"]));
+        let records = report["reflected_inertia"].as_array().expect("records");
+        let mut product = Vec::new();
+        for (record, other) in records.iter().zip(["right", "left"]) {
+            assert_eq!(record["other_drivers"], serde_json::json!([other]));
+            // The inertia with the other joints free is never larger.
+            let (held, free) = (number(&record["held"]), number(&record["free"]));
+            assert!(held >= free * (1.0 - 1e-12), "{held} {free}");
+            product.push(held * free);
+        }
+        // Schur complements of a 2×2 matrix G: G₁₁ / (G⁻¹)₁₁ = G₁₁ (G₁₁ − G₁₂²/G₂₂), so that held·free of both joints differ by G₁₁/G₂₂ squared.
+        let ratio = number(&records[0]["held"]) / number(&records[1]["held"]);
+        assert!((product[0] / product[1] / (ratio * ratio) - 1.0).abs() < 1e-9, "{product:?}");
+        assert!(records[2]["held"].is_null());
+        let codes: Vec<&Value> =
+            report["diagnostics"].as_array().expect("findings").iter().map(|found| &found["code"]).collect();
+        assert!(codes.iter().any(|code| *code == "no-driver"), "{codes:?}");
+        // Equal to the inertia at the mass matrix of the motors, from a range about the pose.
+        let range = json(&format!(
+            "impact {model} --set right={right} --reflected left={left}:{}:2 --format json",
+            left + 0.01
+        ));
+        let of_range = number(&range["reflected_over"][0]["held"][0]);
+        assert!((of_range / number(&records[0]["held"]) - 1.0).abs() < 1e-9, "{of_range}");
+    }
+}

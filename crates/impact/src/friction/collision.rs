@@ -3,9 +3,11 @@
 use crate::error::ImpactError;
 use crate::friction::phases::{Collision, RestitutionLaw};
 use crate::friction::planar::{PlanarMobility, planar_collision};
+use crate::friction::rounding::{resolved_mobility, resolved_rate, resolved_velocity, sticking_ratio};
 use crate::friction::spatial::spatial_collision;
+use crate::mobility::semidefinite::SemidefiniteSolver;
 use crate::tolerances::{MASSLESS_RESPONSE, PLANAR};
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2, Vector3};
 
 /// Impact with Coulomb friction at one contact.
 ///
@@ -41,6 +43,7 @@ pub fn frictional_collision(
     if mobility[(0, 0)].is_nan() || mobility[(0, 0)] <= 0.0 {
         return Err(ImpactError::Immovable);
     }
+    let (mobility, before) = (&resolved_mobility(mobility), &resolved_velocity(before));
     if law == RestitutionLaw::Algebraic {
         return algebraic(mobility, before, friction, restitution)
             .ok_or(ImpactError::NoEnd { law: law.name() });
@@ -55,20 +58,7 @@ pub fn frictional_collision(
 /// Smallest coefficient of friction at which the contact can stick, |A_tt⁻¹ a_tn|; `None` if a_tn has a component in a tangential
 /// direction in which the contact cannot move.
 pub fn sticking_threshold(mobility: &Matrix3<f64>) -> Option<f64> {
-    let coupling = Vector2::new(mobility[(1, 0)], mobility[(2, 0)]);
-    let tangential: Matrix2<f64> = mobility.fixed_view::<2, 2>(1, 1).into_owned();
-    let eigen = tangential.symmetric_eigen();
-    let largest = eigen.eigenvalues.amax();
-    let mut square = 0.0;
-    for k in 0..2 {
-        let part = eigen.eigenvectors.column(k).dot(&coupling);
-        if eigen.eigenvalues[k] > MASSLESS_RESPONSE * largest {
-            square += (part / eigen.eigenvalues[k]).powi(2);
-        } else if part.abs() > MASSLESS_RESPONSE.sqrt() * mobility.norm() {
-            return None;
-        }
-    }
-    Some(square.sqrt())
+    sticking_ratio(mobility).map(|ratio| ratio.norm())
 }
 
 /// Smallest coefficient of friction at which sliding in some direction jams, a_nn/|a_tn|: the friction then accelerates the
@@ -82,16 +72,11 @@ pub fn jamming_threshold(mobility: &Matrix3<f64>) -> Option<f64> {
 fn plane(mobility: &Matrix3<f64>, before: &Vector3<f64>) -> Option<Vector2<f64>> {
     let coupling = Vector2::new(mobility[(1, 0)], mobility[(2, 0)]);
     let sliding = Vector2::new(before[1], before[2]);
-    let (size, speed) = (mobility.norm(), before.norm());
+    let size = mobility.norm();
     let tangential: Matrix2<f64> = mobility.fixed_view::<2, 2>(1, 1).into_owned();
-    let tangent = if sliding.norm() > PLANAR * speed {
-        sliding.normalize()
-    } else if coupling.norm() > PLANAR * size {
-        coupling.normalize()
-    } else {
-        // Without sliding and coupling there is no friction.
-        return Some(Vector2::new(1.0, 0.0));
-    };
+    // Without sliding and coupling there is no friction.
+    let tangent = sliding.try_normalize(0.0).or_else(|| coupling.try_normalize(0.0));
+    let Some(tangent) = tangent else { return Some(Vector2::new(1.0, 0.0)) };
     let across = Vector2::new(-tangent[1], tangent[0]);
     let leaves = across.dot(&coupling).abs().max((across.transpose() * tangential * tangent)[0].abs());
     (leaves <= PLANAR * size).then_some(tangent)
@@ -158,7 +143,7 @@ fn algebraic(
     let sliding = Vector2::new(before[1], before[2]);
     let coupling = Vector2::new(mobility[(1, 0)], mobility[(2, 0)]);
     let direction = sliding.try_normalize(0.0).or_else(|| coupling.try_normalize(0.0))?;
-    let rate = mobility[(0, 0)] - friction * coupling.dot(&direction);
+    let rate = resolved_rate(mobility[(0, 0)] - friction * coupling.dot(&direction), mobility[(0, 0)]);
     let normal = -(1.0 + restitution) * before[0] / rate;
     (rate > 0.0).then(|| {
         result(Vector3::new(normal, -friction * normal * direction[0], -friction * normal * direction[1]))
@@ -167,18 +152,10 @@ fn algebraic(
 
 /// Impulse of least norm with W P = `wanted`; `None` if the contact cannot reach this change of velocity.
 fn solve(mobility: &Matrix3<f64>, wanted: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let eigen = mobility.symmetric_eigen();
-    let largest = eigen.eigenvalues.amax();
-    let mut impulse = Vector3::zeros();
-    for k in 0..3 {
-        let axis = eigen.eigenvectors.column(k);
-        if eigen.eigenvalues[k] > MASSLESS_RESPONSE * largest {
-            impulse += axis * (axis.dot(wanted) / eigen.eigenvalues[k]);
-        } else if axis.dot(wanted).abs() > MASSLESS_RESPONSE.sqrt() * wanted.norm() {
-            return None;
-        }
-    }
-    Some(impulse)
+    let solver = SemidefiniteSolver::new(DMatrix::from_column_slice(3, 3, mobility.as_slice()));
+    let wanted = DVector::from_column_slice(wanted.as_slice());
+    let reaches = (solver.kernel().transpose() * &wanted).norm() <= MASSLESS_RESPONSE.sqrt() * wanted.norm();
+    reaches.then(|| Vector3::from_column_slice(solver.solve(&wanted).as_slice()))
 }
 
 #[cfg(test)]

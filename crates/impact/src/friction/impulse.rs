@@ -4,6 +4,7 @@ use crate::error::ImpactError;
 use crate::friction::collision::frictional_collision;
 use crate::friction::one_motion::OneMotion;
 use crate::friction::phases::{Phase, PhaseKind, RestitutionLaw, add_phase};
+use crate::friction::rounding::resolved_velocity;
 use crate::friction::thresholds::{FrictionThresholds, check_contact_point, contact_mobility};
 use crate::motion::joint_rates::JointRates;
 use crate::reactions::reaction::Reactions;
@@ -224,7 +225,7 @@ fn general_impulse(
     let delassus = contact_mobility(pose, response)?;
     let velocities = delassus.velocities(pose, before);
     let mobility = delassus.block(0);
-    let velocity = Vector3::new(-speed, velocities[1], velocities[2]);
+    let velocity = resolved_velocity(&Vector3::new(-speed, velocities[1], velocities[2]));
     let solve = |law_of| frictional_collision(&mobility, &velocity, law.coefficient, restitution, law_of);
     let size = 0.5 * speed * speed / mobility[(0, 0)];
     let all = RestitutionLaw::ALL.map(|law_of| match solve(law_of) {

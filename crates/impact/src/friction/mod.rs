@@ -8,5 +8,6 @@ pub(crate) mod impulse;
 pub(crate) mod one_motion;
 pub(crate) mod phases;
 pub(crate) mod planar;
+pub(crate) mod rounding;
 pub(crate) mod spatial;
 pub(crate) mod thresholds;

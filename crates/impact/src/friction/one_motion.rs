@@ -1,7 +1,7 @@
 //! Coulomb friction at a contact whose two sides have one relative motion: closed form.
 
 use crate::friction::phases::RestitutionLaw;
-use crate::tolerances::{NO_SLIDING, ONE_MOTION};
+use crate::tolerances::{NO_SLIDING, ONE_MOTION, WEDGED};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 
@@ -64,7 +64,7 @@ impl OneMotion {
         // A point that does not slide needs no friction.
         let friction = if self.slope > 0.0 { friction } else { 0.0 };
         let product = friction * self.slope;
-        let is_wedged = product >= 1.0;
+        let is_wedged = product >= 1.0 - WEDGED;
         let compression = self.mass * speed / (1.0 + product);
         if law == RestitutionLaw::Algebraic {
             // Full friction against the first sliding, also in expansion.

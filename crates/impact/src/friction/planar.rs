@@ -1,7 +1,7 @@
 //! Frictional impact of a contact that moves in one plane: closed form.
 
 use crate::friction::phases::{Phase, PhaseKind, RestitutionLaw, add_phase};
-use crate::tolerances::WEDGED;
+use crate::friction::rounding::resolved_rate;
 
 /// Mobility of a contact in a plane, 1/kg.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,8 @@ pub(crate) fn planar_collision(
             (true, false) => 0.0,
             (false, _) => -friction * sigma,
         };
-        let (alpha, beta) = (nn + nt * tangential, if sticks { 0.0 } else { nt + tt * tangential });
+        let alpha = resolved_rate(nn + nt * tangential, nn);
+        let beta = if sticks { 0.0 } else { nt + tt * tangential };
         let kind = match (sticks, has_slid) {
             (true, _) => PhaseKind::Stick,
             (false, true) if starts_at_rest || done.phases.last().is_some_and(is_reverse) => {
@@ -81,7 +82,7 @@ pub(crate) fn planar_collision(
             (false, _) if alpha <= 0.0 && !is_expansion => PhaseKind::Jam,
             (false, _) => PhaseKind::Slip,
         };
-        if sticks && alpha <= WEDGED * nn && is_expansion && un <= 0.0 {
+        if sticks && alpha <= 0.0 && is_expansion && un <= 0.0 {
             done.is_wedged = true;
             break;
         }

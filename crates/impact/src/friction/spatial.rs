@@ -1,8 +1,9 @@
 //! Frictional impact of a contact that slides in changing directions: integration over the normal impulse.
 
 use crate::friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw, add_phase};
+use crate::friction::rounding::{resolved_rate, sticking_ratio};
 use crate::numerics::extrapolation::{controlled_step, step};
-use crate::tolerances::{MOST_STEPS, SLIDING_ENDS, STEP_ERROR, WEDGED};
+use crate::tolerances::{MOST_STEPS, SLIDING_ENDS, STEP_ERROR};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 /// Blocks of the mobility, divided by a_nn: the unit of velocity is the closing speed, that of impulse the closing speed/a_nn.
@@ -23,7 +24,7 @@ impl Blocks {
 
     /// Change of the normal velocity per normal impulse while sliding along `direction`.
     fn normal_rate(&self, direction: &Vector2<f64>) -> f64 {
-        1.0 - self.friction * self.coupling.dot(direction)
+        resolved_rate(1.0 - self.friction * self.coupling.dot(direction), 1.0)
     }
 
     /// True if sliding along `direction` keeps this direction: it is invariant to rounding, and neighbouring directions
@@ -35,15 +36,6 @@ impl Blocks {
         let slope = -direction.dot(&self.sliding_rate(direction))
             - self.friction * (across.transpose() * self.tangential * across)[0];
         turning.abs() <= INVARIANT * size && slope < 0.0
-    }
-
-    /// Tangential impulse per normal impulse that prevents sliding; `None` if it exceeds the friction.
-    fn sticking(&self) -> Option<Vector2<f64>> {
-        if self.coupling.norm() == 0.0 {
-            return Some(Vector2::zeros());
-        }
-        let ratio = -self.tangential.try_inverse()? * self.coupling;
-        (ratio.norm() <= self.friction).then_some(ratio)
     }
 
     /// Direction ŝ of the sliding that starts from rest: the direction ŝ with sliding rate λŝ, λ > 0, that is (µA + λ) ŝ = a.
@@ -137,7 +129,8 @@ pub(crate) fn spatial_collision(
     let mut is_wedged = false;
     if !ended {
         state.sliding = Vector2::zeros();
-        let (kind, ratio, sliding) = match blocks.sticking() {
+        let ratio = sticking_ratio(mobility).filter(|ratio| ratio.norm() <= friction);
+        let (kind, ratio, sliding) = match ratio {
             Some(ratio) => (PhaseKind::Stick, ratio, Vector2::zeros()),
             None => {
                 let direction = blocks.direction_from_rest();
@@ -145,9 +138,9 @@ pub(crate) fn spatial_collision(
                 (kind, -direction * friction, direction * direction.dot(&blocks.sliding_rate(&direction)))
             }
         };
-        let alpha = 1.0 + blocks.coupling.dot(&ratio);
+        let alpha = resolved_rate(1.0 + blocks.coupling.dot(&ratio), 1.0);
         while !ended {
-            if kind == PhaseKind::Stick && alpha <= WEDGED {
+            if kind == PhaseKind::Stick && alpha <= 0.0 {
                 is_wedged = true;
                 break;
             }
@@ -382,4 +375,28 @@ fn finish(state: &mut State, y: &[f64], (works, impulses): ([f64; 2], [f64; 2]))
     state.sliding = Vector2::new(y[ANGLE].cos(), y[ANGLE].sin()) * y[SPEED];
     state.impulse = Vector3::new(y[IMPULSE], y[TANGENTIAL], y[TANGENTIAL + 1]);
     (state.works, state.impulses) = (works, impulses);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With A = diag(1, 2) and a along the first axis, sliding along both signs of this axis does not turn. For small µ the direction of a is
+    /// stable, and the opposite one is not.
+    #[test]
+    fn only_stable_invariant_directions_are_kept() {
+        let blocks = |coupling| Blocks {
+            coupling: Vector2::new(coupling, 0.0),
+            tangential: Matrix2::new(1.0, 0.0, 0.0, 2.0),
+            friction: 0.1,
+        };
+        let keeps =
+            |coupling: f64, x: f64, y: f64| blocks(coupling).keeps_direction(&Vector2::new(x, y), 1.0);
+        assert!(keeps(0.5, 1.0, 0.0) && !keeps(0.5, -1.0, 0.0));
+        assert!(keeps(-0.5, -1.0, 0.0) && !keeps(-0.5, 1.0, 0.0));
+        // Directions that turn, towards the stable one and away from the other one.
+        assert!(!keeps(0.5, 0.8, 0.6) && !keeps(0.5, -0.8, 0.6));
+        // The derivative −a − µ (A₂₂ − A₁₁) of the turning vanishes: no stable direction.
+        assert!(!keeps(-0.1, 1.0, 0.0));
+    }
 }

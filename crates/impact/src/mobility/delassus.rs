@@ -1,13 +1,13 @@
 //! Delassus matrix of a list of contacts.
 
 use crate::group_rows::GroupRows;
-use crate::mobility::semidefinite::unit_diagonal_scale;
+use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
-use crate::tolerances::{MASSLESS_ENERGY, MASSLESS_RESPONSE};
+use crate::tolerances::{MASSLESS_ENERGY, MASSLESS_RESPONSE, SPEED_ROUNDING, UNMOVED};
 use faer::{Mat, Side};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use percuss_dynamics::{LocatedContact, Pose};
+use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, LocatedContact, Pose};
 use percuss_spatial::plane_basis;
 
 /// Error of a Delassus matrix.
@@ -40,6 +40,8 @@ pub enum DelassusError {
 /// | W      | relative velocity per impulse              | 3k×3k  | 1/kg  |
 /// | J      | relative velocity per coordinate rate      | 3k×n   | m, 1  |
 ///
+/// The normal rows of J and W of an immovable contact ([`EffectiveMass::Immovable`]) are zero, without rounding.
+///
 /// W is symmetric and positive semi-definite; it is singular if the contacts constrain each other. Cost: O(n³). Sources:
 /// Delassus 1917; Khatib 1987 for one link.
 #[derive(Clone, Debug)]
@@ -65,6 +67,9 @@ impl Delassus {
             let own = contact_axes(pose, contact);
             let relative = own.transpose() * relative_jacobian(pose, contact);
             jacobian.rows_mut(3 * number, 3).copy_from(&relative);
+            if is_immovable(pose, contact) {
+                jacobian.row_mut(3 * number).fill(0.0);
+            }
             axes.push(own);
         }
         let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
@@ -124,9 +129,21 @@ impl Delassus {
         DMatrix::from_fn(k, k, |r, c| self.matrix[(3 * r, 3 * c)])
     }
 
-    /// Relative velocities of the contact points at given rates, J q̇.
+    /// Relative velocities of the contact points at given rates, J q̇. A component that is rounding of its terms is zero.
     pub fn velocities(&self, pose: &Pose, rates: &JointRates) -> DVector<f64> {
-        &self.jacobian * DVector::from_vec(rates.coordinates(pose))
+        let rates = DVector::from_vec(rates.coordinates(pose));
+        let size = |contact: usize| -> f64 {
+            let columns = self.jacobian.rows(3 * contact, 3);
+            columns.column_iter().zip(rates.iter()).map(|(column, rate)| column.norm() * rate.abs()).sum()
+        };
+        let sizes: Vec<f64> = (0..self.contacts()).map(size).collect();
+        let mut velocities = &self.jacobian * rates;
+        for (row, velocity) in velocities.iter_mut().enumerate() {
+            if velocity.abs() <= SPEED_ROUNDING * sizes[row / 3] {
+                *velocity = 0.0;
+            }
+        }
+        velocities
     }
 
     /// Change of all joint rates by impulses at the contacts.
@@ -146,6 +163,19 @@ impl Delassus {
         }
     }
 
+    /// Orthonormal tangential directions in which a contact can move, as components along both tangents.
+    pub(crate) fn movable_tangents(&self, contact: usize) -> Vec<DVector<f64>> {
+        let tangential = self.block(contact).view((1, 1), (2, 2)).clone_owned();
+        let tangential = DMatrix::from_column_slice(2, 2, tangential.as_slice());
+        SemidefiniteSolver::within(tangential, self.mobility_size(contact)).movable_directions().collect()
+    }
+
+    /// Size of the mobility of a contact. If the whole block is rounding, an upper bound of it.
+    fn mobility_size(&self, contact: usize) -> f64 {
+        let unmoved = UNMOVED * UNMOVED / MASSLESS_RESPONSE;
+        self.block(contact).norm().max(unmoved * self.matrix.diagonal().amax())
+    }
+
     /// Principal masses of a contact point, kg, in ascending order, with their directions in root axes: reciprocals and
     /// eigenvectors of the block. A direction in which the point cannot move has an infinite mass. For a moment: principal inertias, kg·m².
     ///
@@ -153,15 +183,23 @@ impl Delassus {
     /// If the contact does not exist.
     pub fn principal_masses(&self, contact: usize) -> [(f64, Vector3<f64>); 3] {
         let eigen = self.block(contact).symmetric_eigen();
-        let largest = eigen.eigenvalues.amax();
+        let least = MASSLESS_RESPONSE * self.mobility_size(contact);
         let mut order = [0, 1, 2];
         order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
         order.map(|k| {
             let value = eigen.eigenvalues[k];
-            let mass = if value > MASSLESS_RESPONSE * largest { 1.0 / value } else { f64::INFINITY };
+            let mass = if value > least { 1.0 / value } else { f64::INFINITY };
             (mass, self.axes[contact] * eigen.eigenvectors.column(k))
         })
     }
+}
+
+/// True if no admissible motion closes the gap.
+fn is_immovable(pose: &Pose, contact: &LocatedContact) -> bool {
+    let LocatedContact { link, against, point_link: point, normal_link, is_moment, .. } = *contact;
+    let direction = if is_moment { Direction::About } else { Direction::Along };
+    let contact = Contact { link, against, point, normal: direction(normal_link, Frame::Link) };
+    pose.respond(&contact).is_ok_and(|response| response.effective_mass == EffectiveMass::Immovable)
 }
 
 /// Axes of a contact as columns, in root axes: −n̂ and two tangents.

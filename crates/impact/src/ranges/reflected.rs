@@ -2,8 +2,9 @@
 
 use crate::group_rows::GroupRows;
 use crate::mobility::delassus::relative_jacobian;
-use crate::motion::driver_rates::lengths;
-use nalgebra::{DMatrix, Vector3};
+use crate::motion::driver_rates::{kernel, lengths};
+use crate::tolerances::DRIVES;
+use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{EffectiveMass, LocatedContact, MatrixError, MatrixOptions, MatrixView, Pose};
 use percuss_mechanism::JointId;
 use percuss_spatial::{SpatialInertia, Transform, Twist, plane_basis};
@@ -49,6 +50,19 @@ pub fn reflected_inertia(
     joint: JointId,
     index: usize,
 ) -> Result<ReflectedInertia, ReflectedError> {
+    reflected_inertia_with(pose, joint, index, &[])
+}
+
+/// As [`reflected_inertia`], with the drivers of [`driving_joints_with`].
+///
+/// # Errors
+/// As for [`reflected_inertia`].
+pub fn reflected_inertia_with(
+    pose: &Pose,
+    joint: JointId,
+    index: usize,
+    preferred: &[JointId],
+) -> Result<ReflectedInertia, ReflectedError> {
     let declared = pose.mechanism().joint(joint);
     let count = declared.kind().dofs();
     if index >= count {
@@ -65,7 +79,7 @@ pub fn reflected_inertia(
     };
     let own = row(master, index, multiplier);
     let free = system.least_mass(&own, &[])?;
-    let drivers = driving_velocities(pose);
+    let drivers = driving_velocities_with(pose, preferred);
     let held = if drivers.contains(&(master, index)) {
         let others: Vec<Vec<f64>> = drivers
             .iter()
@@ -177,9 +191,43 @@ pub(crate) fn driving_velocities(pose: &Pose) -> Vec<(JointId, usize)> {
     coordinates.iter().enumerate().filter_map(drives).collect()
 }
 
+/// Velocities that drive at a pose if the velocities of the `preferred` joints drive where they can: the first independent ones of these
+/// and of [`driving_velocities`], in the order of the coordinates.
+fn driving_velocities_with(pose: &Pose, preferred: &[JointId]) -> Vec<(JointId, usize)> {
+    let automatic = driving_velocities(pose);
+    if preferred.iter().all(|joint| automatic.iter().any(|(driver, _)| driver == joint)) {
+        return automatic;
+    }
+    let coordinates = pose.coordinate_joints();
+    let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
+    let kernel = kernel(&groups, &lengths(pose, &coordinates));
+    let index = |(joint, k): (JointId, usize)| coordinates.iter().position(|c| *c == (Some(joint), k));
+    let of_joint = |joint: &JointId| coordinates.iter().position(|(own, _)| *own == Some(*joint));
+    let first = preferred.iter().filter_map(of_joint);
+    let mut drivers: Vec<usize> = Vec::new();
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    for c in first.chain(automatic.into_iter().filter_map(index)) {
+        let mut row = DVector::from_fn(kernel.ncols(), |k, _| kernel[(c, k)]);
+        basis.iter().for_each(|known| row -= known * known.dot(&row));
+        if row.norm() > DRIVES {
+            basis.push(row.normalize());
+            drivers.push(c);
+        }
+    }
+    drivers.sort_unstable();
+    drivers.into_iter().filter_map(|c| Some((coordinates[c].0?, coordinates[c].1))).collect()
+}
+
 /// Joints that drive at a pose, in the order of the coordinates.
 pub fn driving_joints(pose: &Pose) -> Vec<JointId> {
-    let mut joints: Vec<JointId> = driving_velocities(pose).into_iter().map(|(joint, _)| joint).collect();
+    driving_joints_with(pose, &[])
+}
+
+/// Joints that drive at a pose, in the order of the coordinates. A `preferred` joint with one velocity, such as one whose position is given,
+/// drives instead of an automatic driver of its loop, unless it cannot move independently of the joints before it.
+pub fn driving_joints_with(pose: &Pose, preferred: &[JointId]) -> Vec<JointId> {
+    let velocities = driving_velocities_with(pose, preferred);
+    let mut joints: Vec<JointId> = velocities.into_iter().map(|(joint, _)| joint).collect();
     joints.dedup();
     joints
 }

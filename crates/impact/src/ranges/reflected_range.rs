@@ -1,7 +1,7 @@
 //! Reflected inertia over the range of a driving joint, and the best constant armature.
 
 use crate::ranges::mimic_substitute::{MimicSubstitute, NoSubstitute, mimic_substitute};
-use crate::ranges::reflected::{ReflectedError, ReflectedInertia, reflected_inertia};
+use crate::ranges::reflected::{ReflectedError, ReflectedInertia, reflected_inertia_with};
 use percuss_dynamics::{AssemblyError, Configuration, ConfigurationError, EffectiveMass, Pose, System};
 use percuss_mechanism::JointId;
 
@@ -68,6 +68,22 @@ pub fn reflected_inertia_over(
     joint: JointId,
     positions: &[f64],
 ) -> Result<ReflectedRange, RangeError> {
+    reflected_inertia_over_with(system, configuration, joint, positions, &[])
+}
+
+/// As [`reflected_inertia_over`], with the drivers of [`driving_joints_with`](crate::driving_joints_with): first the joint of the range, then
+/// the `preferred` joints.
+///
+/// # Errors
+/// [`RangeError`].
+pub fn reflected_inertia_over_with(
+    system: &System,
+    configuration: &Configuration,
+    joint: JointId,
+    positions: &[f64],
+    preferred: &[JointId],
+) -> Result<ReflectedRange, RangeError> {
+    let preferred = [&[joint], preferred].concat();
     let name = system.mechanism().joint(joint).name().to_owned();
     let mut poses: Vec<Pose> = Vec::with_capacity(positions.len());
     let mut samples = Vec::with_capacity(positions.len());
@@ -79,7 +95,10 @@ pub fn reflected_inertia_over(
             Some(last) => system.pose_from(last, &wanted),
         };
         let next = next.map_err(|error| RangeError::Position { joint: name.clone(), position, error })?;
-        samples.push(ReflectedSample { position, inertia: reflected_inertia(&next, joint, 0)? });
+        samples.push(ReflectedSample {
+            position,
+            inertia: reflected_inertia_with(&next, joint, 0, &preferred)?,
+        });
         poses.push(next);
     }
     let value = |sample: &ReflectedSample| match sample.inertia.held.unwrap_or(sample.inertia.free) {

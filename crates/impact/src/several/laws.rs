@@ -2,9 +2,10 @@
 
 use crate::error::ImpactError;
 use crate::mobility::delassus::Delassus;
-use crate::several::complementarity::complementarity;
+use crate::mobility::semidefinite::contact_scale;
+use crate::several::complementarity::{complementarity, speed_rounding};
 use crate::several::energetic::{ContactStiffness, energetic_impulses};
-use crate::tolerances::{COMPLEMENTARY, CREATED_ENERGY, MOST_CONTACTS};
+use crate::tolerances::{CREATED_ENERGY, MOST_CONTACTS};
 use nalgebra::{DMatrix, DVector};
 
 /// Law of several simultaneous contacts.
@@ -38,7 +39,7 @@ impl SimultaneousLaw {
 pub struct SimultaneousImpact {
     /// The law.
     pub law: SimultaneousLaw,
-    /// Normal impulse of each contact, N·s; `None` if redundant contacts leave it open.
+    /// Normal impulse of each contact, N·s; `None` if redundant contacts leave it open, or if the contact cannot move.
     pub impulses: Vec<Option<f64>>,
     /// Opening speed of each contact after the impact, m/s.
     pub after: Vec<f64>,
@@ -56,10 +57,11 @@ pub struct SimultaneousImpact {
 /// contact stiffnesses. The energetic law takes these ratios as input; Newton's and Poisson's laws make other assumptions. The spread of
 /// the laws shows the uncertainty.
 ///
-/// `before`: opening speeds, k; `restitution`: e of each contact.
+/// `before`: opening speeds, k; `restitution`: e of each contact. An immovable contact takes part in no law: its impulse is open, and its
+/// speed after the impact is zero.
 ///
 /// # Errors
-/// [`ImpactError`]: values out of range, no contact that closes, no solution.
+/// [`ImpactError`]: values out of range, no movable contact that closes, no solution.
 pub fn simultaneous_impact(
     delassus: &Delassus,
     before: &DVector<f64>,
@@ -101,6 +103,12 @@ pub fn simultaneous_impact_of_matrix(
     if !(closing.is_finite() && closing > 0.0) {
         return Err(ImpactError::ClosingSpeed { got: closing });
     }
+    let scale = contact_scale(matrix);
+    let matrix = &DMatrix::from_fn(k, k, |r, c| if scale[r] * scale[c] > 0.0 { matrix[(r, c)] } else { 0.0 });
+    let before = &before.zip_map(&scale, |u, scale| if scale > 0.0 { u } else { 0.0 });
+    if before.min() >= 0.0 {
+        return Err(ImpactError::Immovable);
+    }
     let no_end = || ImpactError::NoEnd { law: law.name() };
     let (solution, is_open) = match law {
         SimultaneousLaw::Newton => {
@@ -114,18 +122,20 @@ pub fn simultaneous_impact_of_matrix(
             let at_least = &compression.z + &least;
             let q = before + matrix * &at_least;
             // Rounding of a vanishing opening speed is no further impulse.
-            let q = q.map(|u| if u.abs() <= COMPLEMENTARY * closing { 0.0 } else { u });
+            let limit = speed_rounding(&scale, before);
+            let q = DVector::from_fn(k, |i, _| if q[i].abs() * scale[i] <= limit[i] { 0.0 } else { q[i] });
             let more = complementarity(matrix, &q).ok_or_else(no_end)?;
             let is_open = compression.is_open.iter().zip(&more.is_open).map(|(a, b)| *a || *b).collect();
             (at_least + more.z, is_open)
         }
         SimultaneousLaw::Energetic => {
-            (energetic_impulses(matrix, before, restitution, stiffness)?, vec![false; k])
+            let is_open = scale.iter().map(|scale| *scale == 0.0).collect();
+            (energetic_impulses(matrix, before, restitution, stiffness)?, is_open)
         }
     };
     let after = before + matrix * &solution;
     let energy_loss = -0.5 * solution.dot(&(before + &after));
-    let size = 0.5 * solution.dot(&solution.map(|p| p.abs())).max(0.0) * matrix.amax();
+    let size = 0.5 * (0..k).map(|i| solution[i] * solution[i] * matrix[(i, i)]).sum::<f64>();
     Ok(SimultaneousImpact {
         law,
         impulses: (0..k).map(|i| (!is_open[i]).then_some(solution[i])).collect(),

@@ -4,8 +4,8 @@ use crate::error::ImpactError;
 use crate::mobility::delassus::Delassus;
 use crate::mobility::semidefinite::SemidefiniteSolver;
 use crate::several::least_friction::least_friction;
-use crate::tolerances::{COMPLEMENTARY, MASSLESS_RESPONSE, MOST_CONTACTS};
-use nalgebra::{DMatrix, DVector, Matrix2};
+use crate::tolerances::{COMPLEMENTARY, MOST_CONTACTS};
+use nalgebra::{DMatrix, DVector};
 
 /// State of a contact after a plastic impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +97,7 @@ impl Subset {
         let k = delassus.contacts();
         let directions = directions(delassus, mask);
         let w = delassus.matrix();
-        let solver = SemidefiniteSolver::new(directions.transpose() * w * &directions);
+        let solver = SemidefiniteSolver::of_contacts(&(directions.transpose() * w * &directions));
         let impulses = &directions * solver.solve(&(directions.transpose() * -before));
         let is_open = (0..3 * k).map(|row| solver.is_open(&directions.row(row).transpose())).collect();
         let after = before + w * &impulses;
@@ -184,14 +184,10 @@ fn directions(delassus: &Delassus, mask: u32) -> DMatrix<f64> {
         let mut normal = DVector::zeros(3 * k);
         normal[3 * i] = 1.0;
         columns.push(normal);
-        let block = delassus.block(i);
-        let tangential: Matrix2<f64> = block.fixed_view::<2, 2>(1, 1).into_owned();
-        let eigen = tangential.symmetric_eigen();
-        for c in (0..2).filter(|&c| eigen.eigenvalues[c] > MASSLESS_RESPONSE * block.norm()) {
-            let mut tangent = DVector::zeros(3 * k);
-            tangent[3 * i + 1] = eigen.eigenvectors[(0, c)];
-            tangent[3 * i + 2] = eigen.eigenvectors[(1, c)];
-            columns.push(tangent);
+        for tangent in delassus.movable_tangents(i) {
+            let mut column = DVector::zeros(3 * k);
+            column.rows_mut(3 * i + 1, 2).copy_from(&tangent);
+            columns.push(column);
         }
     }
     DMatrix::from_columns(&columns)

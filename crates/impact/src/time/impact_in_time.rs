@@ -352,7 +352,8 @@ impl<'a> Motion<'a> {
     }
 
     /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method, with its values and its distance
-    /// from `y`. `states`: state at a distance from `y`. Moves `pose` to the state.
+    /// from `y`. A value that stays zero, such as a force without pull, is not linear there: its first zero is found by bisection. `states`:
+    /// state at a distance from `y`. Moves `pose` to the state.
     fn locate(
         &self,
         y: &[f64],
@@ -374,10 +375,12 @@ impl<'a> Motion<'a> {
             if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
                 break;
             }
-            let middle = low + (high - low) * (above / (above - below)).clamp(0.0, 1.0);
+            let has_sign = below < 0.0;
+            let part = if has_sign { (above / (above - below)).clamp(0.0, 1.0) } else { 0.5 };
+            let middle = low + (high - low) * part;
             found = state(middle)?;
             let v = value(&found.1);
-            if v.abs() <= CONTACT_ENDS {
+            if has_sign && v.abs() <= CONTACT_ENDS {
                 break;
             }
             if v > 0.0 {

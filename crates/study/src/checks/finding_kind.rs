@@ -79,6 +79,7 @@ finding_kinds! {
     NearlyImmovable = "nearly-immovable", Warning, Pose;
     NoAnswer = "no-answer", Warning, Pose;
     NoDamper = "no-damper", Warning, Report;
+    NoDriver = "no-driver", Warning, Report;
     NotFinite = "not-finite", Warning, Pose;
     NotUnitQuaternion = "not-unit-quaternion", Warning, Pose;
     ObliqueStop = "oblique-stop", Note, Report;

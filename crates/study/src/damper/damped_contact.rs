@@ -19,11 +19,12 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{BEFORE_END, DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
+use crate::thresholds::{BEFORE_END, DIFFERENCE, MUJOCO_MINVAL, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
 use percuss_contact::VaryingMassImpact;
 use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism};
+use percuss_spatial::Vector3;
 
 /// Damper of a contact of a model. A contact in the form `JOINT:lower` or `JOINT:upper` is the stop of the joint, as in [`damp_stop`].
 ///
@@ -279,7 +280,7 @@ fn options(given: Options, evaluated: &EvaluatedQuestion, mass: f64) -> Options 
         let other =
             against.map_or(Some(0.0), |other| spanning_tree_inverse_mass(mechanism, question, other))?;
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
-        Some((ours + other + free) * mass)
+        Some((ours + other + free) * mass).filter(|ratio| *ratio > 0.0)
     };
     // A joint stop has an inertia instead of a mass.
     let free = || {
@@ -327,13 +328,19 @@ fn spanning_tree_joint_inertia(
     }
 }
 
-/// MuJoCo's `body_invweight0`: mean inverse mass of a link on the spanning tree without loops, all joints at
-/// zero.
+/// MuJoCo's `body_invweight0[0]`: mean inverse mass of a link on the spanning tree without loops, all joints at zero. If it is below
+/// `mjMINVAL`, as for a balanced wheel, MuJoCo takes the number of the mean inverse inertia (`mj_setConst`, version 3.3).
 fn spanning_tree_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
     let system = spanning_tree_system(mechanism, question)?;
     let link = system.mechanism().find_link(mechanism.link(link).name()).ok()?;
     let pose = system.pose(&system.configuration()).ok()?;
-    pose.mean_inverse_mass(link).ok()
+    let mean = pose.mean_inverse_mass(link).ok()?;
+    if mean >= MUJOCO_MINVAL {
+        return Some(mean);
+    }
+    let moment = pose.locate(&Contact::about_axis(link, Vector3::x())).ok()?;
+    let response = pose.inverse_operational_inertia(&moment).ok()?;
+    Some((0..3).map(|i| response.matrix()[(i, i)]).sum::<f64>() / 3.0)
 }
 
 /// Spanning tree of the mechanism without its constraints.

@@ -36,7 +36,7 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
 /// Report without a contact as text.
 fn text(report: &ReflectedReport) -> String {
     let ReflectedReport { reflected_inertia, reflected_over, drivers, conditions, .. } = report;
-    let mut facts = facts(reflected_inertia, reflected_over, drivers);
+    let mut facts = facts(reflected_inertia, reflected_over);
     facts.push(("base", conditions.base.to_owned()));
     facts.push(("driving joints", drivers.join(", ")));
     if !conditions.lock.is_empty() {
@@ -45,13 +45,9 @@ fn text(report: &ReflectedReport) -> String {
     facts.into_iter().map(|(name, value)| fact_line(name, &line(&value))).collect()
 }
 
-/// Reflected inertias as text. `drivers`: driving joints, named for a joint that does not drive.
-pub fn facts(
-    records: &[ReflectedRecord],
-    ranges: &[ReflectedRangeRecord],
-    drivers: &[String],
-) -> Vec<(&'static str, String)> {
-    let mut facts: Vec<_> = records.iter().map(|record| ("reflected", reflected(record, drivers))).collect();
+/// Reflected inertias as text.
+pub fn facts(records: &[ReflectedRecord], ranges: &[ReflectedRangeRecord]) -> Vec<(&'static str, String)> {
+    let mut facts: Vec<_> = records.iter().map(|record| ("reflected", reflected(record))).collect();
     for range in ranges {
         facts.push(("armature", armature(range)));
         facts.extend(range.substitute.as_ref().map(|found| ("mimic joints", substitute(range, found))));
@@ -64,15 +60,19 @@ pub fn facts(
 }
 
 /// Inertias reflected to a joint as text, with the unit: with all other joints free, and with the other drivers held.
-fn reflected(record: &ReflectedRecord, drivers: &[String]) -> String {
+fn reflected(record: &ReflectedRecord) -> String {
     let value = |status: Status, value: Option<f64>| match (status, value) {
         (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),
         (status, _) => status.name().to_owned(),
     };
     let free = value(record.free_status, record.free);
     let held = record.held_status.map_or_else(
-        || format!("no driving joint (driving joints: {})", drivers.join(", ")),
-        |status| format!("{} with the other drivers held", value(status, record.held)),
+        || format!("no driving joint (driving joints: {})", record.other_drivers.join(", ")),
+        |status| {
+            let others = record.other_drivers.join(", ");
+            let others = if others.is_empty() { "the other drivers".to_owned() } else { others };
+            format!("{} with {others} held", value(status, record.held))
+        },
     );
     let direction = record.direction.map_or_else(String::new, |direction| format!(" {direction}"));
     format!("{}{direction}: {free} free; {held}", record.joint)

@@ -214,7 +214,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             format!("the limit of {joint} has no effect: the impact does not change the rate of this joint");
         facts.push(("greatest speed", note));
     }
-    facts.extend(reflected::facts(&report.reflected_inertia, &report.reflected_over, &report.mass.drivers));
+    facts.extend(reflected::facts(&report.reflected_inertia, &report.reflected_over));
     for centre in &report.percussion {
         let along = if centre.direction.is_some() { "along the line" } else { "in the tangent plane" };
         let open = if centre.open_by.is_empty() {

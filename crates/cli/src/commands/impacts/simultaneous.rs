@@ -146,16 +146,24 @@ pub fn law_note(several: &SimultaneousRecord) -> String {
         short_number(rounded(several.spread.unwrap_or_default(), 1.0)),
         ratios.join(":"),
         short_number(several.contact_exponent),
-        if several
-            .laws
-            .iter()
-            .any(|law| law.impulses.iter().any(Option::is_none) && law.energy_loss.is_some())
-        {
-            " ?: redundant contacts leave the impulse open."
-        } else {
-            ""
-        },
+        open_note(several),
     )
+}
+
+/// Explanation of open impulses.
+fn open_note(several: &SimultaneousRecord) -> &'static str {
+    let is_open =
+        |i: usize| several.laws.iter().any(|law| law.impulses[i].is_none() && law.energy_loss.is_some());
+    let open = several.contacts.iter().enumerate().filter(|(i, _)| is_open(*i));
+    let immovable: Vec<bool> = open.map(|(_, contact)| contact.effective_mass.is_none()).collect();
+    match (immovable.contains(&true), immovable.contains(&false)) {
+        (true, true) => {
+            " ?: an immovable contact takes part in no law, and redundant contacts leave the impulse open."
+        }
+        (true, false) => " ?: an immovable contact takes part in no law, and its impulse is not determined.",
+        (false, true) => " ?: redundant contacts leave the impulse open.",
+        (false, false) => "",
+    }
 }
 
 /// Contacts of a plastic impact.

@@ -112,7 +112,7 @@ class SimultaneousLawRecord(Record):
     law: str
     """"newton", "poisson" or "energetic"."""
     impulses: list[float | None]
-    """Normal impulse of each contact, N·s; None if redundant contacts leave it open."""
+    """Normal impulse of each contact, N·s; None if redundant contacts leave it open, or if the contact cannot move."""
     opening_speeds: list[float]
     """Opening speed of each contact after the impact, m/s; empty if the law has no solution."""
     energy_loss: float | None
@@ -415,6 +415,9 @@ class ReflectedRecord(Record):
     """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
     held_status: Literal["finite", "immovable", "massless"] | None
     """Kind of "held"; None for a joint that is no driver."""
+    other_drivers: list[str]
+    """The other drivers, which are at rest for "held". Joints whose positions are given drive; the others are chosen
+    automatically."""
 
 
 class MimicJointRecord(Record):

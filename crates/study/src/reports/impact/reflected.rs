@@ -18,7 +18,8 @@ use crate::reports::impact::additions::find_joint;
 use crate::reports::mass_report::ConditionsRecord;
 use percuss_dynamics::{Configuration, EffectiveMass, Pose, System};
 use percuss_impact::{
-    MimicSubstitute, NoSubstitute, ReflectedRange, driving_joints, reflected_inertia, reflected_inertia_over,
+    MimicSubstitute, NoSubstitute, ReflectedRange, driving_joints_with, reflected_inertia_over_with,
+    reflected_inertia_with,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
@@ -44,6 +45,8 @@ pub struct ReflectedRecord {
     pub held: Option<f64>,
     /// Kind of `held`; null for a joint that is no driver.
     pub held_status: Option<Status>,
+    /// The other drivers, which are at rest for `held`. Joints whose positions are given drive; the others are chosen automatically.
+    pub other_drivers: Vec<String>,
 }
 
 /// Inertia reflected to a joint over a range of its positions.
@@ -161,7 +164,9 @@ pub fn reflected_inertias(
     let configuration = configuration(&model.mechanism, question)?;
     let pose = pose_solver::pose(&system, &configuration, question)?;
     let posed = PosedModel { model, question, system: &system, configuration: &configuration, pose: &pose };
+    let (reflected_inertia, of_drivers) = reflected(&posed, joints)?;
     let (reflected_over, found) = reflected_over(&posed, joints)?;
+    let found = of_drivers.into_iter().chain(found);
     let of_pose = collect_pose_findings(&system, &pose, question.names).into_iter().chain(found);
     let mechanism = &model.mechanism;
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
@@ -176,17 +181,30 @@ pub fn reflected_inertias(
             .collect(),
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         conditions: ConditionsRecord::of(question),
-        drivers: driving_joints(&pose).into_iter().map(name).collect(),
-        reflected_inertia: reflected(&posed, joints)?,
+        drivers: driving_joints_with(&pose, &posed.set_joints()).into_iter().map(name).collect(),
+        reflected_inertia,
         reflected_over,
         diagnostics: model.diagnostics.iter().cloned().chain(of_pose.map(DiagnosticRecord::from)).collect(),
     })
 }
 
-/// Reflected inertias of the requested joints, one record for each velocity.
-pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<ReflectedRecord>, StudyError> {
+impl PosedModel<'_> {
+    /// Joints whose positions are given: they drive.
+    fn set_joints(&self) -> Vec<JointId> {
+        let find = |(joint, _): &(String, _)| self.model.mechanism.find_joint(joint).ok();
+        self.question.set.iter().filter_map(find).collect()
+    }
+}
+
+/// Reflected inertias of the requested joints, one record for each velocity, and warnings about joints that do not drive.
+pub(crate) fn reflected(
+    posed: &PosedModel,
+    joints: &[String],
+) -> Result<(Vec<ReflectedRecord>, Vec<Finding>), StudyError> {
     let mechanism = &posed.model.mechanism;
-    let mut records = Vec::new();
+    let preferred = posed.set_joints();
+    let drivers = driving_joints_with(posed.pose, &preferred);
+    let (mut records, mut findings) = (Vec::new(), Vec::new());
     for name in joints.iter().filter(|name| range_of(mechanism, name).is_none()) {
         let joint = find_joint(mechanism, Field::Reflected, name)?;
         let columns = posed.pose.motion_subspace(joint);
@@ -194,7 +212,7 @@ pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<Ref
             return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.clone() }));
         }
         for (component, column) in columns.iter().enumerate() {
-            let found = reflected_inertia(posed.pose, joint, component)
+            let found = reflected_inertia_with(posed.pose, joint, component, &preferred)
                 .map_err(|error| StudyError::input(Field::Reflected, error))?;
             let (free_status, free) = Status::classify(found.free);
             let held = found.held.map(Status::classify);
@@ -207,10 +225,26 @@ pub(crate) fn reflected(posed: &PosedModel, joints: &[String]) -> Result<Vec<Ref
                 free_status,
                 held: held.and_then(|(_, mass)| mass),
                 held_status: held.map(|(status, _)| status),
+                other_drivers: drivers
+                    .iter()
+                    .filter(|driver| **driver != joint)
+                    .map(|driver| mechanism.joint(*driver).name().to_owned())
+                    .collect(),
             });
         }
+        let is_held = records.last().is_some_and(|record| record.held_status.is_some());
+        if !is_held && !posed.pose.is_locked(joint) {
+            let names: Vec<&str> = drivers.iter().map(|driver| mechanism.joint(*driver).name()).collect();
+            let message = format!(
+                "joint \"{name}\": no driving joint at this pose (driving joints: {}), so there is no inertia with the other drivers held; \
+                 give its position{}",
+                names.join(", "),
+                Field::Set.hint(posed.question.names)
+            );
+            findings.push(Finding::new(FindingKind::NoDriver, FindingSubject::Joint(joint), message));
+        }
     }
-    Ok(records)
+    Ok((records, findings))
 }
 
 /// Label of a velocity of a joint with several velocities; `None` for one velocity.
@@ -261,8 +295,11 @@ pub(crate) fn reflected_over(
         let values = range.values(dimension).map_err(|error| refuse(Fault::Range(error)))?;
         let positions: Vec<f64> = (0..values.count).map(|row| values.value_at(row)).collect();
         findings.extend(outside_limits(mechanism, joint, &positions));
-        let found = reflected_inertia_over(posed.system, posed.configuration, joint, &positions)
-            .map_err(|error| StudyError::input(Field::Reflected, error))?;
+        let found = {
+            let (system, configuration) = (posed.system, posed.configuration);
+            reflected_inertia_over_with(system, configuration, joint, &positions, &posed.set_joints())
+        }
+        .map_err(|error| StudyError::input(Field::Reflected, error))?;
         let unit = if dimension == Dimension::Angle { "kg·m²" } else { "kg" };
         records.push(range_record(mechanism, name, unit, positions, found));
     }

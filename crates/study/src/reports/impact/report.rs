@@ -244,8 +244,9 @@ pub fn impact(
     let in_time = in_time(&evaluated, impact, &rigid, &held)?;
     diagnostics.extend(in_time.iter().filter_map(restitution_finding).map(DiagnosticRecord::from));
     let posed = PosedModel::from(&evaluated);
+    let (reflected_inertia, of_drivers) = reflected(&posed, &impact.reflected)?;
     let (reflected_over, found) = reflected_over(&posed, &impact.reflected)?;
-    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(of_drivers.into_iter().chain(found).map(DiagnosticRecord::from));
     let sticking = match has_point {
         true => {
             let alone = held_point_mass(pose, &response.contact);
@@ -279,7 +280,7 @@ pub fn impact(
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         limits_without_effect: limits_without_effect(&evaluated, impact),
-        reflected_inertia: reflected(&posed, &impact.reflected)?,
+        reflected_inertia,
         reflected_over,
         percussion: percussion(&evaluated, impact)?,
         mass,

@@ -61,7 +61,7 @@ pub struct RatesAfterRecord {
 pub struct SimultaneousLawRecord {
     /// `newton`, `poisson` or `energetic`.
     pub law: &'static str,
-    /// Normal impulse of each contact, N·s; null if redundant contacts leave it open.
+    /// Normal impulse of each contact, N·s; null if redundant contacts leave it open, or if the contact cannot move.
     pub impulses: Vec<Option<f64>>,
     /// Opening speed of each contact after the impact, m/s; empty if the law has no solution.
     pub opening_speeds: Vec<f64>,
@@ -254,7 +254,7 @@ pub(crate) fn simultaneous(
 /// True if an error concerns one law only.
 fn has_other_laws(error: &ImpactError, restitution: &[f64]) -> bool {
     match error {
-        ImpactError::NoEnd { .. } => true,
+        ImpactError::NoEnd { .. } | ImpactError::SlowContact { .. } => true,
         ImpactError::OutOfRange { got, .. } => restitution.contains(got),
         _ => false,
     }
