@@ -97,7 +97,12 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
         }
         if has_armature(joint) {
             let what = "its armature is an attribute of <dynamics>";
-            changes.push(Change::changed("joint", joint.name(), what, "URDF has no armature; most readers ignore it"));
+            changes.push(Change::changed(
+                "joint",
+                joint.name(),
+                what,
+                "URDF has no armature; most readers ignore it",
+            ));
         }
     }
     let mut shapes = Vec::with_capacity(parts.shapes.len());
@@ -201,7 +206,10 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     if has_armature(joint) {
         // urdfdom refuses the element without damping and friction.
         let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();
-        append(out, format_args!("    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" ")));
+        append(
+            out,
+            format_args!("    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" ")),
+        );
     }
     if let Some(mimic) = joint.mimic() {
         let master = escape_attribute(mechanism.joint(mimic.master).name());

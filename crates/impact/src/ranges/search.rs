@@ -18,9 +18,9 @@ use percuss_spatial::{Twist, plane_basis};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Work of the search for one extreme: number of joints of all poses and motions that are computed. Seconds; a search over six joints
-/// needs a thousandth.
-pub(super) const SEARCH_WORK: usize = 50_000_000;
+/// Largest work of the search for one extreme: number of joints of all poses and motions that are computed. Seconds; a search over twelve
+/// joints needs a sixth of it.
+pub(super) const SEARCH_WORK: usize = 25_000_000;
 /// Largest number of steps of one search.
 pub(super) const MOST_STEPS: usize = 200;
 /// Projected gradient over the ranges, relative to the value, at which a search ends.

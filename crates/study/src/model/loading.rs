@@ -6,8 +6,7 @@ use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{
     DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, NamedPose, OpenFile, Shape,
-    SharedFiles, Source,
-    load,
+    SharedFiles, Source, load,
 };
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
@@ -182,7 +181,11 @@ impl Model {
         let of_model = path.rsplit_once('#').map(|(file, _)| file);
         let is_pipe = |path: &str| FileSystem.kind(Path::new(path)).is_ok_and(|kind| kind == FileKind::Other);
         if [Some(path), of_model].into_iter().flatten().any(is_pipe) {
-            return Err(LoadError::of_file(path, "no-file", "this is no file, but a pipe or a device; name a file"));
+            return Err(LoadError::of_file(
+                path,
+                "no-file",
+                "this is no file, but a pipe or a device; name a file",
+            ));
         }
         Self::load_worksheet(path, max_size, options, worksheet)
     }

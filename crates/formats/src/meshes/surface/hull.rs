@@ -35,10 +35,7 @@ struct Face {
 ///
 /// # Errors
 /// [`HullDefect`].
-pub(crate) fn convex_hull(
-    points: &[Vector3<f64>],
-    work: &mut usize,
-) -> Result<Vec<[usize; 3]>, HullDefect> {
+pub(crate) fn convex_hull(points: &[Vector3<f64>], work: &mut usize) -> Result<Vec<[usize; 3]>, HullDefect> {
     let first = first_tetrahedron(points)?;
     let size = points.iter().map(|p| (p - points[first[0]]).amax()).fold(0.0, f64::max);
     let mut builder =

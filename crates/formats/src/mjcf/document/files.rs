@@ -252,7 +252,10 @@ impl FileReader<'_> {
             let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
             if self.open.contains(&canonical) {
                 self.files.reports[file].error("attach-circle", Place::Offset(offset), || {
-                    format!("the model {} is an asset of itself: a circle of models has no end", quoted(&name))
+                    format!(
+                        "the model {} is an asset of itself: a circle of models has no end",
+                        quoted(&name)
+                    )
                 });
                 continue;
             }

@@ -136,7 +136,6 @@ impl BodyTree {
             }
             if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| !at_rest[link.index()]) {
                 tree.changes.extend(balance_moments(inertial, name, balances));
-                tree.changes.extend(add_least_mass(inertial, mechanism, link, chain));
             }
             let inertial = tree.inertials[link.index()].as_ref();
             let refused =
@@ -479,9 +478,7 @@ fn balance_moments(inertial: &mut Inertial, name: &str, balances: bool) -> Optio
         inertial.about_com += axis * axis.transpose() * (new[k] - old[k]);
     }
     inertial.about_com = inertial.about_com * 0.5 + inertial.about_com.transpose() * 0.5;
-    let text = |moments: &Vector3<f64>| {
-        format!("{:.6e}, {:.6e}, {:.6e}", moments[0], moments[1], moments[2])
-    };
+    let text = |moments: &Vector3<f64>| format!("{:.6e}, {:.6e}, {:.6e}", moments[0], moments[1], moments[2]);
     let what = format!(
         "principal moments {} kg·m² in place of {}, a change by {:.2} % of the largest",
         text(&new),
@@ -490,29 +487,6 @@ fn balance_moments(inertial: &mut Inertial, name: &str, balances: bool) -> Optio
     );
     let reason = "MuJoCo refuses moments with A + B < C, which no body has";
     (excess > ROUNDED_EXCESS).then(|| Change::changed("link", name, what, reason))
-}
-
-/// Gives a link without mass, but with moments about all axes, a mass that is a rounding of the mass of the mechanism, if it only rotates.
-/// Returns the change.
-fn add_least_mass(
-    inertial: &mut Inertial,
-    mechanism: &Mechanism,
-    link: LinkId,
-    chain: &[JointId],
-) -> Option<Change> {
-    let mut moving = chain.iter().map(|id| mechanism.joint(*id).kind()).filter(|kind| kind.dofs() > 0).peekable();
-    let rotates = moving.peek().is_some()
-        && moving.all(|kind| {
-            matches!(kind, JointKind::Revolute | JointKind::Continuous | JointKind::Spherical)
-        });
-    if inertial.mass != 0.0 || !rotates || inertial.about_com.symmetric_eigenvalues().min() < LEAST_INERTIA {
-        return None;
-    }
-    let total: f64 = mechanism.links().iter().filter_map(|link| link.inertial()).map(|own| own.mass).sum();
-    inertial.mass = (RELATIVE_MOMENT * total).max(RAISED_MOMENT);
-    let what = format!("a mass of {:.1e} kg", inertial.mass);
-    let reason = "MuJoCo refuses moving bodies without mass; this one changes the kinetic energy by a rounding";
-    Some(Change::changed("link", mechanism.link(link).name(), what, reason))
 }
 
 /// Raises moments near 0 of a body with mass. Returns the new value if a moment changed. `size`: that of the mechanism, m.

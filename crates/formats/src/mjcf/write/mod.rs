@@ -38,8 +38,7 @@ use keyframe::Keyframe;
 /// | named poses | keyframes |
 ///
 /// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
-/// m·(size of the mechanism)², and a mass of 0 of a rotating link with moments 1e-13 of the mass of the mechanism, which is reported as a
-/// change: MuJoCo refuses 0. An excess C − A − B of the moments up to 1e-10 of C is removed; a larger one with
+/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0. An excess C − A − B of the moments up to 1e-10 of C is removed; a larger one with
 /// [`ModelParts::balances_inertia`].
 ///
 /// # Errors

@@ -44,7 +44,8 @@ impl Rotor {
         if let Some(number) = tendon_coupling(mechanism, joint) {
             return Some(Self::Tendon(number));
         }
-        let has_relation = || is_followed_by_any(mechanism, joint) || couplings_of(mechanism, joint).next().is_some();
+        let has_relation =
+            || is_followed_by_any(mechanism, joint) || couplings_of(mechanism, joint).next().is_some();
         if own.mimic().is_some() && !has_relation() {
             return Some(Self::Follower);
         }

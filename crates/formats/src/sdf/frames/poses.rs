@@ -169,10 +169,7 @@ fn place_model(tree: &ElementTree, scopes: &mut Scopes, id: ScopeId, findings: &
 }
 
 /// Calls a function for each frame and its base, once each, the base first.
-fn for_each_from_the_root(
-    scopes: &mut Scopes,
-    mut act: impl FnMut(&mut Scopes, FrameId, Option<FrameId>),
-) {
+fn for_each_from_the_root(scopes: &mut Scopes, mut act: impl FnMut(&mut Scopes, FrameId, Option<FrameId>)) {
     let mut is_done = vec![false; scopes.frames.len()];
     for start in 0..scopes.frames.len() {
         let mut path = Vec::new();

@@ -64,7 +64,7 @@ pub(super) struct Bodies {
 
 /// Name without `::`, which separates the names of models in SDFormat, and without blanks at its ends, which readers remove from the texts
 /// that refer to it.
-fn valid_name(name: &str) -> String {
+pub(super) fn valid_name(name: &str) -> String {
     let name = name.replace("::", "_");
     let trimmed = name.trim();
     match trimmed == name {
@@ -219,9 +219,9 @@ impl Bodies {
     fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
         // Links with a valid name keep it.
         let (valid, changed): (Vec<LinkId>, Vec<LinkId>) = mechanism.link_ids().partition(|id| {
-                let name = mechanism.link(*id).name();
-                valid_name(name) == name
-            });
+            let name = mechanism.link(*id).name();
+            valid_name(name) == name
+        });
         for id in valid.into_iter().chain(changed) {
             let name = mechanism.link(id).name();
             match self.forms[id.index()] {
