@@ -27,9 +27,12 @@ ADDRESS_SPACE = 1_500_000 << 10
 MESSAGES = 200_000
 
 POSE = ["--link", "outer", "--point", "0.4,0,0", "--normal", "1,0,0"]
-# Commands for each reader: FILE is the changed file, PLANAR a model with the joints "shoulder" and "elbow", ROBOT one with a mesh.
+# Commands for each reader: FILE is the changed file, PLANAR a model with the joints "shoulder" and "elbow", ROBOT one with a mesh,
+# MESHES one whose inertias follow from the mesh.
 COMMANDS = {
     "urdf": [["check", "FILE"], ["mass", "FILE", "--link", "coupler", "--point", "0,0,0", "--normal", "0,1,0"]],
+    "mjcf": [["check", "FILE"], ["convert", "FILE", "--to", "sdf", "-o", "-"], ["convert", "FILE", "--to", "mjcf", "-o", "-"]],
+    "sdf": [["check", "FILE"], ["convert", "FILE", "--to", "urdf", "-o", "-"], ["convert", "FILE", "--to", "sdf", "-o", "-"]],
     "sheet.toml": [["import", "FILE", "-o", "-"]],
     "sheet.csv": [["import", "FILE", "-o", "-"]],
     "sheet.xlsx": [["import", "FILE", "-o", "-"]],
@@ -41,6 +44,7 @@ COMMANDS = {
     "obj": [["map", "ROBOT", "--link", "a", "--edge", "1"]],
     "stl": [["map", "ROBOT", "--link", "a", "--edge", "1"]],
     "dae": [["map", "ROBOT", "--link", "a", "--edge", "1"]],
+    "msh": [["map", "ROBOT", "--link", "a", "--edge", "1"], ["check", "MESHES"]],
 }
 WORDS = [
     b"0", b"-1", b"1e308", b"1e-308", b"nan", b"inf", b"-0.0", b"18446744073709551616", b"99999999999", b"4294967295", b"\xff\xfe", b"\x00",
@@ -125,7 +129,7 @@ def main() -> None:
             (folder / model.name).write_bytes(model.read_bytes())
         for number in range(arguments.count):
             reader = readers[number % len(readers)]
-            path = folder / ("file.urdf" if reader == "urdf" else f"file.{reader}")
+            path = folder / ("file.xml" if reader == "mjcf" else f"file.{reader}")
             change = mutated_workbook if reader == "sheet.xlsx" and rng.random() < 0.8 else mutated
             data = change(rng.choice(corpus[reader]), corpus[reader], rng)
             path.write_bytes(data)
@@ -134,7 +138,20 @@ def main() -> None:
                 f'ixy="0" ixz="0" iyz="0"/></inertial><collision><geometry><mesh filename="{path.name}"/></geometry></collision></link>'
                 f'<joint name="j" type="continuous"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/></joint></robot>'
             )
-            places = {"FILE": str(path), "PLANAR": str(folder / "planar_2r.urdf"), "ROBOT": str(folder / "robot.urdf")}
+            rules = ["legacy", "exact", "shell", "convex"]
+            (folder / "meshes.xml").write_text(
+                "<mujoco><asset>"
+                + "".join(f'<mesh name="{rule}" file="{path.name}" inertia="{rule}"/>' for rule in rules)
+                + "</asset><worldbody>"
+                + "".join(f'<body><joint/><geom type="mesh" mesh="{rule}"/></body>' for rule in rules)
+                + "</worldbody></mujoco>"
+            )
+            places = {
+                "FILE": str(path),
+                "PLANAR": str(folder / "planar_2r.urdf"),
+                "ROBOT": str(folder / "robot.urdf"),
+                "MESHES": str(folder / "meshes.xml"),
+            }
             command = [program, *(places.get(word, word) for word in rng.choice(COMMANDS[reader]))]
             messages = tempfile.TemporaryFile()
             run = subprocess.Popen(

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::{env, fs, process};
 
 /// Names of the readers: the ending of their files.
-pub const READERS: [&str; 14] = [
+pub const READERS: [&str; 15] = [
     "urdf",
     "mjcf",
     "sdf",
@@ -25,6 +25,7 @@ pub const READERS: [&str; 14] = [
     "obj",
     "stl",
     "dae",
+    "msh",
 ];
 
 /// Largest file, bytes: larger than all files of the fuzzer.
@@ -55,7 +56,7 @@ pub fn read(reader: &str, bytes: &[u8]) -> bool {
         }
         "pose.json" => GivenPose::read(&Temporary::new(reader, bytes).path(), LARGEST).is_ok(),
         "rows.csv" | "rows.parquet" => rows(&Temporary::new(reader, bytes).path()),
-        "obj" | "stl" | "dae" => read_mesh(&FileSystem, &Temporary::new(reader, bytes).file, LARGEST).is_ok(),
+        "obj" | "stl" | "dae" | "msh" => read_mesh(&FileSystem, &Temporary::new(reader, bytes).file, LARGEST).is_ok(),
         _ => panic!("no reader {reader:?}; expected one of {READERS:?}"),
     }
 }

@@ -163,6 +163,9 @@ pub struct ConvertArgs {
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf.
     #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
     pub to: Option<ModelFormat>,
+    /// MJCF: write the nearest possible moments of inertia of a link with A + B < C, which MuJoCo refuses.
+    #[arg(long, help_heading = OUTPUT)]
+    pub balance_inertia: bool,
     /// Format of the report about everything changed or lost.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,

@@ -25,12 +25,13 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
-    let path = match &args.output {
+    let output = args.output.as_ref().filter(|output| *output != "-");
+    let path = match output {
         Some(output) => relative_model_path(output, &args.model.model),
         None => args.model.model.clone(),
     };
     let study = starting_study(&model, &path)?;
-    match &args.output {
+    match output {
         None => write_unescaped(study.as_bytes()),
         Some(output) => {
             write_file(output, study.as_bytes())?;

@@ -45,7 +45,11 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
     Ok(match &head[..] {
         [b'P', b'A', b'R', b'1', ..] => has_any(&end()?, &["percuss.heading", CREATED_BY]),
         [b'%', b'P', b'D', b'F', ..] => has(&end()?, MADE_BY.as_bytes()),
-        _ => has(&head, MADE_BY.as_bytes()) || has_marked_head(&String::from_utf8_lossy(&head)),
+        _ => {
+            has(&head, MADE_BY.as_bytes())
+                || has_marked_head(&String::from_utf8_lossy(&head))
+                || has(&end()?, KINEMATIC_AXES.as_bytes())
+        }
     })
 }
 
@@ -96,6 +100,43 @@ fn is_own_workbook(_: File) -> bool {
     false
 }
 
+/// Line below the tables of kinematics as text.
+pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
+/// Starts of the columns of kinematics.
+const KINEMATIC_COLUMNS: [&str; 19] = [
+    "wheel_travel_",
+    "camber_",
+    "toe_",
+    "caster_",
+    "kingpin_inclination_",
+    "scrub_radius_",
+    "mechanical_trail_",
+    "half_track_change_",
+    "forward_displacement_",
+    "instant_centre_",
+    "side_view_angle_",
+    "anti_",
+    "motion_ratio_",
+    "force_",
+    "wheel_rate_",
+    "unsprung_mass_",
+    "body_frequency_",
+    "wheel_hop_frequency_",
+    "roll_centre_",
+];
+
+/// True for the first line of a table of kinematics: the travel, if there are several rows, and quantities.
+fn is_kinematic(first: &str) -> bool {
+    let is_travel = |cell: &str| {
+        let unit = ["wheel-travel_", "heave_", "roll_"].iter().find_map(|name| cell.strip_prefix(name));
+        unit.is_some_and(|unit| ["mm", "cm", "m", "in", "ft"].contains(&unit))
+    };
+    let mut cells = first.split(',').enumerate();
+    cells.all(|(i, cell)| {
+        i == 0 && is_travel(cell) || KINEMATIC_COLUMNS.iter().any(|name| cell.starts_with(name))
+    })
+}
+
 /// True for texts whose first lines only percuss writes.
 fn has_marked_head(head: &str) -> bool {
     let dense: String = head.chars().filter(|c| !c.is_whitespace()).collect();
@@ -106,6 +147,7 @@ fn has_marked_head(head: &str) -> bool {
         || dense.contains("\"generator\":\"percuss\"")
         // Tables have no place for a mark; their columns identify them.
         || first.starts_with("row,") && [",status,effective_mass", " difference_percent"].iter().any(|name| first.contains(name))
+        || is_kinematic(&first)
         || first == "design,status,effective_mass,difference_percent"
         || first == "design,status,effective_mass_kg,difference_percent"
         || ["link,x_m", "kind,x,"].iter().any(|begin| first.starts_with(begin)) && first.contains(",effective_mass_kg,")

@@ -70,6 +70,31 @@ fn models_and_rows_may_come_from_pipes() {
     assert!(outcome.code == 2 && outcome.stderr.contains("1000000"), "{}", outcome.stderr);
 }
 
+/// Files that another file names are regular files: a pipe would wait for its other end.
+#[test]
+fn named_files_are_no_pipes() {
+    let folder = Scratch::new("fifo-named");
+    fifo(&folder, "m.obj");
+    fifo(&folder, "r.urdf");
+    fs::create_dir(folder.path("library")).expect("a folder");
+    fifo(&folder, "library/model.config");
+    let mesh = "<mujoco><asset><mesh name=\"m\" file=\"m.obj\"/></asset><worldbody><body><joint/><geom type=\"mesh\" mesh=\"m\"/>\
+                </body></worldbody></mujoco>";
+    let include =
+        "<sdf version=\"1.9\"><model name=\"m\"><include><uri>library</uri></include></model></sdf>";
+    let study =
+        "[model]\npath = \"r.urdf\"\n[contact]\nlink = \"a\"\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\n";
+    for (command, name, text, words) in [
+        ("check", "mesh.xml", mesh, "this is no file"),
+        ("check", "include.sdf", include, "has no model.config"),
+        ("run", "study.toml", study, "this is no file"),
+    ] {
+        let outcome = ended(started(&format!("{command} {}", folder.write(name, text))));
+        let message = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(outcome.code == 2 && message.contains(words), "{name}: {message}");
+    }
+}
+
 #[test]
 fn links_and_long_names_are_kept() {
     let folder = Scratch::new("links");

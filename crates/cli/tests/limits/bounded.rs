@@ -404,6 +404,99 @@ fn tables_and_meshes() {
     }
 }
 
+/// MuJoCo's binary mesh: points on a sphere and a triangle for each.
+fn sphere(points: usize) -> Vec<u8> {
+    let counts = [points, 0, 0, points - 2].map(|count| (count as i32).to_le_bytes());
+    let corner = |i: usize| {
+        let (height, turn) = (2.0 * (i as f64 + 0.5) / points as f64 - 1.0, 2.4 * i as f64);
+        let radius = (1.0 - height * height).sqrt();
+        [radius * turn.cos(), radius * turn.sin(), height].map(|x| (x as f32).to_le_bytes())
+    };
+    let faces = (0..points as i32 - 2).flat_map(|i| [i, i + 1, i + 2]).map(i32::to_le_bytes);
+    let all = counts.into_iter().chain((0..points).flat_map(corner)).chain(faces);
+    all.flatten().collect()
+}
+
+/// Models whose cost grew with the square of their size, or without a limit.
+#[test]
+fn models_in_mjcf_and_sdformat() {
+    const SECONDS: usize = 5;
+    let folder = Scratch::new("bounded-formats");
+    let body = "<joint/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>";
+    let mjcf = |bodies: &str, head: &str| format!("<mujoco>{head}<worldbody>{bodies}</worldbody></mujoco>");
+    let count = 20_000;
+    let geoms = format!("<body>{body}{}</body>", "<geom size=\"1\"/>".repeat(count));
+    let nested: String = (0..200).map(|i| format!("<default class=\"c{i}\"><geom size=\"1\"/>")).collect();
+    let nested = format!("<default>{nested}{}</default>", "</default>".repeat(200));
+    let of_class = format!("<body>{body}{}</body>", "<geom class=\"c199\"/>".repeat(count));
+    let keys = format!("<keyframe>{}</keyframe>", "<key qpos=\"1\"/>".repeat(count));
+    let assets: String = (0..100)
+        .map(|i| format!("<mesh name=\"m{i}\" file=\"s.msh\" inertia=\"convex\" scale=\"1 1 {}\"/>", 1 + i))
+        .collect();
+    let meshes: String =
+        (0..100).map(|i| format!("<body><joint/><geom type=\"mesh\" mesh=\"m{i}\"/></body>")).collect();
+    std::fs::write(folder.path("s.msh"), sphere(6_000)).expect("a mesh");
+    let own =
+        "<asset><model name=\"x\" file=\"own.xml\"/><model name=\"y\" file=\"own.xml\"/></asset>".repeat(100);
+    let site = format!("<site user=\"{}\"/>", "1 ".repeat(500_000));
+    let copies: String =
+        (0..1_000).map(|i| format!("<body><attach body=\"a\" prefix=\"p{i}\"/></body>")).collect();
+    let (mut links, mut joints) = (String::new(), String::new());
+    for i in 0..20_000 {
+        let parent = if i == 0 { "world".to_owned() } else { format!("l{}", i - 1) };
+        let relative = if i == 0 { String::new() } else { format!(" relative_to=\"{parent}\"") };
+        let _ = write!(links, "<link name=\"l{i}\"><pose{relative}>0.1 0 0 0 0.1 0</pose></link>");
+        let _ = write!(
+            joints,
+            "<joint name=\"j{i}\" type=\"revolute\"><parent>{parent}</parent><child>l{i}</child></joint>"
+        );
+    }
+    let chain = format!("<sdf version=\"1.9\"><model name=\"m\">{links}{joints}</model></sdf>");
+    let names: String = (0..5_000)
+        .map(|i| format!("<frame name=\"f{i}\"><pose relative_to=\"{}\"/></frame>", "::".repeat(1_000)))
+        .collect();
+    let names = format!("<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"/>{names}</model></sdf>");
+    for (name, text, code, words) in [
+        ("defaults.xml", mjcf(&geoms, &format!("<default>{}</default>", "<geom/>".repeat(count))), 0, ""),
+        ("classes.xml", mjcf(&of_class, &nested), 0, ""),
+        ("keys.xml", mjcf(&format!("<body>{body}</body>").repeat(count), &keys), 0, "19950 more warnings"),
+        ("hulls.xml", mjcf(&meshes, &format!("<asset>{assets}</asset>")), 2, "too many vertices in all"),
+        ("own.xml", mjcf("", &own), 2, "150 more errors"),
+        (
+            "copies.xml",
+            mjcf(&format!("<body name=\"a\">{body}{site}</body>{copies}"), ""),
+            2,
+            "MiB of copies",
+        ),
+        ("replicate.xml", mjcf("<replicate count=\"1000000000\"/>", ""), 2, "copies of <replicate>"),
+        ("chain.sdf", chain, 0, ""),
+        ("names.sdf", names, 2, "4950 more errors"),
+    ] {
+        let outcome = bounded_by(SECONDS, &["check", &folder.write(name, &text)]);
+        let message = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(outcome.code == code && message.contains(words), "{name}: {} {message}", outcome.code);
+    }
+}
+
+/// A search over many joints ends at the limit of its work, and every output says so.
+#[test]
+fn extremes_of_many_joints() {
+    const SECONDS: usize = 60;
+    let folder = Scratch::new("bounded-extremes");
+    let text = chain(150, false)
+        .replace("type=\"continuous\"", "type=\"revolute\"")
+        .replace("</joint>", "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/></joint>");
+    let model = folder.write("chain.urdf", &text);
+    let arguments = ["extremes", &model, "--link", "l150", "--point", "0.1,0.02,0", "--normal", "0.3,1,0.2"];
+    let outcome = bounded_by(SECONDS, &[&arguments[..], &["--format", "json"]].concat());
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    for extreme in [&report["least"], &report["most"]] {
+        assert_eq!(extreme["is_stopped"], true, "{extreme}");
+        assert!(extreme["starts"].as_u64() < report["starts"].as_u64(), "{extreme}");
+    }
+}
+
 /// Stops beyond the reach of the mechanism: the search for the smallest gap takes at most 0.4 s in this profile. The gap that is
 /// closed does not depend on the gap as drawn.
 #[test]

@@ -133,3 +133,11 @@ fn names_of_any_kind_are_written_so_that_they_are_read() {
         }
     }
 }
+
+/// As for other commands, - is the standard output.
+#[test]
+fn a_study_is_written_to_the_standard_output() {
+    let [bare, dash] = ["", " -o -"].map(|flag| percuss(&format!("init models/four_bar.urdf{flag}")));
+    assert_eq!((dash.code, dash.stdout), (0, bare.stdout));
+    assert!(!root().join("-").exists());
+}

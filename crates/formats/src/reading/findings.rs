@@ -3,10 +3,10 @@
 use crate::Diagnostic;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::{LONGEST_COMPARED_NAME, MAX_CANDIDATES};
-use crate::reading::report::{NOT_READ, Place, Report, shortened};
+use crate::reading::report::{NOT_READ, Place, Report, finish_reports, shortened};
 use percuss_mechanism::{Severity, near_names};
 
-/// Collected findings, bounded in number for each file.
+/// Collected findings, bounded in number.
 pub(crate) struct Findings<'t> {
     tree: &'t ElementTree,
     /// One report for each file of the tree.
@@ -98,7 +98,7 @@ impl<'t> Findings<'t> {
     /// Diagnostics of all files: those of the main file first.
     pub fn finish(self) -> Vec<Diagnostic> {
         let files = self.reports.into_iter().zip(&self.tree.files);
-        files.flat_map(|(report, file)| report.finish(&file.name, &file.text)).collect()
+        finish_reports(files.map(|(report, file)| (report, &*file.name, &*file.text)))
     }
 
     /// XML path of an element: `mujoco/worldbody/body[arm]/joint`.

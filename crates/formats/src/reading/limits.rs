@@ -41,8 +41,12 @@ pub(crate) const MAX_TREE_VISITS: usize = 1_000_000;
 /// Largest total number of triangles in the meshes from which inertias are computed.
 pub(crate) const MAX_INERTIA_TRIANGLES: usize = 20_000_000;
 
-/// Largest number of distances computed for a convex hull: ten seconds.
-pub(crate) const MAX_HULL_WORK: usize = 2_000_000_000;
+/// Largest total size of the mesh files from which the inertias of a model are computed, bytes: twice the largest file.
+pub(crate) const MAX_MESH_BYTES: u64 = 512 << 20;
+/// Largest number of distances computed for the convex hulls of a model, a face counted as 100: some 250,000 vertices on hulls, seconds.
+pub(crate) const MAX_HULL_WORK: usize = 150_000_000;
+/// Largest total size of the copies of attached models, bytes: their number is limited by [`MAX_ELEMENTS`], but not their attributes.
+pub(crate) const MAX_COPIED_BYTES: usize = 256 << 20;
 /// Largest number of elements that are searched for the names of attached models: seconds.
 pub(crate) const MAX_ATTACH_STEPS: usize = 50_000_000;
 

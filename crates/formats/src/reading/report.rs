@@ -159,11 +159,29 @@ impl Report {
     }
 
     /// Converts the findings to diagnostics in the order of the file, findings without a position first.
-    pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
-        self.findings.sort_by_key(|finding| finding.offset);
+    pub fn finish(self, path: &str, text: &str) -> Vec<Diagnostic> {
+        finish_reports([(self, path, text)])
+    }
+}
+
+/// Converts the findings of several files (report, path, text) to diagnostics, as [`Report::finish`]. The limit holds for all files
+/// together.
+pub(crate) fn finish_reports<'f>(
+    files: impl IntoIterator<Item = (Report, &'f str, &'f str)>,
+) -> Vec<Diagnostic> {
+    let mut diagnostics: Vec<Diagnostic> = Vec::new();
+    let (mut counts, mut shown, mut first) = ([0; 3], [0; 3], None);
+    for (mut report, path, text) in files {
+        first.get_or_insert(path);
+        report.findings.sort_by_key(|finding| finding.offset);
         let mut line_counter = LineCounter { text: text.as_bytes(), position: 0, line: 1, line_start: 0 };
-        let mut diagnostics: Vec<Diagnostic> = Vec::with_capacity(self.findings.len() + 3);
-        for finding in self.findings {
+        (0..counts.len()).for_each(|severity| counts[severity] += report.counts[severity]);
+        for finding in report.findings {
+            let own = &mut shown[severity_index(finding.severity)];
+            if *own == MOST_FINDINGS {
+                continue;
+            }
+            *own += 1;
             let place = finding.offset.map(|offset| line_counter.advance_to(offset));
             let mut message = finding.message;
             if finding.repeats > 0 {
@@ -179,22 +197,22 @@ impl Report {
                 message,
             });
         }
-        for severity in [Severity::Error, Severity::Warning, Severity::Note] {
-            let omitted = self.counts[severity_index(severity)].saturating_sub(MOST_FINDINGS);
-            if omitted > 0 {
-                diagnostics.push(Diagnostic {
-                    severity,
-                    code: "and-more",
-                    path: path.to_owned(),
-                    line: None,
-                    column: None,
-                    element: None,
-                    message: format!("and {omitted} more {}s", severity.name()),
-                });
-            }
-        }
-        diagnostics
     }
+    for severity in [Severity::Error, Severity::Warning, Severity::Note] {
+        let omitted = counts[severity_index(severity)].saturating_sub(MOST_FINDINGS);
+        if omitted > 0 {
+            diagnostics.push(Diagnostic {
+                severity,
+                code: "and-more",
+                path: first.unwrap_or_default().to_owned(),
+                line: None,
+                column: None,
+                element: None,
+                message: format!("and {omitted} more {}s", severity.name()),
+            });
+        }
+    }
+    diagnostics
 }
 
 /// Converts ascending byte offsets to lines and columns in one pass over the text.

@@ -25,7 +25,7 @@ pub(crate) fn load_text(
     report: Report,
 ) -> Result<Loaded, LoadError> {
     let (file, wanted) = (source.file(), source.model());
-    let Files { tree, reports } = read_files(&source.files, file, text, report);
+    let Files { tree, reports } = read_files(&source.files, (file, wanted), text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
     findings.lists_unread = options.list_unread;

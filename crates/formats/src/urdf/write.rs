@@ -1,7 +1,7 @@
 //! Writer of mechanisms as URDF+.
 
 use crate::shape::{Shape, Solid};
-use crate::writing::changes::{ModelText, changed_names, lost_poses, lost_shape};
+use crate::writing::changes::{Change, ModelText, changed_names, lost_poses, lost_shape};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{
     append, escape_attribute, escape_comment, format_number, format_vector, scale_text,
@@ -90,6 +90,21 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
     let mut changes = changed_names(mechanism);
     changes.extend(lost_poses(&parts, "URDF"));
+    for joint in mechanism.joints() {
+        if joint.kind() == JointKind::Spherical {
+            let reason = "a type of URDF+, which other readers of URDF refuse";
+            changes.push(Change::changed("joint", joint.name(), "type=\"spherical\"", reason));
+        }
+        if has_armature(joint) {
+            let what = "its armature is an attribute of <dynamics>";
+            changes.push(Change::changed(
+                "joint",
+                joint.name(),
+                what,
+                "URDF has no armature; most readers ignore it",
+            ));
+        }
+    }
     let mut shapes = Vec::with_capacity(parts.shapes.len());
     for (link, own) in mechanism.link_ids().zip(parts.shapes) {
         let mut lines = String::new();
@@ -102,6 +117,10 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
         shapes.push(lines);
     }
     ModelText { text: write_robot(mechanism, &shapes, &comments), changes }
+}
+
+fn has_armature(joint: &Joint) -> bool {
+    joint.armature().iter().any(|armature| *armature != 0.0)
 }
 
 /// Element `<visual>` or `<collision>`. The error is the reason why the shape is lost.
@@ -184,9 +203,13 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     } else if matches!(kind, JointKind::Revolute | JointKind::Prismatic) || joint.rate_limit().is_some() {
         append(out, format_args!("    <limit effort=\"0\" velocity=\"{rate}\"/>\n"));
     }
-    if joint.armature().iter().any(|a| *a != 0.0) {
+    if has_armature(joint) {
+        // urdfdom refuses the element without damping and friction.
         let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();
-        append(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
+        append(
+            out,
+            format_args!("    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" ")),
+        );
     }
     if let Some(mimic) = joint.mimic() {
         let master = escape_attribute(mechanism.joint(mimic.master).name());

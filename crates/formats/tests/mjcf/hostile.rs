@@ -25,6 +25,35 @@ fn copies_are_bounded() {
 }
 
 #[test]
+fn attached_copies_are_bounded() {
+    let body = BODY_ON_HINGE;
+    // Each body holds the one before in 240 frames.
+    let frames = |inner: &str| format!("{}{inner}{}", "<frame>".repeat(240), "</frame>".repeat(240));
+    let attach = |i: usize| frames(&format!("<attach body=\"b{}\" prefix=\"p{i}_\"/>", i - 1));
+    let deep: String = (1..8).map(|i| format!("<body name=\"b{i}\">{}</body>", attach(i))).collect();
+    let deep = format!("<body name=\"b0\">{body}</body>{deep}");
+    assert_eq!(refused_quickly(&model(&deep, "")), "too-complex");
+    // Each body holds the one before twice.
+    let site = format!("<site user=\"{}\"/>", "1 ".repeat(5_000));
+    let twice: String = (1..18)
+        .map(|i| {
+            let of = i - 1;
+            format!("<body name=\"b{i}\"><attach body=\"b{of}\" prefix=\"l\"/><attach body=\"b{of}\" prefix=\"r\"/></body>")
+        })
+        .collect();
+    assert_eq!(
+        refused_quickly(&model(&format!("<body name=\"b0\">{body}{site}</body>{twice}"), "")),
+        "too-complex"
+    );
+    let prefix = "p".repeat(100_000);
+    let named =
+        format!("<body name=\"a\">{body}</body><body><attach body=\"a\" prefix=\"{prefix}\"/></body>");
+    assert_eq!(refused_quickly(&model(&named, "")), "long-name");
+}
+
+const BODY_ON_HINGE: &str = "<joint/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>";
+
+#[test]
 fn nesting_is_bounded() {
     let deep = format!("{}{}", "<body>".repeat(300), "</body>".repeat(300));
     assert_eq!(refused_quickly(&model(&deep, "")), "too-complex");

@@ -281,3 +281,46 @@ fn included_files_and_mesh_files() {
     assert_eq!((diagnostic.code, diagnostic.line), ("included-twice", Some(3)));
     assert!(diagnostic.path.ends_with("arm.xml"), "{}", diagnostic.path);
 }
+
+/// Values of MuJoCo 3.3: of two objects or groups the first counts, for a hull all vertices. Lines that begin no object do not count.
+#[test]
+fn the_first_object_of_a_mesh_file_counts() {
+    let cube = |x: usize, size: usize, first: usize| {
+        let corner =
+            |i: usize| format!("v {} {} {}\n", x + size * (i & 1), size * (i >> 1 & 1), size * (i >> 2));
+        let corners: String = (0..8).map(corner).collect();
+        let faces = [[1, 2, 4], [1, 4, 3], [5, 7, 8], [5, 8, 6], [1, 5, 6], [1, 6, 2]];
+        let more = [[3, 4, 8], [3, 8, 7], [1, 3, 7], [1, 7, 5], [2, 6, 8], [2, 8, 4]];
+        let face = |f: &[usize; 3]| format!("f {} {} {}\n", f[0] + first, f[2] + first, f[1] + first);
+        corners + &faces.iter().chain(&more).map(face).collect::<String>()
+    };
+    let both = |between: &str| format!("o lid\n{}{between}{}", cube(0, 1, 0), cube(1, 2, 8));
+    let main = |rule: &str| {
+        format!(
+            "<mujoco><asset><mesh name=\"m\" file=\"two.obj\" inertia=\"{rule}\"/></asset><worldbody><body name=\"b\"><joint/>
+               <geom type=\"mesh\" mesh=\"m\" density=\"1\"/></body></worldbody></mujoco>"
+        )
+    };
+    for (between, expected, notes) in [
+        ("o box\n", 1.0, true),
+        ("g box\n", 1.0, true),
+        ("g\tbox\n", 1.0, true),
+        ("  o lid\n", 1.0, true),
+        ("", 9.0, false),
+        ("g\n", 9.0, false),
+        ("usemtl red\n", 9.0, false),
+        ("s 1\n", 9.0, false),
+    ] {
+        for rule in ["exact", "convex"] {
+            let files = [("two.obj", both(between)), ("m.xml", main(rule))];
+            let loaded = Folder::new("mjcf-objects", &files).load("m.xml").unwrap_or_else(|e| panic!("{e}"));
+            let mass = inertial(&loaded.mechanism, "b").mass;
+            let is_hull = rule == "convex";
+            // The hull is a cube of 2 m behind a frustum from 1 m² to 4 m², 1 m long.
+            let expected = if is_hull { 8.0 + (1.0 + 2.0 + 4.0) / 3.0 } else { expected };
+            assert_relative_eq!(mass, expected, epsilon = 1e-12);
+            let is_noted = loaded.diagnostics.iter().any(|found| found.code == "first-object");
+            assert_eq!(is_noted, notes && !is_hull, "{between:?} {rule}");
+        }
+    }
+}

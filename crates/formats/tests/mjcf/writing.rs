@@ -2,7 +2,7 @@
 
 use super::{load_mjcf, model};
 use approx::assert_relative_eq;
-use percuss_formats::{load_file, write_mjcf};
+use percuss_formats::{ModelParts, load_file, write_mjcf};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
     MechanismBuilder,
@@ -161,4 +161,63 @@ fn shipped_models_are_written_or_refused_by_name() {
         }
     }
     assert!(count >= 13, "{count} written; {refused:#?}");
+}
+
+/// The nearest moments with A + B = C differ by a third of the excess.
+#[test]
+fn moments_are_balanced_on_request() {
+    let of_moments = |moments: [f64; 3]| {
+        let disc = Inertial::diagonal(2.0, [0.1, 0.0, 0.0], moments);
+        let built = MechanismBuilder::new("m")
+            .link(LinkDescription::massless("ground"))
+            .link(LinkDescription::new("disc", disc))
+            .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"));
+        built.build().unwrap().mechanism
+    };
+    for excess in [1e-11, 1e-6, 0.3, 2.0] {
+        let mechanism = of_moments([1.0, 1.0 + excess + 2.0, 2.0]);
+        let file = |balances_inertia| {
+            write_mjcf(ModelParts { balances_inertia, ..ModelParts::from(&mechanism) }, "")
+        };
+        // An excess by rounding is removed in any case.
+        assert_eq!(file(false).is_ok(), excess < 1e-10, "{excess}");
+        let written = file(true).unwrap_or_else(|error| panic!("{error}"));
+        let read = load_mjcf(&written.text).unwrap().mechanism;
+        let found = read.links().last().unwrap().inertial().unwrap();
+        let third = excess / 3.0;
+        for (k, expected) in [1.0 + third, 3.0 + excess - third, 2.0 + third].into_iter().enumerate() {
+            assert_relative_eq!(found.about_com[(k, k)], expected, max_relative = 1e-11);
+        }
+        assert!(found.about_com[(1, 1)] <= found.about_com[(0, 0)] + found.about_com[(2, 2)]);
+        assert_eq!(written.changes.iter().any(|change| change.what.contains("moments")), excess > 1e-10);
+    }
+}
+
+/// A massless rotor that follows a joint is an armature of the tendon over it: J N², whatever the joints before it.
+#[test]
+fn rotors_become_armatures() {
+    let arm = Inertial::diagonal(2.0, [0.1, 0.0, 0.0], [1.0; 3]);
+    let z = [0.0, 0.0, 1.0];
+    let hinge = |name: &str, parent: &str, child: &str| {
+        JointDescription::new(name, JointKind::Continuous, parent, child).axis(z)
+    };
+    let geared = JointDescription { armature: vec![0.01], ..hinge("gear", "arm", "rotor") };
+    let built = MechanismBuilder::new("m")
+        .link(LinkDescription::massless("ground"))
+        .link(LinkDescription::new("arm", arm))
+        .link(LinkDescription::new("hand", arm))
+        .link(LinkDescription::massless("rotor"))
+        .joint(hinge("first", "ground", "arm"))
+        .joint(hinge("second", "arm", "hand"))
+        .joint(geared.mimic("second", -50.0, 0.0));
+    let file = write_mjcf(&built.build().unwrap().mechanism, "").unwrap();
+    assert!(
+        file.text.contains(
+            "<fixed name=\"gear\" armature=\"0.01\">\n      <joint joint=\"second\" coef=\"-50\"/>"
+        ),
+        "{}",
+        file.text
+    );
+    assert!(!file.text.contains("body name=\"rotor\"") && !file.text.contains("joint1=\"gear\""));
+    assert!(file.changes.iter().any(|change| change.element == "link \"rotor\""));
 }

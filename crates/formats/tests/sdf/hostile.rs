@@ -65,6 +65,9 @@ fn many_names_and_references_are_bounded() {
         .map(|i| format!("<frame name=\"f{i}\"><pose relative_to=\"{colons}b\"/></frame>"))
         .collect();
     assert_eq!(answered_quickly(&model(9, &(link("a", "") + &poses))), Some("unknown-frame"));
+    let long = "::".repeat(1_000_000);
+    let pose = format!("<frame name=\"f\"><pose relative_to=\"a{long}\"/></frame>");
+    assert_eq!(answered_quickly(&model(9, &(link("a", "") + &pose))), Some("unknown-frame"));
     let prefixes: String = (0..200).map(|i| format!("<p{i}:x/>")).collect();
     assert!(answered_quickly(&model(9, &(link("a", "") + &prefixes))).is_some());
 }

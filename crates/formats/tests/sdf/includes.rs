@@ -151,6 +151,31 @@ fn bad_includes_are_refused_where_they_are() {
     let folder = Folder::new("scenery", &[("world.sdf", world)]);
     assert_eq!(codes(&folder.load("world.sdf")), [(Severity::Warning, "no-such-file")]);
     assert!(folder.load("world.sdf#sun").is_err());
+    // Other models do not matter, unless joints of the world can join them. Plugins and populations are not read.
+    let with = |contents: &str, joint: &str| {
+        let good = link("a", "") + &super::joint("j", "fixed", "world", "a", "");
+        format!(
+            "<sdf version=\"1.10\"><world name=\"w\"><model name=\"good\">{good}</model><model name=\"bad\">{}{contents}</model>{joint}</world></sdf>",
+            link("b", "")
+        )
+    };
+    let absent = "<include><uri>model://nothing</uri></include>";
+    let broken = "<include><uri>broken.sdf</uri></include>";
+    let joins = super::joint("k", "fixed", "good", "bad", "");
+    let others = [
+        ("absent.sdf", with(absent, "")),
+        ("broken.sdf", "<sdf version=\"1.9\"><model>".to_owned()),
+        ("reads.sdf", with(broken, "")),
+        ("joined.sdf", with(absent, &joins)),
+        ("plugin.sdf", with(&format!("<plugin><sdf version=\"1.0\">{absent}</sdf></plugin>"), "")),
+    ];
+    let folder = Folder::new("other-models", &others);
+    assert_eq!(codes(&folder.load("absent.sdf#good")), [(Severity::Warning, "no-such-file")]);
+    assert_eq!(codes(&folder.load("reads.sdf#w::good")), [(Severity::Warning, "unreadable")]);
+    assert_eq!(codes(&folder.load("plugin.sdf#good")), []);
+    for refused in ["absent.sdf#bad", "reads.sdf#bad", "joined.sdf#good"] {
+        assert!(folder.load(refused).is_err(), "{refused}");
+    }
     // The other formats hold one model per file, whose own name may have a #.
     let urdf = "<robot name=\"r\"><link name=\"a\"/></robot>".to_owned();
     let mjcf = "<mujoco><worldbody><body><geom size=\"1\"/></body></worldbody></mujoco>".to_owned();

@@ -74,6 +74,11 @@ fn doubtful_files_are_read_with_a_warning() {
             "<plugin filename=\"libroboticsgroup_gazebo_mimic_joint_plugin.so\" name=\"p\"/>".to_owned(),
             "plugin",
         ),
+        (
+            link("b", "<visual name=\"v\"><pose>0 0 0 0 0 0</pose><pose>0 0 1 0 0 0</pose></visual>")
+                + &joint("k", "fixed", "world", "b", ""),
+            "duplicate-element",
+        ),
         (link("b", "<kinematic>true</kinematic>") + &joint("k", "fixed", "world", "b", ""), "ignored"),
     ] {
         assert_eq!(codes(&load_sdf(&model(9, &(base.clone() + &contents)))), [(Warning, code)], "{contents}");

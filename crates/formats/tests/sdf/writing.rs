@@ -253,3 +253,27 @@ fn loops_to_the_root_have_the_world_as_parent() {
     assert_eq!(again.closures().len(), 1, "{text}");
     assert!(text.contains("<parent>world</parent>\n      <child>b</child>"), "{text}");
 }
+
+/// Readers remove blanks at the ends of texts, so a name that begins or ends with one is changed, and a name without blanks stays.
+#[test]
+fn names_with_blanks_at_their_ends_are_changed() {
+    let bar = Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
+    let names = [" lead", "lead", "\tend\n", "world ", " "];
+    let mut builder = MechanismBuilder::new("m").link(LinkDescription::massless("world"));
+    for (i, name) in names.iter().enumerate() {
+        let parent = if i == 0 { "world" } else { names[i - 1] };
+        builder = builder.link(LinkDescription::new(*name, bar)).joint(JointDescription::new(
+            format!("{name}j "),
+            JointKind::Continuous,
+            parent,
+            *name,
+        ));
+    }
+    let file = write_sdf(&builder.build().unwrap().mechanism, "").unwrap_or_else(|error| panic!("{error}"));
+    let read = read(&file.text).mechanism;
+    let links: Vec<&str> = read.links().iter().map(|link| link.name()).collect();
+    assert_eq!(links, ["world", "lead_2", "lead", "end", "renamed_world", "renamed_"]);
+    assert_eq!(read.joints().len(), names.len());
+    let changed = |name: &str| file.changes.iter().any(|change| change.element == format!("link \"{name}\""));
+    assert_eq!(names.map(changed), [true, false, true, true, true]);
+}

@@ -101,6 +101,12 @@ pub fn rates_from_drivers(
     let rows = given_rows(pose, drivers, &coordinates)?;
     let lengths = lengths(pose, &coordinates);
     let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
+    if groups.is_empty()
+        && let Some(u) = rates_without_constraints(&rows, &coordinates, &base)
+    {
+        let (joints, base) = pose.joint_velocities(&u);
+        return Ok(JointRates { joints, base });
+    }
     let kernel = kernel(&groups, &lengths);
     let freedoms = kernel.ncols();
     // Rows of the base, then those of the joints; all in displacements of the characteristic length.
@@ -158,6 +164,24 @@ pub fn rates_from_drivers(
     let u: Vec<f64> = scaled_rates.iter().zip(&lengths).map(|(w, length)| w / length).collect();
     let (joints, base) = pose.joint_velocities(&u);
     Ok(JointRates { joints, base })
+}
+
+/// Rates of the coordinates, if each has one given rate; `None` otherwise.
+fn rates_without_constraints(
+    rows: &[GivenRow],
+    coordinates: &[(Option<JointId>, usize)],
+    base: &Twist<f64>,
+) -> Option<Vec<f64>> {
+    let of_base = |k: usize| if k < 3 { base.angular[k] } else { base.linear[k - 3] };
+    let known = |(joint, k): &(Option<JointId>, usize)| joint.is_none().then(|| of_base(*k));
+    let mut rates: Vec<Option<f64>> = coordinates.iter().map(known).collect();
+    for row in rows {
+        let (c, factor) = row.entry.filter(|(_, factor)| *factor != 0.0)?;
+        if rates[c].replace(row.rate / factor).is_some() {
+            return None;
+        }
+    }
+    rates.into_iter().collect()
 }
 
 /// Displacement, m, of a point at the characteristic length at unit rate, for every coordinate.

@@ -192,6 +192,8 @@ pub struct ExtremeMass {
     pub starts: usize,
     /// Number of starts that reached this value to six digits.
     pub agreeing: usize,
+    /// True if the limit of work ended the search: `starts` counts the starts that were searched, and the value is the best one found.
+    pub is_stopped: bool,
 }
 
 /// Extreme along a path.

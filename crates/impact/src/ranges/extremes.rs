@@ -13,6 +13,8 @@ use crate::reactions::bearing::Bearing;
 use nalgebra::Vector3;
 use percuss_dynamics::{Base, Configuration, ConstraintSource, EffectiveMass, System};
 use percuss_mechanism::JointId;
+use std::cell::Cell;
+use std::rc::Rc;
 
 /// Relative difference of values up to which two searches agree.
 const SAME_VALUE: f64 = 1e-6;
@@ -24,7 +26,8 @@ const SAME_VALUE: f64 = 1e-6;
 ///
 /// A projected quasi-Newton method with the gradient in closed form minimises or maximises 1/m̄, which is smooth where the contact is
 /// immovable. Each start has two searches: from one point of a Halton sequence, and from the best of eight points of this sequence. The
-/// method is deterministic and does not prove a global extreme; the number of agreeing starts indicates the confidence.
+/// method is deterministic and does not prove a global extreme; the number of agreeing starts indicates the confidence. A search over many
+/// joints stops at a limit of work ([`ExtremeMass::is_stopped`]).
 ///
 /// With kept points ([`SearchedPoses::kept`]) the search covers the self-motion. Gauss-Newton iterations move each start to positions at
 /// which the points are in place. Each step is a Newton step along the tangent of the self-motion, followed by the same iterations. The
@@ -88,10 +91,11 @@ pub fn extreme_quantity<'a>(
     {
         return Ok(unbounded);
     }
-    let (found, largest) = search.run_all(starts)?;
+    let (found, largest, searched) = search.run_all(starts)?;
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?;
     let largest = largest.max(search.typical()?);
-    Ok(conclude(&search, best, &found, largest, starts.max(1)))
+    let is_stopped = search.is_stopped();
+    Ok(ExtremeMass { is_stopped, ..conclude(&search, best, &found, largest, searched) })
 }
 
 /// Extreme of a quantity along a path of driving joints.
@@ -193,6 +197,8 @@ fn prepare<'a>(
         return Err(ExtremesError::NoAxis);
     }
     let (variables, kept) = (Vec::new(), KeptRows::default());
+    // Work along a path is limited by the number of samples.
+    let work = Rc::new(Cell::new(usize::MAX));
     Ok(Search {
         system,
         configuration,
@@ -204,6 +210,7 @@ fn prepare<'a>(
         kept,
         normals,
         extreme,
+        work,
     })
 }
 
@@ -263,5 +270,6 @@ fn conclude(search: &Search, best: &Point, found: &[Point], largest: f64, starts
         kept_error: search.kept_error(&best.unit),
         starts,
         agreeing: found.iter().filter(same).count(),
+        is_stopped: false,
     }
 }

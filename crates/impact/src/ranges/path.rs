@@ -56,7 +56,8 @@ impl<'a> PathSearch<'a> {
 
     /// The same search for the effective mass of the contact.
     pub fn of_masses(&self) -> Self {
-        Self { search: self.search.of_masses(), segments: self.segments.clone() }
+        let search = Search { work: self.search.work.clone(), ..self.search.of_masses() };
+        Self { search, segments: self.segments.clone() }
     }
 
     /// Search within a segment.

@@ -15,7 +15,12 @@ use nalgebra::{Matrix3xX, Vector3};
 use percuss_dynamics::{Configuration, Contact, Direction, EffectiveMass, Frame, LowestPoint, Pose, System};
 use percuss_mechanism::JointId;
 use percuss_spatial::{Twist, plane_basis};
+use std::cell::Cell;
+use std::rc::Rc;
 
+/// Largest work of the search for one extreme: number of joints of all poses and motions that are computed. Seconds; a search over twelve
+/// joints needs a sixth of it.
+pub(super) const SEARCH_WORK: usize = 25_000_000;
 /// Largest number of steps of one search.
 pub(super) const MOST_STEPS: usize = 200;
 /// Projected gradient over the ranges, relative to the value, at which a search ends.
@@ -43,6 +48,8 @@ pub(super) struct Search<'a> {
     pub kept: KeptRows,
     pub normals: NormalRange,
     pub extreme: ExtremeKind,
+    /// Work that is left: joints of the poses and of the motions that are still computed.
+    pub work: Rc<Cell<usize>>,
 }
 
 /// Variable of a search, from 0 to 1: its joints move together, each linearly from `lower` to `upper`.
@@ -52,11 +59,16 @@ pub(super) struct Variable {
 }
 
 impl<'a> Search<'a> {
-    /// Best end of the local searches of each start, and the largest measure of all points. With kept points the first start has a third
-    /// search, from the configuration, if the configuration is within the ranges.
-    pub fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64), ExtremesError> {
+    /// Best end of the local searches of each start, the largest measure of all points, and the number of starts. With kept points the
+    /// first start has a third search, from the configuration, if the configuration is within the ranges. The limit of work may end the
+    /// last search early and leave out further starts.
+    pub fn run_all(&self, starts: usize) -> Result<(Vec<Point>, f64, usize), ExtremesError> {
         let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
+        self.work.set(SEARCH_WORK);
         for start in 0..starts.max(1) {
+            if self.is_stopped() {
+                return Ok((found, largest, start));
+            }
             let samples: Vec<(Vec<f64>, f64)> =
                 (0..SAMPLES).filter_map(|k| self.sample(start * SAMPLES + k + 1)).collect();
             let scale = samples.iter().map(|(_, measure)| *measure).fold(0.0, f64::max);
@@ -72,7 +84,18 @@ impl<'a> Search<'a> {
             }
             found.extend(ends.into_iter().min_by(|a, b| a.value.total_cmp(&b.value)));
         }
-        Ok((found, largest))
+        Ok((found, largest, starts.max(1)))
+    }
+
+    /// True if no work is left.
+    pub fn is_stopped(&self) -> bool {
+        self.work.get() == 0
+    }
+
+    /// Subtracts the work of a pose or a motion of the mechanism, as often as stated.
+    fn count_work(&self, times: usize) {
+        let joints = self.system.mechanism().joints().len();
+        self.work.set(self.work.get().saturating_sub(times.saturating_mul(joints)));
     }
 
     /// Point of the Halton sequence, as parts of the ranges.
@@ -113,7 +136,7 @@ impl<'a> Search<'a> {
 
     /// The same search for the effective mass of the contact.
     pub fn of_masses(&self) -> Search<'a> {
-        Search { quantity: SearchedQuantity::EffectiveMass, ..self.clone() }
+        Search { quantity: SearchedQuantity::EffectiveMass, work: Rc::default(), ..self.clone() }
     }
 
     /// Result for a bearing whose load grows without bound towards a pose with an immovable contact and R ≠ 0. `None` if no start finds
@@ -124,7 +147,7 @@ impl<'a> Search<'a> {
         starts: usize,
     ) -> Result<Option<ExtremeMass>, ExtremesError> {
         let masses = self.of_masses();
-        let (found, largest) = masses.run_all(starts)?;
+        let (found, largest, searched) = masses.run_all(starts)?;
         let largest = largest.max(masses.typical()?);
         let unbounded: Vec<&Point> =
             found.iter().filter(|point| self.is_unbounded(point, largest, bearing)).collect();
@@ -135,8 +158,9 @@ impl<'a> Search<'a> {
             active_limits: self.active_limits(&point.unit),
             residual: 0.0,
             kept_error: self.kept_error(&point.unit),
-            starts: starts.max(1),
+            starts: searched,
             agreeing: unbounded.len(),
+            is_stopped: masses.is_stopped(),
         }))
     }
 
@@ -232,6 +256,7 @@ impl<'a> Search<'a> {
     }
 
     pub fn pose(&self, unit: &[f64], from: Option<&Pose>) -> Result<Pose, ExtremesError> {
+        self.count_work(1);
         let mut wanted = self.configuration.clone();
         let moves = self.variables.iter().flat_map(|variable| &variable.moves);
         for (range, position) in moves.zip(self.positions(unit)) {
@@ -311,6 +336,7 @@ impl<'a> Search<'a> {
             });
         };
         let inverse_mass = 1.0 / gradient.effective_mass;
+        self.count_work(self.variables.len());
         let drivers = driving_velocities(&pose);
         let mut slopes = Vec::with_capacity(unit.len());
         for variable in &self.variables {
@@ -361,7 +387,10 @@ impl<'a> Search<'a> {
         // Before the first update of the Hessian the step is a quarter of the range: the gradient alone determines no length.
         let mut has_curvature = false;
         for _ in 0..MOST_STEPS {
-            if at.residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
+            if at.residual <= OPTIMAL * at.inverse_mass
+                || at.inverse_mass <= IMMOVABLE * scale
+                || self.is_stopped()
+            {
                 break;
             }
             let is_free: Vec<bool> = (0..n)
@@ -396,6 +425,9 @@ impl<'a> Search<'a> {
                     && (point.value <= at.value + 1e-4 * gain || at.is_equal_but_worse_than(&point))
                 {
                     next = Some((point, pose));
+                    break;
+                }
+                if self.is_stopped() {
                     break;
                 }
                 length *= 0.5;

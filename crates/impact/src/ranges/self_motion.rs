@@ -239,7 +239,10 @@ impl Search<'_> {
             let mut blocked = vec![false; n];
             let mut tangent = TangentSpace::new(&at, &jacobian, &blocked);
             at.residual = tangent.residual();
-            if at.residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
+            if at.residual <= OPTIMAL * at.inverse_mass
+                || at.inverse_mass <= IMMOVABLE * scale
+                || self.is_stopped()
+            {
                 break;
             }
             // A variable at a limit is fixed if the step would move it out of its range.

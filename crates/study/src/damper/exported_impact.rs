@@ -200,6 +200,7 @@ fn export(
         shapes: &model.shapes,
         find_mesh: file.find_mesh,
         poses: &[],
+        balances_inertia: false,
     };
     let mut written = write_mjcf_impact(parts, &impact, file.heading)?;
     let only_impact = "the only keyframe of the file is the impact";

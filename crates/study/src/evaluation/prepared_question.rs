@@ -25,7 +25,7 @@ use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactError,
     ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
 };
-use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism, UnknownName};
+use percuss_mechanism::{Closure, JointId, JointKind, LinkId, Mechanism, UnknownName};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -354,7 +354,8 @@ pub(crate) fn compile(
     let joint = |field: Field, name: &str| -> Result<JointId, StudyError> {
         mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
     };
-    let mut conditions = Conditions::new().base(question.base);
+    let base = if floats_already(mechanism) { Base::Fixed } else { question.base };
+    let mut conditions = Conditions::new().base(base);
     for name in &question.lock {
         joint(Field::Lock, name)?;
         conditions = conditions.lock(name);
@@ -370,11 +371,26 @@ pub(crate) fn compile(
     let system = System::new(Arc::clone(mechanism), &conditions)
         .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let root = mechanism.root();
-    if question.base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
+    if base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
         let link = mechanism.link(root).name().to_owned();
         return Err(StudyError::input(Field::Base, Fault::MasslessBase { link }));
     }
     Ok(system)
+}
+
+/// True if all parts of a mechanism float on a root link without mass, the ground of SDFormat and MJCF: a floating base is no change.
+fn floats_already(mechanism: &Mechanism) -> bool {
+    let root = mechanism.root();
+    let joints = mechanism.child_joints(root);
+    let holds_root = |closure: &Closure| {
+        [closure.predecessor(), closure.successor()]
+            .iter()
+            .any(|end| end.link.is_none_or(|link| link == root))
+    };
+    mechanism.link(root).inertial().is_none_or(|inertial| inertial.mass == 0.0)
+        && !joints.is_empty()
+        && joints.iter().all(|joint| mechanism.joint(*joint).kind() == JointKind::Floating)
+        && !mechanism.closures().iter().any(holds_root)
 }
 
 /// Requested positions: pose file first, then `--set` and `--guess`.

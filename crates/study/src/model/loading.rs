@@ -5,8 +5,8 @@ use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{
-    DEFAULT_MAX_SIZE, FileStore, LoadError, LoadOptions, NamedPose, OpenFile, Shape, SharedFiles, Source,
-    load,
+    DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, NamedPose, OpenFile, Shape,
+    SharedFiles, Source, load,
 };
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
@@ -184,6 +184,26 @@ impl Model {
         worksheet: Option<&str>,
     ) -> Result<Self, LoadError> {
         Self::read_source(&Source::read(path, max_size)?, options, worksheet, true)
+    }
+
+    /// Reads a file that another file names, as [`load_worksheet`](Self::load_worksheet); a pipe, which could wait for its other end, is
+    /// refused.
+    pub(crate) fn load_named(
+        path: &str,
+        max_size: u64,
+        options: &LoadOptions,
+        worksheet: Option<&str>,
+    ) -> Result<Self, LoadError> {
+        let of_model = path.rsplit_once('#').map(|(file, _)| file);
+        let is_pipe = |path: &str| FileSystem.kind(Path::new(path)).is_ok_and(|kind| kind == FileKind::Other);
+        if [Some(path), of_model].into_iter().flatten().any(is_pipe) {
+            return Err(LoadError::of_file(
+                path,
+                "no-file",
+                "this is no file, but a pipe or a device; name a file",
+            ));
+        }
+        Self::load_worksheet(path, max_size, options, worksheet)
     }
 
     /// Reads a URDF, an MJCF, an SDF or a suspension's sheet from memory.

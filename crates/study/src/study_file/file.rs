@@ -478,8 +478,7 @@ impl StudyReader<'_> {
     ) -> Result<Model, StudyFileError> {
         let model_path = folder.join(&study.model.path);
         let worksheet = study.model.worksheet.as_deref();
-        let mut model =
-            Model::load_worksheet(&model_path.to_string_lossy(), self.max_size, options, worksheet)?;
+        let mut model = Model::load_named(&model_path.to_string_lossy(), self.max_size, options, worksheet)?;
         model.inputs.push(Input::from_source(source));
         model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {

@@ -16,13 +16,19 @@ use percuss_study::{ChangeRecord, ConversionReport, DiagnosticRecord, Model, nam
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     args.writing.apply();
     let format = ModelFormat::of_output(args.to, &args.output)?;
-    convert(&args.model, format, &args.output, args.format)
+    if args.balance_inertia && format != ModelFormat::Mjcf {
+        return Err(Failure::bad_input(format!(
+            "--balance-inertia: only MJCF refuses moments with A + B < C, and the output is {}; leave the flag out",
+            format.name()
+        )));
+    }
+    convert(&args.model, (format, args.balance_inertia), &args.output, args.format)
 }
 
-/// Converts a model, and prints the report of the changes in `report_format`.
+/// Converts a model to a format, with balanced inertias or without, and prints the report of the changes in `report_format`.
 pub(super) fn convert(
     model_args: &ModelArgs,
-    format: ModelFormat,
+    (format, balances_inertia): (ModelFormat, bool),
     output: &str,
     report_format: CheckFormat,
 ) -> Result<(), Failure> {
@@ -41,7 +47,7 @@ pub(super) fn convert(
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", model_args.model);
     let meshes = MeshNames::new(&model_args.model, output, format);
-    let ModelText { text, changes } = write_model(&model, format, &meshes, &heading)?;
+    let ModelText { text, changes } = write_model(&model, (format, balances_inertia), &meshes, &heading)?;
     let report = ConversionReport::new(&model, changes, format.name(), output);
     write_diagnostics(&report.diagnostics, model_args.reading.strict)?;
     let text = append_hash(text);
@@ -68,7 +74,7 @@ pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure
 /// Text of the written model, which starts with the comment `heading`, and everything changed or lost.
 fn write_model(
     model: &Model,
-    format: ModelFormat,
+    (format, balances_inertia): (ModelFormat, bool),
     meshes: &MeshNames,
     heading: &str,
 ) -> Result<ModelText, Failure> {
@@ -79,6 +85,7 @@ fn write_model(
         shapes: &model.shapes,
         find_mesh: &find_mesh,
         poses: &poses,
+        balances_inertia,
     };
     let refuse = |format: &str, error: String| {
         Failure::bad_input(format!("the model cannot be written as {format}: {error}"))

@@ -25,7 +25,7 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     let format = ModelFormat::of_output(args.to, &args.output)?;
     let has_damping = args.damping.restitution.is_some() || !args.damping.tools.is_empty();
     if !args.contact.is_given() && args.limit.is_none() && !has_damping {
-        return convert(&args.model, format, &args.output, args.format);
+        return convert(&args.model, (format, false), &args.output, args.format);
     }
     match format {
         ModelFormat::Mjcf => {}

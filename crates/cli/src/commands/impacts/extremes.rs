@@ -55,6 +55,10 @@ pub fn note(report: &ExtremesReport) -> &'static str {
         Some(_) => {
             "Local searches from the best samples of the path: an extreme between two samples can be missed.\n"
         }
+        None if report.least.is_stopped || report.most.is_stopped => {
+            "Local searches from several starts: no proof of a global extreme. The limit of work ended a search: vary fewer joints \
+             (--range).\n"
+        }
         None => {
             "Local searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
              (--starts).\n"
@@ -87,10 +91,17 @@ pub fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         let kept = record
             .kept_error
             .map_or_else(String::new, |error| format!("; error of kept points {} m", short_number(error)));
+        let stopped = match record.is_stopped {
+            true => format!(
+                "; stopped by the limit of work in start {} of {}: the best value found",
+                record.starts, report.starts
+            ),
+            false => String::new(),
+        };
         facts.push((
             "  search",
             format!(
-                "{} of {} {starts} agree; optimality residual {}{kept}",
+                "{} of {} {starts} agree; optimality residual {}{kept}{stopped}",
                 record.agreeing,
                 record.starts,
                 short_number(record.residual)

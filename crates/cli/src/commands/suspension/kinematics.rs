@@ -3,6 +3,7 @@
 use crate::args::{KinematicsArgs, KinematicsFormat, is_picture};
 use crate::files::csv;
 use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::own_files::KINEMATIC_AXES;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::terminal::failure::Failure;
@@ -193,9 +194,6 @@ impl From<KinematicsError> for Failure {
     }
 }
 
-/// Axes of all quantities.
-const AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
-
 /// Columns and rows of a report in the units of tables, as text: the variable first; quantities without values are left out.
 pub fn table_rows(report: &KinematicsReport) -> Vec<Vec<String>> {
     let given: Vec<usize> =
@@ -284,7 +282,11 @@ fn tables(report: &KinematicsReport) -> String {
             None => reasons.push((why, vec![name])),
         }
     }
-    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel\n{AXES}", report.derivatives);
+    let _ = writeln!(
+        out,
+        "\nderivatives along {}, per travel of the wheel\n{KINEMATIC_AXES}",
+        report.derivatives
+    );
     for (why, names) in reasons {
         let _ = writeln!(out, "{}", wrap_hanging(&format!("not given: {}: {why}", names.join(", ")), 2));
     }

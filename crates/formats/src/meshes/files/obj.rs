@@ -6,8 +6,10 @@ use super::error::excerpt;
 use super::triangles::{Triangles, check_triangle_count};
 use crate::reading::limits::MAX_MESH_VERTICES;
 
-/// Triangles of an OBJ file.
-pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
+/// Triangles of an OBJ file, and their number in its first object or group. An object or group begins with a line `o NAME` or `g NAME`
+/// behind a face.
+pub(super) fn read_obj(bytes: &[u8]) -> Result<(Triangles, usize), String> {
+    let mut first = None;
     let mut positions: Vec<[f64; 3]> = Vec::new();
     // Corners of each triangle with the line of the face: a face may refer to later vertices.
     let mut faces: Vec<([u32; 3], u32)> = Vec::new();
@@ -45,9 +47,14 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
                     second = third;
                 }
             }
+            // As in tinyobjloader, a line without anything behind the letter is no beginning.
+            Some(b"o" | b"g") if text.trim_ascii_start().get(1).is_some_and(|byte| b" \t".contains(byte)) => {
+                first = first.or(Some(faces.len()).filter(|count| *count > 0));
+            }
             _ => {}
         }
     }
+    let first = first.unwrap_or(faces.len());
     let triangle = |&(corners, line): &([u32; 3], u32)| {
         let corner = |index: u32| {
             let vertex = || {
@@ -57,7 +64,7 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
         };
         Ok([corner(corners[0])?, corner(corners[1])?, corner(corners[2])?])
     };
-    faces.iter().map(triangle).collect()
+    Ok((faces.iter().map(triangle).collect::<Result<_, String>>()?, first))
 }
 
 /// Infinite values and NaN are accepted here, and refused for all formats by [`read_mesh`](super::read_mesh).

@@ -1,6 +1,5 @@
 //! Convex hull of points. Source: Barber, Dobkin and Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM TOMS 22 (1996).
 
-use crate::reading::limits::MAX_HULL_WORK;
 use percuss_spatial::Vector3;
 use std::collections::{HashMap, HashSet};
 
@@ -8,6 +7,9 @@ use std::collections::{HashMap, HashSet};
 const ON_FACE: f64 = 1e-13;
 /// Distance from the first line or plane, relative to the size of the points, below which they enclose no volume.
 const FLAT: f64 = 1e-9;
+
+/// Work of a face with its edges, as a number of distances.
+const FACE_WORK: usize = 100;
 
 /// Reason for which there is no hull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,15 +30,16 @@ struct Face {
     is_removed: bool,
 }
 
-/// Faces of the convex hull as triples of point numbers, anticlockwise from outside.
+/// Faces of the convex hull as triples of point numbers, anticlockwise from outside. `work`: number of distances that may be computed;
+/// those that are computed are subtracted.
 ///
 /// # Errors
 /// [`HullDefect`].
-pub(crate) fn convex_hull(points: &[Vector3<f64>]) -> Result<Vec<[usize; 3]>, HullDefect> {
+pub(crate) fn convex_hull(points: &[Vector3<f64>], work: &mut usize) -> Result<Vec<[usize; 3]>, HullDefect> {
     let first = first_tetrahedron(points)?;
     let size = points.iter().map(|p| (p - points[first[0]]).amax()).fold(0.0, f64::max);
     let mut builder =
-        HullBuilder { points, on_face: ON_FACE * size, faces: Vec::new(), edges: HashMap::new(), work: 0 };
+        HullBuilder { points, on_face: ON_FACE * size, faces: Vec::new(), edges: HashMap::new(), work };
     let [a, b, c, d] = first;
     let new: Vec<usize> = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]]
         .into_iter()
@@ -87,12 +90,13 @@ struct HullBuilder<'p> {
     faces: Vec<Face>,
     /// Face to the left of each directed edge.
     edges: HashMap<(usize, usize), usize>,
-    /// Number of distances that were computed.
-    work: usize,
+    /// Number of distances that may still be computed.
+    work: &'p mut usize,
 }
 
 impl HullBuilder<'_> {
     fn add_face(&mut self, corners: [usize; 3]) -> usize {
+        *self.work = self.work.saturating_sub(FACE_WORK);
         let [a, b, c] = corners.map(|corner| self.points[corner]);
         let normal = (b - a).cross(&(c - a));
         let length = normal.norm();
@@ -114,7 +118,7 @@ impl HullBuilder<'_> {
 
     /// Distance of a point from the plane of a face, positive outside, m.
     fn distance(&mut self, face: usize, point: usize) -> f64 {
-        self.work += 1;
+        *self.work = self.work.saturating_sub(1);
         let Face { normal, offset, .. } = &self.faces[face];
         normal.dot(&self.points[point]) - offset
     }
@@ -127,7 +131,7 @@ impl HullBuilder<'_> {
                 self.faces[face].outside.push(point);
             }
         }
-        if self.work > MAX_HULL_WORK { Err(HullDefect::TooMuchWork) } else { Ok(()) }
+        if *self.work == 0 { Err(HullDefect::TooMuchWork) } else { Ok(()) }
     }
 
     /// Adds the farthest point beyond a face, with a cone of faces to the horizon. Returns the new faces.
@@ -186,6 +190,7 @@ impl HullBuilder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reading::limits::MAX_HULL_WORK;
     use approx::assert_relative_eq;
 
     fn volume(points: &[Vector3<f64>], faces: &[[usize; 3]]) -> f64 {
@@ -203,7 +208,7 @@ mod tests {
         let points: Vec<Vector3<f64>> = steps()
             .flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vector3::new(x, y, z))))
             .collect();
-        let faces = convex_hull(&points).unwrap();
+        let faces = convex_hull(&points, &mut MAX_HULL_WORK.clone()).unwrap();
         assert_relative_eq!(volume(&points, &faces), 1.0, epsilon = 1e-12);
     }
 
@@ -220,7 +225,7 @@ mod tests {
         for point in points.iter_mut().step_by(2) {
             *point = point.normalize() * 1.5;
         }
-        let faces = convex_hull(&points).unwrap();
+        let faces = convex_hull(&points, &mut MAX_HULL_WORK.clone()).unwrap();
         for face in &faces {
             let [a, b, c] = face.map(|corner| points[corner]);
             let normal = (b - a).cross(&(c - a)).normalize();
@@ -236,8 +241,9 @@ mod tests {
     fn flat_points_have_no_hull() {
         let points: Vec<Vector3<f64>> =
             (0..9).map(|i| Vector3::new(f64::from(i % 3), f64::from(i / 3), 1.0)).collect();
-        assert_eq!(convex_hull(&points), Err(HullDefect::Flat));
-        assert_eq!(convex_hull(&points[..1]), Err(HullDefect::Flat));
-        assert_eq!(convex_hull(&[]), Err(HullDefect::Flat));
+        let mut work = MAX_HULL_WORK;
+        assert_eq!(convex_hull(&points, &mut work), Err(HullDefect::Flat));
+        assert_eq!(convex_hull(&points[..1], &mut work), Err(HullDefect::Flat));
+        assert_eq!(convex_hull(&[], &mut work), Err(HullDefect::Flat));
     }
 }

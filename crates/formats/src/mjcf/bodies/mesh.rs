@@ -1,7 +1,7 @@
 //! Mesh assets, and their inertias. A file is opened only if an inertia depends on it.
 
 use crate::SharedFiles;
-use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, Triangles, read_mesh};
+use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFile, Triangles, read_mesh_file};
 use crate::meshes::surface::hull::{HullDefect, convex_hull};
 use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
 use crate::mjcf::values::attributes::Attributes;
@@ -11,7 +11,7 @@ use crate::mjcf::values::orientation::rotation_from_quat;
 use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
-use crate::reading::limits::{MAX_INERTIA_TRIANGLES, MAX_TOTAL_ATTRIBUTES};
+use crate::reading::limits::{MAX_HULL_WORK, MAX_INERTIA_TRIANGLES, MAX_MESH_BYTES, MAX_TOTAL_ATTRIBUTES};
 use crate::reading::report::quoted;
 use crate::shape::Solid;
 use percuss_mechanism::Severity;
@@ -33,6 +33,15 @@ struct Mesh {
     inertia: Option<Option<MeshInertia>>,
 }
 
+impl Mesh {
+    /// Key of the inertia by a rule; `None` for vertices in the model.
+    fn key(&self, rule: MeshRule) -> Option<MeshKey> {
+        let values = self.scale.iter().chain(self.reference.rotation.iter());
+        let values = values.chain(self.reference.translation.iter());
+        Some((self.file.clone()?, rule, values.map(|value| value.to_bits()).collect()))
+    }
+}
+
 /// Mesh assets by name.
 #[derive(Debug)]
 pub(crate) struct Meshes<'t> {
@@ -43,8 +52,17 @@ pub(crate) struct Meshes<'t> {
     meshes: HashMap<String, Mesh>,
     /// Files that were opened.
     pub opened: Vec<PathBuf>,
+    /// Inertias by file, rule, scale and reference pose: files and hulls that several assets share are read and computed once.
+    known: HashMap<MeshKey, Option<MeshInertia>>,
+    /// Total number of triangles and total size of the files (bytes) that were read.
     triangles: usize,
+    bytes: u64,
+    /// Number of distances that hulls may still compute.
+    hull_work: usize,
 }
+
+/// File with the scale and the pose of its mesh, as bits, and the rule of its inertia.
+type MeshKey = (String, MeshRule, Vec<u64>);
 
 impl<'t> Meshes<'t> {
     /// Reads the assets of a model. `files`: store of the mesh files.
@@ -74,7 +92,17 @@ impl<'t> Meshes<'t> {
                 });
             }
         }
-        Self { tree, files: files.clone(), folder, meshes, opened: Vec::new(), triangles: 0 }
+        Self {
+            tree,
+            files: files.clone(),
+            folder,
+            meshes,
+            opened: Vec::new(),
+            known: HashMap::new(),
+            triangles: 0,
+            bytes: 0,
+            hull_work: MAX_HULL_WORK,
+        }
     }
 
     /// Solid of an asset for drawings, with the frame of its file in the geom; `None` for an unknown name or vertices in the model.
@@ -106,7 +134,12 @@ impl<'t> Meshes<'t> {
             return known;
         }
         let rule = if is_shell { MeshRule::Shell } else { mesh.rule };
-        let computed = self.compute(name, rule, geom, findings);
+        let key = mesh.key(rule);
+        let computed = match key.as_ref().and_then(|key| self.known.get(key)) {
+            Some(known) => *known,
+            None => self.compute(name, rule, geom, findings),
+        };
+        self.known.extend(key.map(|key| (key, computed)));
         if let Some(mesh) = self.meshes.get_mut(name).filter(|_| !is_shell) {
             mesh.inertia = Some(computed);
         }
@@ -138,12 +171,34 @@ impl<'t> Meshes<'t> {
         let read = match &mesh.file {
             Some(file) => {
                 let path = self.folder.join(file);
-                let read =
-                    read_mesh(&*self.files, &path, DEFAULT_MAX_MESH_SIZE).map_err(|error| error.to_string());
+                let left = MAX_MESH_BYTES.saturating_sub(self.bytes);
+                let read = read_mesh_file(&*self.files, &path, DEFAULT_MAX_MESH_SIZE.min(left));
                 self.opened.push(path);
-                read
+                match read {
+                    Ok(MeshFile { mut triangles, in_first_shape, size }) => {
+                        self.bytes += size;
+                        // MuJoCo computes a hull of all vertices.
+                        if rule != MeshRule::Convex && in_first_shape < triangles.len() {
+                            findings.note("first-object", element, || {
+                                format!(
+                                    "only the first object or group of the file {} counts, as in MuJoCo: {in_first_shape} of {} triangles; \
+                                     join the objects if all are meant",
+                                    quoted(file),
+                                    triangles.len()
+                                )
+                            });
+                            triangles.truncate(in_first_shape);
+                        }
+                        Ok(triangles)
+                    }
+                    Err(MeshError::TooLarge { .. }) if left < DEFAULT_MAX_MESH_SIZE => Err(format!(
+                        "the mesh files of the model have more than {} MiB in all",
+                        MAX_MESH_BYTES >> 20
+                    )),
+                    Err(error) => Err(error.to_string()),
+                }
             }
-            None => inline_triangles(attributes, findings),
+            None => inline_triangles(attributes, &mut self.hull_work, findings),
         };
         let triangles = match read {
             Ok(triangles) => triangles,
@@ -170,7 +225,10 @@ impl<'t> Meshes<'t> {
         let (scale, reference) = (Vector3::from(mesh.scale), mesh.reference);
         let place = |p: [f64; 3]| reference.inverse_point(&p.into()).component_mul(&scale).into();
         let triangles: Triangles = triangles.into_iter().map(|corners| corners.map(place)).collect();
-        let hull = if rule == MeshRule::Convex { hull_of(&triangles) } else { Ok(triangles) };
+        let hull = match rule {
+            MeshRule::Convex => hull_of(&triangles, &mut self.hull_work),
+            _ => Ok(triangles),
+        };
         let triangles = match hull {
             Ok(triangles) => triangles,
             Err(message) => {
@@ -268,7 +326,11 @@ fn read_mesh_asset(
 }
 
 /// Triangles of the attributes `vertex` and `face`.
-fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Result<Triangles, String> {
+fn inline_triangles(
+    attributes: Attributes<'_>,
+    hull_work: &mut usize,
+    findings: &mut Findings<'_>,
+) -> Result<Triangles, String> {
     if attributes.text("builtin").is_some_and(|name| name != "none") {
         return Err("meshes that MuJoCo makes itself (builtin) are not computed; use a file".to_owned());
     }
@@ -280,7 +342,7 @@ fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> 
     if attributes.text("face").is_none() {
         // Without faces the mesh is the convex hull of its vertices.
         let points: Vec<Vector3<f64>> = vertices.chunks_exact(3).map(Vector3::from_column_slice).collect();
-        return hull_triangles(&points);
+        return hull_triangles(&points, hull_work);
     }
     let faces = attributes.list("face", MAX_TOTAL_ATTRIBUTES, findings).ok_or_else(invalid)?;
     let vertex = |index: f64| {
@@ -302,19 +364,19 @@ fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> 
 }
 
 /// Triangles of the convex hull of the corners of triangles.
-fn hull_of(triangles: &Triangles) -> Result<Triangles, String> {
+fn hull_of(triangles: &Triangles, work: &mut usize) -> Result<Triangles, String> {
     let mut known = std::collections::HashSet::new();
     // Bits of the coordinates: corners of neighbouring triangles are equal.
     let corners = triangles.iter().flatten().filter(|p| known.insert(p.map(f64::to_bits)));
     let points: Vec<Vector3<f64>> = corners.map(|p| Vector3::from(*p)).collect();
-    hull_triangles(&points)
+    hull_triangles(&points, work)
 }
 
 /// Triangles of the convex hull of points.
-fn hull_triangles(points: &[Vector3<f64>]) -> Result<Triangles, String> {
-    let faces = convex_hull(points).map_err(|defect| match defect {
+fn hull_triangles(points: &[Vector3<f64>], work: &mut usize) -> Result<Triangles, String> {
+    let faces = convex_hull(points, work).map_err(|defect| match defect {
         HullDefect::Flat => "its vertices lie in a plane".to_owned(),
-        HullDefect::TooMuchWork => "it has too many vertices".to_owned(),
+        HullDefect::TooMuchWork => "the hulls of the model have too many vertices in all".to_owned(),
     })?;
     Ok(faces.into_iter().map(|face| face.map(|corner| points[corner].into())).collect())
 }

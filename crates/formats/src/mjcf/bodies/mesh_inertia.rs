@@ -4,7 +4,7 @@ use crate::meshes::files::Triangles;
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Rule for the inertia of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum MeshRule {
     /// Volume of the convex hull.
     Convex,

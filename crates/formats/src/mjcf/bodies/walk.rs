@@ -373,6 +373,16 @@ impl<'t> Walker<'_, 't, '_> {
             });
             return;
         };
+        let contents = self.tree.children(element).len();
+        let needed = (count as usize).saturating_mul(contents + 1);
+        if needed > MAX_TREE_VISITS - self.visits.min(MAX_TREE_VISITS) {
+            self.visits = MAX_TREE_VISITS;
+            self.count_visit(element);
+            return;
+        }
+        if contents == 0 {
+            return;
+        }
         let separator = attributes.text("sep").unwrap_or_default();
         let offset = Vector3::from(attributes.numbers::<3>("offset", self.findings).unwrap_or_default());
         let angles = attributes.numbers::<3>("euler", self.findings).unwrap_or_default();

@@ -3,7 +3,9 @@
 
 use crate::mjcf::document::files::{AttachedModel, Files};
 use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree};
-use crate::reading::limits::{MAX_ATTACH_STEPS, MAX_ELEMENTS};
+use crate::reading::limits::{
+    LONGEST_NAME, MAX_ATTACH_STEPS, MAX_COPIED_BYTES, MAX_ELEMENT_DEPTH, MAX_ELEMENTS,
+};
 use crate::reading::report::{Place, Report, quoted, shortened};
 use percuss_mechanism::Severity;
 use std::collections::HashSet;
@@ -61,7 +63,7 @@ enum State {
 pub(crate) fn attach_models(files: &mut Files) {
     let Files { tree, reports, models } = files;
     let states = vec![State::Waiting; models.len()];
-    Attacher { tree, reports, models, states, steps: 0, expanded: HashSet::new() }.complete(0);
+    Attacher { tree, reports, models, states, steps: 0, bytes: 0, expanded: HashSet::new() }.complete(0);
 }
 
 struct Attacher<'f> {
@@ -71,6 +73,8 @@ struct Attacher<'f> {
     states: Vec<State>,
     /// Elements searched for names.
     steps: usize,
+    /// Size of the copies, bytes.
+    bytes: usize,
     /// Elements `<attach>` with contents.
     expanded: HashSet<ElementId>,
 }
@@ -225,7 +229,7 @@ impl Attacher<'_> {
         names
     }
 
-    /// Copies an element and its descendants below `parent`; `None`, with an error at `cause`, beyond the limit.
+    /// Copies an element and its descendants below `parent`; `None`, with an error at `cause`, beyond a limit.
     fn copy(
         &mut self,
         source: ElementId,
@@ -234,18 +238,45 @@ impl Attacher<'_> {
         cause: ElementId,
     ) -> Option<ElementId> {
         let mut first = None;
-        let mut stack = vec![(source, parent)];
-        while let Some((source, parent)) = stack.pop() {
-            if self.tree.elements.len() >= MAX_ELEMENTS {
-                let message =
-                    format!("with all attached models, the model has more than {MAX_ELEMENTS} elements");
+        let above = |id: &ElementId| self.tree.element(*id).parent;
+        let depth = std::iter::successors(Some(parent), above).count();
+        let mut stack = vec![(source, parent, depth)];
+        while let Some((source, parent, depth)) = stack.pop() {
+            let element = self.tree.element(source);
+            self.bytes += size_of::<Element>();
+            for attribute in &element.attributes {
+                let lead = if is_prefixed(&attribute.name, &attribute.value) { prefix.len() } else { 0 };
+                if lead > 0 && lead + attribute.value.len() > LONGEST_NAME {
+                    let message = format!(
+                        "with the prefix a name is {} bytes long; at most {LONGEST_NAME} are read",
+                        lead + attribute.value.len()
+                    );
+                    self.error("long-name", cause, "prefix", message);
+                    return None;
+                }
+                let text = attribute.name.len() + attribute.value.len() + lead;
+                self.bytes = self.bytes.saturating_add(size_of::<Attribute>() + text);
+            }
+            let limit = if self.tree.elements.len() >= MAX_ELEMENTS {
+                format!("more than {MAX_ELEMENTS} elements")
+            } else if depth > MAX_ELEMENT_DEPTH {
+                format!("elements nested deeper than {MAX_ELEMENT_DEPTH} levels")
+            } else if self.bytes > MAX_COPIED_BYTES {
+                format!("more than {} MiB of copies", MAX_COPIED_BYTES >> 20)
+            } else {
+                String::new()
+            };
+            if !limit.is_empty() {
+                let message = format!("with all attached models, the model has {limit}");
                 self.error("too-complex", cause, "model", message);
                 return None;
             }
-            let element = self.tree.element(source);
             let attributes = element.attributes.iter().map(|attribute| Attribute {
                 name: attribute.name.clone(),
-                value: prefixed(&attribute.name, &attribute.value, prefix),
+                value: match is_prefixed(&attribute.name, &attribute.value) {
+                    true => format!("{prefix}{}", attribute.value),
+                    false => attribute.value.clone(),
+                },
                 offset: attribute.offset,
             });
             let copied = Element {
@@ -263,7 +294,7 @@ impl Attacher<'_> {
                 self.expanded.insert(id);
             }
             first.get_or_insert(id);
-            stack.extend(children.into_iter().rev().map(|child| (child, id)));
+            stack.extend(children.into_iter().rev().map(|child| (child, id, depth + 1)));
         }
         first
     }
@@ -375,9 +406,9 @@ impl Attacher<'_> {
     }
 }
 
-/// Value of an attribute in a copy: names and references have the prefix.
-fn prefixed(attribute: &str, value: &str, prefix: &str) -> String {
+/// True if the value of an attribute has the prefix in a copy: names and references.
+fn is_prefixed(attribute: &str, value: &str) -> bool {
     let is_name = attribute == "name" || REFERENCES.iter().any(|(name, _)| *name == attribute);
     let is_world = value == "world" && ["body", "body1", "body2"].contains(&attribute);
-    if is_name && !value.is_empty() && !is_world { format!("{prefix}{value}") } else { value.to_owned() }
+    is_name && !value.is_empty() && !is_world
 }

@@ -41,6 +41,7 @@ pub(crate) fn read_files(source: &Source, text: &str, report: Report) -> Files {
         folder,
         model: 0,
         included: HashSet::new(),
+        open: store.canonical(Path::new(name)).into_iter().collect(),
         bytes: text.len() as u64,
     };
     reader.included.extend(store.canonical(Path::new(name)).ok());
@@ -62,6 +63,8 @@ struct FileReader<'a> {
     model: usize,
     /// Canonical paths of all files of the current model.
     included: HashSet<PathBuf>,
+    /// Canonical paths of the main files of the models that contain the current one, and of itself.
+    open: Vec<PathBuf>,
     /// Total size of all files, bytes.
     bytes: u64,
 }
@@ -246,10 +249,20 @@ impl FileReader<'_> {
                 });
                 continue;
             }
+            let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
+            if self.open.contains(&canonical) {
+                self.files.reports[file].error("attach-circle", Place::Offset(offset), || {
+                    format!(
+                        "the model {} is an asset of itself: a circle of models has no end",
+                        quoted(&name)
+                    )
+                });
+                continue;
+            }
             let model = self.files.models.len();
             self.model = model;
             self.folder = path.parent().map(Path::to_owned).unwrap_or_default();
-            self.included = self.store.canonical(&path).into_iter().collect();
+            self.included = HashSet::from([canonical.clone()]);
             let Some(index) = self.open_file(&path, file, Place::Offset(offset)) else { return };
             let root = ElementId(self.files.tree.elements.len() as u32);
             self.append_file(index, None, 0);
@@ -269,7 +282,9 @@ impl FileReader<'_> {
             let attached = given.or(own_name).unwrap_or_default();
             self.files.models.push(AttachedModel { root, attachable: Vec::new() });
             self.files.models[own].attachable.push((attached, model));
+            self.open.push(canonical);
             self.read_models(model, depth + 1);
+            self.open.pop();
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::reading::limits::{MAX_ELEMENTS_PER_KIND, MAX_POSITIONS};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::numbers::parse_numbers;
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion};
-use percuss_mechanism::{JointKind, Severity};
+use percuss_mechanism::{JointDescription, JointKind, Severity};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;
 
@@ -34,6 +34,8 @@ pub(crate) fn read_keyframes(
     let mut poses = Vec::new();
     let joints: usize = bodies.bodies.iter().map(|body| body.joints.len()).sum();
     let most = MAX_POSITIONS / joints.max(1);
+    let count = bodies.bodies.iter().flat_map(|body| &body.joints).map(|joint| size(joint.kind)).sum();
+    let own = chains.joints.iter().map(|joint| (joint.name.as_str(), joint)).collect();
     for (number, key) in keys.into_iter().enumerate() {
         if poses.len() >= most {
             findings.add_once(Severity::Warning, "too-complex", "keyframe", key, || {
@@ -51,7 +53,7 @@ pub(crate) fn read_keyframes(
             });
             continue;
         }
-        match positions(qpos, bodies, chains) {
+        match positions(qpos, bodies, chains, &own, count) {
             Ok(positions) => poses.push(NamedPose { name, positions }),
             Err(reason) => {
                 findings.warning("keyframe", key, || format!("the keyframe is left out: {reason}"))
@@ -61,18 +63,20 @@ pub(crate) fn read_keyframes(
     poses
 }
 
-/// Positions of the joints of the mechanism, by name; without `qpos`, the positions as drawn.
+/// Positions of the joints of the mechanism, by name; without `qpos`, the positions as drawn. `own`: joints of the mechanism by name;
+/// `count`: number of positions of the model.
 fn positions(
     qpos: Option<&str>,
     bodies: &Bodies,
     chains: &Chains,
+    own: &HashMap<&str, &JointDescription>,
+    count: usize,
 ) -> Result<Vec<(String, Vec<f64>)>, String> {
     let joints = || {
         bodies.bodies.iter().enumerate().flat_map(|(index, body)| {
             body.joints.iter().enumerate().map(move |(position, joint)| ((index, position), body, joint))
         })
     };
-    let count: usize = joints().map(|(_, _, joint)| size(joint.kind)).sum();
     let values = match qpos {
         None => None,
         Some(text) => {
@@ -88,7 +92,6 @@ fn positions(
             Some(values)
         }
     };
-    let own: HashMap<&str, _> = chains.joints.iter().map(|joint| (joint.name.as_str(), joint)).collect();
     let mut found = Vec::new();
     let mut known: HashMap<&str, f64> = HashMap::new();
     let mut next = 0;
@@ -103,10 +106,8 @@ fn positions(
         if let [value] = position[..] {
             known.insert(name, value);
         }
-        let is_free = |joint: &&percuss_mechanism::JointDescription| {
-            joint.kind != JointKind::Fixed && joint.mimic.is_none()
-        };
-        if own.get(name.as_str()).filter(|joint| is_free(joint)).is_some() {
+        let is_free = |joint: &&JointDescription| joint.kind != JointKind::Fixed && joint.mimic.is_none();
+        if own.get(name.as_str()).is_some_and(is_free) {
             found.push((name.clone(), position));
         }
     }

@@ -31,16 +31,16 @@ impl<'t> Attributes<'t> {
     }
 
     /// Element that gives a value to one of the attributes: the element itself, or one in its class.
-    pub fn source(&self, names: &[&str]) -> Option<ElementId> {
+    pub fn source(&self, names: &[&'static str]) -> Option<ElementId> {
         if names.iter().any(|name| self.tree.attribute(self.element, name).is_some()) {
             return Some(self.element);
         }
         let (classes, class, kind) = self.defaults?;
-        classes.find(self.tree, class, kind, names)
+        classes.find(class, kind, names)
     }
 
     /// Text of an attribute.
-    pub fn text(&self, name: &str) -> Option<&'t str> {
+    pub fn text(&self, name: &'static str) -> Option<&'t str> {
         self.tree.attribute(self.source(&[name])?, name)
     }
 

@@ -4,6 +4,7 @@ use crate::mjcf::document::grammar::ACTUATOR_TAGS;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 /// Index of a class in [`Classes`].
@@ -43,8 +44,10 @@ impl DefaultKind {
 #[derive(Debug, Default)]
 struct Class {
     parent: Option<ClassId>,
-    /// Elements that give values; the last one with an attribute counts.
-    settings: Vec<(DefaultKind, ElementId)>,
+    /// Number of classes that contain the class.
+    level: usize,
+    /// Last element that gives an attribute of a kind.
+    settings: HashMap<(DefaultKind, String), ElementId>,
 }
 
 /// All classes of a model; the first is the class `main`.
@@ -52,7 +55,12 @@ struct Class {
 pub(crate) struct Classes {
     classes: Vec<Class>,
     by_name: HashMap<String, ClassId>,
+    /// Results of [`find_attribute`](Self::find_attribute): a chain of classes is followed once for each attribute.
+    found: RefCell<HashMap<(usize, DefaultKind, &'static str), Option<Setting>>>,
 }
+
+/// Level of a class, and the element there that gives an attribute.
+type Setting = (usize, ElementId);
 
 /// Name of the top class.
 const MAIN: &str = "main";
@@ -63,8 +71,11 @@ impl Classes {
 
     /// Reads the `<default>` sections below a root.
     pub fn read(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) -> Self {
-        let mut classes =
-            Self { classes: vec![Class::default()], by_name: HashMap::from([(MAIN.to_owned(), Self::MAIN)]) };
+        let mut classes = Self {
+            classes: vec![Class::default()],
+            by_name: HashMap::from([(MAIN.to_owned(), Self::MAIN)]),
+            found: RefCell::default(),
+        };
         for section in tree.children_named(root, "default") {
             if let Some(name) = tree.attribute(section, "class").filter(|name| *name != MAIN) {
                 findings.attribute_error("bad-class", section, "class", || {
@@ -86,7 +97,10 @@ impl Classes {
     ) {
         for &child in tree.children(element) {
             if let Some(kind) = DefaultKind::of_tag(tree.tag(child)) {
-                self.classes[class.0].settings.push((kind, child));
+                for attribute in &tree.element(child).attributes {
+                    let key = (kind, attribute.name.clone());
+                    self.classes[class.0].settings.insert(key, child);
+                }
             }
             if tree.tag(child) != "default" {
                 continue;
@@ -107,7 +121,8 @@ impl Classes {
                 continue;
             }
             self.by_name.insert(name.to_owned(), id);
-            self.classes.push(Class { parent: Some(class), settings: Vec::new() });
+            let level = self.classes[class.0].level + 1;
+            self.classes.push(Class { parent: Some(class), level, ..Class::default() });
             self.read_class(tree, child, id, findings);
         }
     }
@@ -132,26 +147,34 @@ impl Classes {
         found
     }
 
-    /// Nearest element with one of the attributes among the defaults of a class and of the classes that contain it.
-    pub fn find(
-        &self,
-        tree: &ElementTree,
-        class: ClassId,
-        kind: DefaultKind,
-        attributes: &[&str],
-    ) -> Option<ElementId> {
+    /// Nearest element with one of the attributes among the defaults of a class and of the classes that contain it; the last one of a
+    /// class counts.
+    pub fn find(&self, class: ClassId, kind: DefaultKind, attributes: &[&'static str]) -> Option<ElementId> {
+        let found = attributes.iter().filter_map(|name| self.find_attribute(class, kind, name));
+        // Later elements have higher numbers.
+        found.max_by_key(|(level, element)| (*level, element.0)).map(|(_, element)| element)
+    }
+
+    /// Element that gives an attribute to a class; constant time on average.
+    fn find_attribute(&self, class: ClassId, kind: DefaultKind, name: &'static str) -> Option<Setting> {
+        let mut known = self.found.borrow_mut();
+        let mut path = Vec::new();
         let mut current = Some(class);
+        let mut result = None;
         while let Some(id) = current {
+            if let Some(found) = known.get(&(id.0, kind, name)) {
+                result = *found;
+                break;
+            }
             let class = &self.classes[id.0];
-            let of_kind = class.settings.iter().rev().filter(|(found, _)| *found == kind);
-            let mut with_attribute = of_kind.filter(|(_, element)| {
-                attributes.iter().any(|name| tree.attribute(*element, name).is_some())
-            });
-            if let Some((_, element)) = with_attribute.next() {
-                return Some(*element);
+            path.push(id);
+            if let Some(element) = class.settings.get(&(kind, name.to_owned())) {
+                result = Some((class.level, *element));
+                break;
             }
             current = class.parent;
         }
-        None
+        known.extend(path.into_iter().map(|id| ((id.0, kind, name), result)));
+        result
     }
 }

@@ -23,6 +23,8 @@ const THIN_ROD: f64 = 1e-9;
 /// Least principal moment of a body that is written as an inertia matrix, kg·m². MuJoCo's eigenvalue iteration stops at off-diagonal
 /// entries of 1e-12 kg·m² (kEigEPS); this limit is ten times larger.
 const LEAST_DECOMPOSED: f64 = 1e-11;
+/// Excess C − A − B relative to C up to which a file has rounded the moments of a plate.
+const ROUNDED_EXCESS: f64 = 1e-10;
 /// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
 const TRIANGLE_SLACK: f64 = 1e-12;
 
@@ -67,11 +69,11 @@ pub(super) enum Coordinates {
 }
 
 impl BodyTree {
-    /// Finds the bodies.
+    /// Finds the bodies. `balances`: moments with A + B < C are replaced by the nearest ones with A + B = C.
     ///
     /// # Errors
     /// [`MjcfError`] for links that MuJoCo refuses.
-    pub fn new(mechanism: &Mechanism) -> Result<Self, MjcfError> {
+    pub fn new(mechanism: &Mechanism, balances: bool) -> Result<Self, MjcfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
@@ -88,7 +90,7 @@ impl BodyTree {
                     "MuJoCo reserves this name for the ground; rename the link",
                 ));
             }
-            if is_merged(link) || matches!(rotors[link.index()], Some(Rotor::Tendon(_))) {
+            if is_merged(link) || matches!(rotors[link.index()], Some(Rotor::Tendon(_) | Rotor::Follower)) {
                 chains.push(None);
                 continue;
             }
@@ -132,7 +134,12 @@ impl BodyTree {
                 ));
                 continue;
             }
-            let refused = check_body(mechanism, link, chain).and_then(|()| check_moments(mechanism, link));
+            if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| !at_rest[link.index()]) {
+                tree.changes.extend(balance_moments(inertial, name, balances));
+            }
+            let inertial = tree.inertials[link.index()].as_ref();
+            let refused =
+                check_body(mechanism, link, chain, inertial).and_then(|()| check_moments(inertial, name));
             if at_rest[link.index()] {
                 if refused.is_err() {
                     tree.inertials[link.index()] = None;
@@ -399,7 +406,12 @@ fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
 }
 
 /// Returns an error if MuJoCo refuses the joints or the mass of a body.
-fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<(), MjcfError> {
+fn check_body(
+    mechanism: &Mechanism,
+    link: LinkId,
+    chain: &[JointId],
+    inertial: Option<&Inertial>,
+) -> Result<(), MjcfError> {
     let name = mechanism.link(link).name();
     let kinds = || chain.iter().map(|id| mechanism.joint(*id).kind());
     let dofs: usize = kinds().map(JointKind::dofs).sum();
@@ -415,7 +427,7 @@ fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<
         let reason = "MuJoCo allows no rotation after a ball joint without a mass between them";
         return Err(MjcfError::new("link", name, reason));
     }
-    let mass = mechanism.link(link).inertial().map_or(0.0, |inertial| inertial.mass);
+    let mass = inertial.map_or(0.0, |inertial| inertial.mass);
     if !moving.is_empty() && mass < LEAST_INERTIA {
         let reason = format!(
             "MuJoCo refuses a moving body without mass ({mass} kg), and a small mass would be another mechanism; give the link a mass, or \
@@ -426,20 +438,55 @@ fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<
     Ok(())
 }
 
-/// Returns an error if the principal moments of a link violate A + B ≥ C, which holds for every rigid body.
-fn check_moments(mechanism: &Mechanism, link: LinkId) -> Result<(), MjcfError> {
-    let Some(inertial) = mechanism.link(link).inertial() else { return Ok(()) };
-    let moments = inertial.about_com.symmetric_eigenvalues();
+/// Excess C − A − B of the principal moments of a body relative to C, if it is more than a rounding; A + B ≥ C holds for every rigid body.
+fn triangle_excess(moments: &Vector3<f64>) -> Option<f64> {
     let (sum, largest) = (moments.sum(), moments.max());
     // Smaller moments are raised.
-    if largest >= LEAST_INERTIA && sum - largest < largest * (1.0 - TRIANGLE_SLACK) {
+    let violates = largest >= LEAST_INERTIA && sum - largest < largest * (1.0 - TRIANGLE_SLACK);
+    violates.then(|| 2.0 - sum / largest)
+}
+
+/// Returns an error if MuJoCo refuses the moments of a link.
+fn check_moments(inertial: Option<&Inertial>, name: &str) -> Result<(), MjcfError> {
+    let Some(inertial) = inertial else { return Ok(()) };
+    let moments = inertial.about_com.symmetric_eigenvalues();
+    if triangle_excess(&moments).is_some() {
         let reason = format!(
-            "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia",
+            "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia, or write the \
+             nearest possible one (percuss convert --balance-inertia)",
             moments[0], moments[1], moments[2]
         );
-        return Err(MjcfError::new("link", mechanism.link(link).name(), reason));
+        return Err(MjcfError::new("link", name, reason));
     }
     Ok(())
+}
+
+/// Replaces moments A + B < C by the nearest ones with A + B = C, which differ by a third of the excess. Without `balances`, only an excess
+/// by rounding in the file is removed. Returns the change.
+fn balance_moments(inertial: &mut Inertial, name: &str, balances: bool) -> Option<Change> {
+    let principal = inertial.about_com.symmetric_eigen();
+    let (old, c) = (principal.eigenvalues, principal.eigenvalues.imax());
+    let excess = triangle_excess(&old).filter(|excess| balances || *excess <= ROUNDED_EXCESS)?;
+    // Moments below 0, which another finding reports, would leave an excess.
+    let mut new = old.map(|moment| moment.max(0.0));
+    let third = (2.0 * new[c] - new.sum()) / 3.0 + TRIANGLE_SLACK * new[c];
+    for k in 0..3 {
+        new[k] += if k == c { -third } else { third };
+    }
+    for k in 0..3 {
+        let axis = principal.eigenvectors.column(k);
+        inertial.about_com += axis * axis.transpose() * (new[k] - old[k]);
+    }
+    inertial.about_com = inertial.about_com * 0.5 + inertial.about_com.transpose() * 0.5;
+    let text = |moments: &Vector3<f64>| format!("{:.6e}, {:.6e}, {:.6e}", moments[0], moments[1], moments[2]);
+    let what = format!(
+        "principal moments {} kg·m² in place of {}, a change by {:.2} % of the largest",
+        text(&new),
+        text(&old),
+        100.0 * (new - old).amax() / old.max()
+    );
+    let reason = "MuJoCo refuses moments with A + B < C, which no body has";
+    (excess > ROUNDED_EXCESS).then(|| Change::changed("link", name, what, reason))
 }
 
 /// Raises moments near 0 of a body with mass. Returns the new value if a moment changed. `size`: that of the mechanism, m.

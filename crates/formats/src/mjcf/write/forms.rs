@@ -16,7 +16,7 @@ pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change
     for link in mechanism.link_ids() {
         let name = mechanism.link(link).name();
         match (tree.has_body(link), tree.rotors[link.index()]) {
-            (false, Some(Rotor::Tendon(_))) => changes.push(Change::changed(
+            (false, Some(Rotor::Tendon(_) | Rotor::Follower)) => changes.push(Change::changed(
                 "link",
                 name,
                 "the armature of a tendon, without a body",

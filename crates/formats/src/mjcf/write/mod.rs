@@ -33,15 +33,16 @@ use keyframe::Keyframe;
 /// | fixed, spherical, distance closure | weld, connect, equality of a straight tendon |
 /// | revolute closure | two connects on the axis |
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
-/// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
+/// | massless link at the end, joint with an armature and a relation (a rotor) | armature of a fixed tendon; over several branches a body with this mass (slide on the root) |
 /// | shapes | geoms of the classes `visual` and `collision`, which add no mass; contact between joined bodies is excluded |
 /// | named poses | keyframes |
 ///
 /// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
-/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0.
+/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0. An excess C − A − B of the moments up to 1e-10 of C is removed; a larger one with
+/// [`ModelParts::balances_inertia`].
 ///
 /// # Errors
-/// [`MjcfError`] for a massless link that moves and is no part of such a chain, for a moving body with moments A + B < C (MuJoCo
+/// [`MjcfError`] for a massless link that moves and has none of these forms, for a moving body with moments A + B < C (MuJoCo
 /// refuses both), for armatures that differ within a ball or free joint, and for names that MuJoCo reserves.
 pub fn write_mjcf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<ModelText, MjcfError> {
     write_file(&model.into(), None, heading)
@@ -68,7 +69,7 @@ fn write_file(
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
     let mechanism = parts.mechanism;
-    let mut tree = BodyTree::new(mechanism)?;
+    let mut tree = BodyTree::new(mechanism, parts.balances_inertia)?;
     let forms = form_changes(mechanism, &tree);
     tree.changes.extend(forms);
     let closures = closures::write_closures(mechanism, &mut tree)?;

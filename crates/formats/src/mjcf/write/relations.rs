@@ -13,6 +13,9 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
     let name = |id| escape_attribute(mechanism.joint(id).name());
     for joint in mechanism.joints() {
         let Some(mimic) = joint.mimic() else { continue };
+        if tree.rotors[joint.child().index()] == Some(Rotor::Follower) {
+            continue;
+        }
         append(
             &mut sections.equalities,
             format_args!(
@@ -81,15 +84,20 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
 /// Writes the tendons whose armatures are rotors.
 fn write_rotors(sections: &mut Sections, mechanism: &Mechanism, tree: &BodyTree) {
     for link in mechanism.link_ids() {
-        let (Some(Rotor::Tendon(number)), Some(joint)) =
-            (tree.rotors[link.index()], mechanism.parent_joint(link))
-        else {
+        let (Some(rotor), Some(joint)) = (tree.rotors[link.index()], mechanism.parent_joint(link)) else {
             continue;
         };
-        let coupling = &mechanism.couplings()[number];
-        let armature = format!(" armature=\"{}\"", format_number(armature(mechanism.joint(joint))));
-        let terms: Vec<(JointId, f64)> = tendon_terms(coupling, joint).collect();
-        write_tendon(sections, mechanism, &escape_attribute(tendon_name(coupling)), &armature, &terms);
+        let own = mechanism.joint(joint);
+        let (name, terms): (&str, Vec<(JointId, f64)>) = match (rotor, own.mimic()) {
+            (Rotor::Tendon(number), _) => {
+                let coupling = &mechanism.couplings()[number];
+                (tendon_name(coupling), tendon_terms(coupling, joint).collect())
+            }
+            (Rotor::Follower, Some(mimic)) => (own.name(), vec![(mimic.master, mimic.multiplier)]),
+            (Rotor::Follower | Rotor::Body, _) => continue,
+        };
+        let armature = format!(" armature=\"{}\"", format_number(armature(own)));
+        write_tendon(sections, mechanism, &escape_attribute(name), &armature, &terms);
     }
 }
 

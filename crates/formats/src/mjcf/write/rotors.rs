@@ -1,4 +1,5 @@
-//! Rotors: massless links at the end of a prismatic joint with an armature on the root, which readers make of the armature of a tendon.
+//! Rotors: massless links at the end of a joint with an armature. A relation couples the joint to others: readers make such a link of the
+//! armature of a tendon, and a gear has one.
 
 use percuss_mechanism::{Coupling, Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Vector3};
@@ -11,6 +12,8 @@ const LENGTH: &str = "/length";
 pub(super) enum Rotor {
     /// Armature of a fixed tendon instead of this coupling, by its number.
     Tendon(usize),
+    /// Armature of a fixed tendon over the joint that the joint of the rotor follows.
+    Follower,
     /// A body whose mass is the armature of its slide: MuJoCo leaves the armature of a tendon between different branches out of M.
     Body,
 }
@@ -26,17 +29,28 @@ impl Rotor {
             };
             mechanism.closures().iter().any(ends)
         };
-        let is_massless = mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0);
-        let is_rotor = own.kind() == JointKind::Prismatic
-            && own.parent() == mechanism.root()
+        let is_massless = mechanism.link(link).inertial().is_none_or(|i| {
+            i.mass == 0.0 && (own.kind() == JointKind::Prismatic || i.about_com == Matrix3::zeros())
+        });
+        let is_rotor = own.kind().has_axis()
+            && own.kind().dofs() == 1
             && armature(own) > 0.0
             && is_massless
             && mechanism.child_joints(link).is_empty()
             && !has_closure();
-        is_rotor.then(|| match tendon_coupling(mechanism, joint) {
-            Some(number) => Self::Tendon(number),
-            None => Self::Body,
-        })
+        if !is_rotor {
+            return None;
+        }
+        if let Some(number) = tendon_coupling(mechanism, joint) {
+            return Some(Self::Tendon(number));
+        }
+        let has_relation =
+            || is_followed_by_any(mechanism, joint) || couplings_of(mechanism, joint).next().is_some();
+        if own.mimic().is_some() && !has_relation() {
+            return Some(Self::Follower);
+        }
+        let is_body = own.kind() == JointKind::Prismatic && own.parent() == mechanism.root();
+        is_body.then_some(Self::Body)
     }
 }
 
@@ -51,19 +65,28 @@ pub(super) fn rotor_inertial(joint: &Joint) -> Inertial {
     Inertial { mass, com: Vector3::zeros(), about_com: Matrix3::identity() * mass }
 }
 
+/// Couplings with a joint, and their numbers.
+fn couplings_of(mechanism: &Mechanism, joint: JointId) -> impl Iterator<Item = (usize, &Coupling)> {
+    let names = move |coupling: &Coupling| {
+        let curve = coupling.curve().map_or(&[][..], |curve| curve.terms());
+        coupling.terms().iter().chain(curve).any(|(named, _)| *named == joint)
+    };
+    mechanism.couplings().iter().enumerate().filter(move |(_, coupling)| names(coupling))
+}
+
+/// True if a joint is followed by another.
+fn is_followed_by_any(mechanism: &Mechanism, leader: JointId) -> bool {
+    mechanism.joints().iter().any(|joint| joint.mimic().is_some_and(|mimic| mimic.master == leader))
+}
+
 /// Number of the only relation of a rotor's joint, if it is linear in joints of one branch.
 fn tendon_coupling(mechanism: &Mechanism, rotor: JointId) -> Option<usize> {
-    let names = |coupling: &Coupling| {
-        let curve = coupling.curve().map_or(&[][..], |curve| curve.terms());
-        coupling.terms().iter().chain(curve).any(|(joint, _)| *joint == rotor)
-    };
-    let mut found = mechanism.couplings().iter().enumerate().filter(|(_, coupling)| names(coupling));
+    let mut found = couplings_of(mechanism, rotor);
     let (number, coupling) = found.next()?;
-    let follows = |joint: &Joint| joint.mimic().is_some_and(|mimic| mimic.master == rotor);
     if found.next().is_some()
         || coupling.curve().is_some()
         || mechanism.joint(rotor).mimic().is_some()
-        || mechanism.joints().iter().any(follows)
+        || is_followed_by_any(mechanism, rotor)
     {
         return None;
     }

@@ -22,9 +22,15 @@ pub(crate) fn check_children(
         };
         let rule = &rules[index];
         if rule.single && seen & (1 << index) != 0 {
-            findings.error("duplicate-element", child, || {
-                format!("a second <{tag}>; only one is allowed, and which of them counts is not defined")
-            });
+            if tree.tag(parent) == "visual" {
+                findings.warning("duplicate-element", child, || {
+                    format!("a second <{tag}> in a <visual>: the first one is used, as in libsdformat; delete one of them")
+                });
+            } else {
+                findings.error("duplicate-element", child, || {
+                    format!("a second <{tag}>; only one is allowed, and which of them counts is not defined")
+                });
+            }
         }
         seen |= 1 << index;
         match rule.treatment {

@@ -23,10 +23,18 @@ pub(crate) struct Files {
 
 /// Reads the main file (`text`, named `name`) and its included files, which are in `store`. Defects are reported; after an error the tree
 /// may be incomplete, or empty.
-pub(crate) fn read_files(store: &SharedFiles, name: &str, text: &str, report: Report) -> Files {
+///
+/// `wanted`: model that is chosen. An include in another model that cannot be read is a warning, unless joints of the world can join the models.
+pub(crate) fn read_files(
+    store: &SharedFiles,
+    (name, wanted): (&str, Option<&str>),
+    text: &str,
+    report: Report,
+) -> Files {
     let mut reader = FileReader {
         files: Files { tree: ElementTree::default(), reports: vec![report] },
         store,
+        wanted,
         open: vec![store.canonical(Path::new(name)).unwrap_or_else(|_| PathBuf::from(name))],
         bytes: text.len() as u64,
     };
@@ -38,6 +46,8 @@ pub(crate) fn read_files(store: &SharedFiles, name: &str, text: &str, report: Re
 struct FileReader<'a> {
     files: Files,
     store: &'a SharedFiles,
+    /// Chosen model; `None` also if joints of the world can join the models.
+    wanted: Option<&'a str>,
     /// Canonical paths of the files that contain the current element, from the main file on.
     open: Vec<PathBuf>,
     /// Total size of all files, bytes.
@@ -64,6 +74,11 @@ impl FileReader<'_> {
             });
             return;
         }
+        if parent.is_none() {
+            let holders = root.children().filter(|child| child.has_tag_name("world")).chain([root]);
+            let joins = holders.flat_map(|holder| holder.children()).any(|child| child.has_tag_name("joint"));
+            self.wanted = self.wanted.filter(|_| !joins);
+        }
         self.append_element(root, file, parent, depth);
     }
 
@@ -89,6 +104,10 @@ impl FileReader<'_> {
         self.files.tree.elements.push(element(node, file, parent));
         if let Some(parent) = parent {
             self.files.tree.elements[parent.0 as usize].children.push(id);
+        }
+        // Contents that are not read, in which files may be named.
+        if matches!(node.tag_name().name(), "plugin" | "population" | "state") {
+            return;
         }
         for child in node.children().filter(Node::is_element) {
             self.append_element(child, file, Some(id), depth + 1);
@@ -117,12 +136,14 @@ impl FileReader<'_> {
             });
             return;
         }
+        let is_in_other_model = self.is_in_other_model(include);
+        let severity = if is_in_other_model { Severity::Warning } else { Severity::Error };
         let path = match find_model_file(self.store, &uri, Path::new(&tree.files[file].name)) {
             Ok(path) => path,
             Err(message) => {
                 // A world may include lights and scenery that are not at hand; its models are chosen later.
                 let holder = tree.element(include).parent.map(|parent| tree.tag(parent));
-                let is_part = holder == Some("model");
+                let is_part = holder == Some("model") && !is_in_other_model;
                 let severity = if is_part { Severity::Error } else { Severity::Warning };
                 self.files.reports[file].add(severity, "no-such-file", place, || message);
                 return;
@@ -130,7 +151,7 @@ impl FileReader<'_> {
         };
         let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
         if self.open.contains(&canonical) {
-            self.files.reports[file].error("include-cycle", place, || {
+            self.files.reports[file].add(severity, "include-cycle", place, || {
                 format!(
                     "the model {} is included within itself, without end; remove one of the includes",
                     quoted(&uri)
@@ -142,7 +163,7 @@ impl FileReader<'_> {
         let source = match Source::read_from(self.store, &path.to_string_lossy(), left) {
             Ok(source) => source,
             Err(error) => {
-                self.files.reports[file].error("unreadable", place, || {
+                self.files.reports[file].add(severity, "unreadable", place, || {
                     let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
                     format!("the included model {} cannot be read: {reason}", quoted(&uri))
                 });
@@ -164,6 +185,31 @@ impl FileReader<'_> {
             self.append_file(index, Some(include), depth + 1);
             self.open.pop();
         }
+        if is_in_other_model && self.files.reports[index].has_errors() {
+            let report = std::mem::take(&mut self.files.reports[index]);
+            let FileText { name, text, .. } = &self.files.tree.files[index];
+            let first = report.finish(name, text).into_iter().find(|found| found.severity == Severity::Error);
+            self.files.reports[file].warning("unreadable", place, || {
+                let reason = first.map(|found| found.message).unwrap_or_default();
+                format!("another model includes {}, which is not read: {reason}", quoted(&uri))
+            });
+        }
+    }
+
+    /// True if an `<include>` belongs to another model of the main file than the wanted one.
+    fn is_in_other_model(&self, include: ElementId) -> bool {
+        let Some(wanted) = self.wanted else { return false };
+        let tree = &self.files.tree;
+        let above = |id: &ElementId| tree.element(*id).parent;
+        let is_holder = |id: ElementId| tree.element(id).file == 0 && matches!(tree.tag(id), "sdf" | "world");
+        let mut chain = std::iter::successors(Some(include), above);
+        let Some(outer) = chain.find(|id| above(id).is_some_and(is_holder)) else { return false };
+        let name = match tree.tag(outer) {
+            "model" => tree.attribute(outer, "name"),
+            _ => tree.child(outer, "name").map(|name| tree.text(name)),
+        };
+        let is_wanted = |name: &str| wanted == name || wanted.ends_with(&format!("::{name}"));
+        name.is_some_and(|name| !is_wanted(name))
     }
 }
 

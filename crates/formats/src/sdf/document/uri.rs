@@ -49,6 +49,10 @@ fn model_in_folder(files: &SharedFiles, folder: &Path) -> Option<PathBuf> {
 
 /// Name of the SDF file in a `model.config`: that of the highest version.
 fn configured_file(files: &SharedFiles, config: &Path) -> Option<String> {
+    // A pipe would wait for its other end.
+    if !files.is_file(config) {
+        return None;
+    }
     let source = Source::read_from(files, &config.to_string_lossy(), DEFAULT_MAX_SIZE).ok()?;
     let text = std::str::from_utf8(&source.bytes).ok()?;
     let document = crate::reading::xml::parse(text, &mut crate::reading::report::Report::default())?;

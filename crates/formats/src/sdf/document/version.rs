@@ -12,7 +12,7 @@ impl Version {
     /// First and last version that is read.
     pub const FIRST: Version = Version(4);
     pub const LAST: Version = Version(12);
-    /// First version with `relative_to`, `expressed_in` and frames as ends of joints.
+    /// First version with `relative_to` and frames as ends of joints.
     pub const WITH_FRAMES: Version = Version(7);
 
     /// Version of the file that contains an element: attribute of the nearest `<sdf>`. The last version if the attribute is invalid,

@@ -70,26 +70,32 @@ fn read_direction(
         return Vector3::z();
     }
     let version = Version::of_element(tree, own.element);
-    let model_frame = scopes.scope(own.scope).frame;
-    let mut frame = None;
-    if version >= Version::WITH_FRAMES {
-        let named = xyz.and_then(|xyz| tree.attribute(xyz, "expressed_in")).filter(|name| !name.is_empty());
-        if let Some(name) = named {
-            frame = scopes.find(own.scope, name);
-            if frame.is_none() {
+    let is_stated = tree.child(axis, "use_parent_model_frame").is_some();
+    if is_stated && version >= Version::WITH_FRAMES {
+        findings.warning("ignored", axis, || {
+            "<use_parent_model_frame> ended with version 1.6 and is ignored; write expressed_in=\"__model__\""
+                .to_owned()
+        });
+    }
+    // The converter of older files replaces `expressed_in` by the model frame.
+    let is_in_model_frame = version < Version::WITH_FRAMES
+        && if is_stated {
+            read_boolean_in(tree, axis, "use_parent_model_frame", findings)
+        } else {
+            version == Version::FIRST && is_in_outer_model(tree, own.element)
+        };
+    let named = xyz.and_then(|xyz| tree.attribute(xyz, "expressed_in")).filter(|name| !name.is_empty());
+    let frame = match named {
+        _ if is_in_model_frame => Some(scopes.scope(own.scope).frame),
+        Some(name) => {
+            let found = scopes.find(own.scope, name);
+            if found.is_none() {
                 report_unknown_frame(scopes, own.scope, xyz.unwrap_or(axis), name, findings);
             }
+            found
         }
-        if tree.child(axis, "use_parent_model_frame").is_some() {
-            findings.warning("ignored", axis, || {
-                "<use_parent_model_frame> ended with version 1.6 and is ignored; write expressed_in=\"__model__\"".to_owned()
-            });
-        }
-    } else if version == Version::FIRST && is_in_outer_model(tree, own.element)
-        || read_boolean_in(tree, axis, "use_parent_model_frame", findings)
-    {
-        frame = Some(model_frame);
-    }
+        None => None,
+    };
     match frame {
         Some(frame) => scopes.relative_pose(joint, frame).vector(&direction),
         None => direction,

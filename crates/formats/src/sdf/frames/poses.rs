@@ -12,7 +12,6 @@ use crate::sdf::frames::scopes::{FrameId, FrameKind, ScopeId, Scopes};
 use crate::sdf::values::{read_pose, text_in};
 use percuss_mechanism::Severity;
 use percuss_spatial::Transform;
-use std::collections::HashMap;
 
 /// Computes the bases and poses of all frames. Unknown names and circles are errors.
 pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &mut Findings<'_>) {
@@ -24,11 +23,17 @@ pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &
     if refuse_circles(scopes, findings) {
         return;
     }
+    for_each_from_the_root(scopes, |scopes, frame, base| {
+        scopes.frames[frame.0].depth = base.map_or(0, |base| scopes.frame(base).depth + 1);
+    });
     // Nested models have higher indices than the models that contain them.
     for index in (1..scopes.scopes.len()).rev() {
         place_model(tree, scopes, ScopeId(index), findings);
     }
-    compute_world_poses(scopes);
+    for_each_from_the_root(scopes, |scopes, frame, base| {
+        let x_wb = base.map_or_else(Transform::identity, |base| scopes.frame(base).world_pose);
+        scopes.frames[frame.0].world_pose = x_wb * scopes.frame(frame).pose;
+    });
 }
 
 /// Base and pose of a frame. A model is placed later by its placement frame.
@@ -163,21 +168,19 @@ fn place_model(tree: &ElementTree, scopes: &mut Scopes, id: ScopeId, findings: &
     }
 }
 
-/// Computes the poses in the world; each frame once.
-fn compute_world_poses(scopes: &mut Scopes) {
-    let mut is_known = vec![false; scopes.frames.len()];
+/// Calls a function for each frame and its base, once each, the base first.
+fn for_each_from_the_root(scopes: &mut Scopes, mut act: impl FnMut(&mut Scopes, FrameId, Option<FrameId>)) {
+    let mut is_done = vec![false; scopes.frames.len()];
     for start in 0..scopes.frames.len() {
         let mut path = Vec::new();
         let mut current = Some(FrameId(start));
-        while let Some(frame) = current.filter(|frame| !is_known[frame.0]) {
+        while let Some(frame) = current.filter(|frame| !is_done[frame.0]) {
             path.push(frame);
             current = scopes.frame(frame).base;
         }
-        let mut pose = current.map_or_else(Transform::identity, |frame| scopes.frame(frame).world_pose);
         for frame in path.into_iter().rev() {
-            pose = pose * scopes.frame(frame).pose;
-            scopes.frames[frame.0].world_pose = pose;
-            is_known[frame.0] = true;
+            act(scopes, frame, scopes.frame(frame).base);
+            is_done[frame.0] = true;
         }
     }
 }
@@ -191,25 +194,23 @@ impl Scopes {
     }
 
     /// X_ab by the chains of bases from both frames to their first common one; `None` if a chain is longer than `longest`.
-    fn pose_between(&self, a: FrameId, b: FrameId, longest: usize) -> Option<Transform<f64>> {
-        let mut from_a = HashMap::new();
-        let mut x_ca = Transform::identity();
-        let mut current = Some(a);
-        while let Some(frame) = current.filter(|_| from_a.len() <= longest) {
-            from_a.insert(frame, x_ca);
-            x_ca = self.frame(frame).pose * x_ca;
-            current = self.frame(frame).base;
-        }
-        let mut x_cb = Transform::identity();
-        let mut current = Some(b);
-        for _ in 0..=longest {
-            let frame = current?;
-            if let Some(x_ca) = from_a.get(&frame) {
-                return Some(x_ca.inverse() * x_cb);
+    fn pose_between(&self, mut a: FrameId, mut b: FrameId, longest: usize) -> Option<Transform<f64>> {
+        let (mut x_ca, mut x_cb) = (Transform::identity(), Transform::identity());
+        let mut steps = [0, 0];
+        while a != b {
+            let [of_a, of_b] = [self.frame(a), self.frame(b)];
+            if of_a.depth >= of_b.depth {
+                x_ca = of_a.pose * x_ca;
+                (a, steps[0]) = (of_a.base?, steps[0] + 1);
             }
-            x_cb = self.frame(frame).pose * x_cb;
-            current = self.frame(frame).base;
+            if of_b.depth >= of_a.depth {
+                x_cb = of_b.pose * x_cb;
+                (b, steps[1]) = (of_b.base?, steps[1] + 1);
+            }
+            if steps.iter().any(|count| *count > longest) {
+                return None;
+            }
         }
-        None
+        Some(x_ca.inverse() * x_cb)
     }
 }

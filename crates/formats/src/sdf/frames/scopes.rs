@@ -1,6 +1,7 @@
 //! Scopes of names: the world, and models within models.
 
 use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::limits::LONGEST_NAME;
 use crate::sdf::document::version::Version;
 use percuss_spatial::Transform;
 use std::collections::HashMap;
@@ -37,6 +38,8 @@ pub(crate) struct Frame {
     pub name: String,
     /// Frame in which the frame is placed; `None` for the world.
     pub base: Option<FrameId>,
+    /// Number of frames from the base to the world.
+    pub depth: usize,
     /// Pose in the base.
     pub pose: Transform<f64>,
     pub world_pose: Transform<f64>,
@@ -52,6 +55,8 @@ pub(crate) struct Scope {
     pub include: Option<ElementId>,
     pub frame: FrameId,
     pub names: HashMap<String, FrameId>,
+    /// Largest number of separators `::` in the name of a nested model: 0 in files of current versions.
+    pub separators: usize,
     /// First link or nested model of the model.
     pub first_link: Option<FrameId>,
     /// Text before the names of the model's elements: names of the enclosing models.
@@ -120,8 +125,12 @@ impl Scopes {
         &self.frame(self.links[link].frame).name
     }
 
-    /// Frame with a name in a scope; `a::b` is frame b of the nested model a.
+    /// Frame with a name in a scope; `a::b` is frame b of the nested model a. A name of a frame contains the names of its models, so
+    /// that no frame has a longer name than `LONGEST_NAME`, after the name of the main model.
     pub fn find(&self, scope: ScopeId, name: &str) -> Option<FrameId> {
+        if name.len() > 2 * LONGEST_NAME {
+            return None;
+        }
         let (mut scope, mut name) = (scope, name);
         loop {
             let own = self.scope(scope);
@@ -132,7 +141,7 @@ impl Scopes {
                 return Some(*found);
             }
             // Names of models may contain the separator: the shortest one that exists counts.
-            let model = name.match_indices("::").find_map(|(at, _)| {
+            let model = name.match_indices("::").take(own.separators + 1).find_map(|(at, _)| {
                 let frame = own.names.get(&name[..at])?;
                 match self.frame(*frame).kind {
                     FrameKind::Model(nested) => Some((nested, at + 2)),

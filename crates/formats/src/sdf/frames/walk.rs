@@ -49,6 +49,7 @@ pub(crate) fn collect_scopes(
         include: None,
         frame,
         names: HashMap::from([("world".to_owned(), frame)]),
+        separators: 0,
         first_link: None,
         prefix: String::new(),
         is_static: true,
@@ -77,6 +78,7 @@ impl Walker<'_, '_, '_> {
             kind,
             name,
             base: None,
+            depth: 0,
             pose: identity,
             world_pose: identity,
         });
@@ -170,8 +172,11 @@ impl Walker<'_, '_, '_> {
                 });
             }
             _ => {
-                let names = &mut self.scopes.scopes[scope.0].names;
-                names.insert(name.to_owned(), frame);
+                let own = &mut self.scopes.scopes[scope.0];
+                own.names.insert(name.to_owned(), frame);
+                if let FrameKind::Model(_) = kind {
+                    own.separators = own.separators.max(name.matches("::").count());
+                }
             }
         }
         frame
@@ -226,6 +231,7 @@ impl Walker<'_, '_, '_> {
             include,
             frame,
             names: HashMap::new(),
+            separators: 0,
             first_link: None,
             prefix,
             is_static,
@@ -249,6 +255,8 @@ impl Walker<'_, '_, '_> {
         if let Some(first) = self.scopes.scope(merged).first_link {
             self.scopes.scopes[into.0].first_link.get_or_insert(first);
         }
+        let separators = self.scopes.scope(merged).separators;
+        self.scopes.scopes[into.0].separators = separators.max(self.scopes.scope(into).separators);
         for (name, frame) in names {
             let earlier = self.scopes.scopes[into.0].names.insert(name.clone(), frame);
             if earlier.is_some() {

@@ -62,6 +62,21 @@ pub(super) struct Bodies {
     pub changes: Vec<Change>,
 }
 
+/// Name without `::`, which separates the names of models in SDFormat, and without blanks at its ends, which readers remove from the texts
+/// that refer to it.
+pub(super) fn valid_name(name: &str) -> String {
+    let name = name.replace("::", "_");
+    let trimmed = name.trim();
+    match trimmed == name {
+        true => name,
+        // The name without blanks may be reserved.
+        false if trimmed.is_empty() || trimmed == "world" || trimmed.starts_with("__") => {
+            format!("renamed_{trimmed}")
+        }
+        false => trimmed.to_owned(),
+    }
+}
+
 /// Name of the model.
 pub(super) fn model_name(mechanism: &Mechanism) -> String {
     match mechanism.name() {
@@ -200,11 +215,13 @@ impl Bodies {
         changes
     }
 
-    /// Gives the links their names; `::` separates the names of models in SDFormat.
+    /// Gives the links their names.
     fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
         // Links with a valid name keep it.
-        let (valid, changed): (Vec<LinkId>, Vec<LinkId>) =
-            mechanism.link_ids().partition(|id| !mechanism.link(*id).name().contains("::"));
+        let (valid, changed): (Vec<LinkId>, Vec<LinkId>) = mechanism.link_ids().partition(|id| {
+            let name = mechanism.link(*id).name();
+            valid_name(name) == name
+        });
         for id in valid.into_iter().chain(changed) {
             let name = mechanism.link(id).name();
             match self.forms[id.index()] {
@@ -219,7 +236,7 @@ impl Bodies {
                 let reason = "SDFormat reserves this name; rename the link";
                 return Err(SdfError::new("link", name, reason));
             }
-            let own = self.used_names.take(name.replace("::", "_"));
+            let own = self.used_names.take(valid_name(name));
             if own != name {
                 self.changes.push(changed_name("link", name, &own));
             }
@@ -235,7 +252,7 @@ impl Bodies {
 
     /// Reserves a name for a joint: its own, or with a number if the own name is in use in the model.
     pub fn joint_name(&mut self, name: &str) -> String {
-        let own = self.used_names.take(name.replace("::", "_"));
+        let own = self.used_names.take(valid_name(name));
         if own != name {
             self.changes.push(changed_name("joint", name, &own));
         }
@@ -320,9 +337,10 @@ impl Bodies {
 
 /// Change of a name.
 pub(super) fn changed_name(kind: &str, name: &str, own: &str) -> Change {
-    let reason = match name.contains("::") {
-        true => "\"::\" separates the names of models in SDFormat",
-        false => "names of links, joints and frames are unique in SDFormat",
+    let reason = match (name.contains("::"), name.trim() == name) {
+        (true, _) => "\"::\" separates the names of models in SDFormat",
+        (_, false) => "blanks at the ends of a text are no part of it in SDFormat",
+        _ => "names of links, joints and frames are unique in SDFormat",
     };
     Change::changed(kind, name, format!("its name is \"{own}\""), reason)
 }

@@ -1,6 +1,6 @@
 //! Joints of the tree.
 
-use super::bodies::{Bodies, Chain, ChainKind, Form, path_pose, pose_text};
+use super::bodies::{Bodies, Chain, ChainKind, Form, path_pose, pose_text, valid_name};
 use super::error::SdfError;
 use crate::writing::changes::Change;
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
@@ -32,7 +32,12 @@ impl Axes {
     /// [`SdfError`] for couplings that are no mimic.
     pub fn new(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<Self, SdfError> {
         let mut axes = Self { names: HashMap::new(), followers: HashMap::new(), has_rotors: false };
-        let chains: Vec<Chain> = bodies.chains.iter().flatten().cloned().collect();
+        let mut chains: Vec<Chain> = bodies.chains.iter().flatten().cloned().collect();
+        // Joints with a valid name keep it.
+        chains.sort_by_key(|chain| {
+            let name = chain_name(mechanism, chain);
+            valid_name(&name) != name
+        });
         let mut screws = Vec::new();
         for chain in chains {
             let first = chain.joints[0];

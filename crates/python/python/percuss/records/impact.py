@@ -634,7 +634,9 @@ class ExtremeRecord(Record):
     agreeing: int
     """Number of starts that reached this value to six digits."""
     starts: int
-    """Number of starts; on a path the number of local searches."""
+    """Number of starts that were searched; on a path the number of local searches."""
+    is_stopped: bool
+    """True if the limit of work ended the search before all starts were searched: the value is the best one found."""
 
 
 class ExtremesReport(Record):

@@ -66,8 +66,10 @@ pub struct ExtremeRecord {
     pub residual: f64,
     /// Number of starts that reached this value to six digits.
     pub agreeing: usize,
-    /// Number of starts; on a path the number of local searches.
+    /// Number of starts that were searched; on a path the number of local searches.
     pub starts: usize,
+    /// True if the limit of work ended the search before all starts were searched: the value is the best one found.
+    pub is_stopped: bool,
 }
 
 /// Link or point that stays in place.
@@ -132,6 +134,8 @@ struct Found {
     ranges: Vec<JointRange>,
     joints: Vec<JointId>,
     path: Option<PathRecord>,
+    /// Number of starts of a search over ranges.
+    starts: Option<usize>,
     /// Smallest and largest value, with the place on the path.
     extremes: [(ExtremeMass, Option<f64>); 2],
     diagnostics: Vec<DiagnosticRecord>,
@@ -220,6 +224,7 @@ pub fn extremes(
             residual: extreme.residual,
             agreeing: extreme.agreeing,
             starts: extreme.starts,
+            is_stopped: extreme.is_stopped,
         }
     };
     let [least, most] = &found.extremes;
@@ -235,7 +240,7 @@ pub fn extremes(
         ranges: found.ranges.iter().map(|range| (name(range.joint), range.lower, range.upper)).collect(),
         kept: extremes.keep.iter().map(kept_record).collect(),
         held: held_joints(&pose, &found.joints),
-        starts: least.0.starts.max(most.0.starts),
+        starts: found.starts.unwrap_or(least.0.starts.max(most.0.starts)),
         least: record(least),
         most: record(most),
         path: found.path,
@@ -286,6 +291,7 @@ impl ExtremesSearch<'_> {
         Ok(Found {
             joints: ranges.iter().map(|range| range.joint).collect(),
             path: None,
+            starts: Some(starts),
             extremes: [search(ExtremeKind::Least)?, search(ExtremeKind::Most)?],
             diagnostics: range_findings(mechanism, question, &ranges).map(DiagnosticRecord::from).collect(),
             ranges,
@@ -372,7 +378,8 @@ impl ExtremesSearch<'_> {
             rows: end.rows,
             unreached: end.rows - rows.len(),
         };
-        Ok(Found { ranges: Vec::new(), joints, path: Some(path), extremes, diagnostics: end.diagnostics })
+        let (path, starts) = (Some(path), None);
+        Ok(Found { ranges: Vec::new(), joints, path, starts, extremes, diagnostics: end.diagnostics })
     }
 }
 
