@@ -2,7 +2,7 @@
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import type { KinematicsReport, Outcome } from '../engine/protocol';
+import type { Finding, KinematicsReport, Outcome } from '../engine/protocol';
 import { LIMITS, type Kind, type Results, type TextSetting } from '../model/answers';
 import { digits, fixed, signed } from '../model/numbers';
 import { store } from '../model/store';
@@ -30,10 +30,19 @@ function Panel<K extends Kind>({ kind, title, children, result, command }: {
       {answers.leftOut[kind]?.length ? <p class="soft">Keys of the study that this panel leaves out: {answers.leftOut[kind].join(', ')}.</p> : null}
       <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
         {!found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
-          : 'refused' in found ? <p class="box warn">{found.refused.message}</p> : <>{result(found.ok)}<CommandOfPanel text={command()} /></>}
+          : 'refused' in found ? <p class="box warn">{found.refused.message}</p>
+            : <>{result(found.ok)}<WarningsOfPanel of={found.ok} /><CommandOfPanel text={command()} /></>}
       </div>
     </details>
   );
+}
+
+/** Warnings of a result that the list of findings on the page does not contain. */
+function WarningsOfPanel({ of }: { of: unknown }) {
+  const shown = new Set(store.findings.map((finding) => finding.message));
+  const found = [of].flat().flatMap((report) => (report as { diagnostics?: Finding[] }).diagnostics ?? []);
+  const texts = new Set(found.filter((finding) => finding.severity === 'warning' && !shown.has(finding.message)).map((finding) => finding.message));
+  return <>{[...texts].map((text) => <p key={text} class="finding warning">{text}</p>)}</>;
 }
 
 /** Command with the numbers of a panel. */
@@ -151,6 +160,7 @@ export function DamperPanel() {
               {tool.error ? <p class="box warn">{tool.error}</p> : null}
               {tool.snippet ? <pre class="text" tabIndex={0} aria-label={`parameters for ${tool.title}`}>{tool.snippet}</pre> : null}
               {tool.time_step !== null ? <p>Time step at most {digits(tool.time_step * 1000, 3)} ms.</p> : null}
+              {[...tool.cannot, ...tool.missing].map((text) => <p key={text} class="soft">{text}</p>)}
               {tool.caution ? <p class="soft">{tool.caution}</p> : null}
             </div>
           ))}
@@ -217,7 +227,6 @@ export function SafeSpeedPanel() {
           ['its mass', quantity(found.standard.robot_mass, 1, 'kg')],
           ['mass of the body region', quantity(found.region_mass, 1, 'kg')],
         ]} />
-        {found.diagnostics.filter((d) => d.severity === 'warning').map((d, i) => <p key={i} class="finding warning">{d.message}</p>)}
       </>
     )}>
       <Choice name="region" label="region" of={[['', 'held, cannot move'], ...REGIONS]} />
