@@ -110,8 +110,9 @@ fn import_sheet(
         findings.note("windows-1252", &Spot::default(), note);
     }
     check_options(&mut findings, options);
-    let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
-        let built = sheet::build(&sheet, &mut findings)?;
+    let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|mut sheet| {
+        sheet::apply_moves(&mut sheet, &options.moves, &mut findings);
+        let built = sheet::build(&sheet, &mut findings).filter(|_| !findings.has_errors())?;
         if sheet.wheel.is_none() && sheet.missing_masses.is_empty() {
             warn_no_wheel(&mut findings, "and the sheet has no [wheel]");
         }

@@ -104,35 +104,10 @@ pub(super) fn report_unknown_points(
     true
 }
 
-/// Point of a template with a meaning like that of a name of another program: at least two words in common, and more than any other.
-pub(super) fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
-    let words = |text: &str| -> Vec<String> {
-        let lower = text.to_lowercase();
-        let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
-        let with_meaning =
-            |word: &str| catalogue::keys().words.get(word).cloned().unwrap_or_else(|| vec![word.to_owned()]);
-        words.flat_map(with_meaning).collect()
-    };
-    let of_name = words(name);
-    let score = |key: &str| {
-        let of_key = words(key);
-        let all = [of_key.clone(), words(catalogue::description_of(&catalogue::keys().points, key))].concat();
-        let common = of_name.iter().filter(|word| all.contains(word)).count();
-        let unmatched = of_key.iter().filter(|word| !of_name.contains(word)).count();
-        (common, std::cmp::Reverse(unmatched))
-    };
-    let mut ranked: Vec<_> = points.map(|key| (score(key), key)).collect();
-    ranked.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    match ranked[..] {
-        [(first, key), (second, _), ..] if first.0 >= 2 && first > second => Some(key),
-        _ => None,
-    }
-}
-
 /// Unknown names of points, each with the point of nearest spelling or meaning among `points`.
 fn names_with_nearest(names: &[String], points: &[&str]) -> String {
     let with_nearest = |name: &String| {
-        let near = near_meaning(name, points.iter().copied()).map(str::to_owned);
+        let near = catalogue::near_meaning(name, points.iter().copied()).map(str::to_owned);
         let near = near.or_else(|| near_names(name, points.iter().copied()).into_iter().next());
         near.map_or_else(|| quoted(name), |near| format!("{} ({near}?)", quoted(name)))
     };

@@ -50,7 +50,11 @@ fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
 }
 
 /// Applies the displacements of hardpoints (name; m, in the axes of the sheet and on the side of its points).
-pub(super) fn apply_moves(sheet: &mut Sheet, moves: &[(String, [f64; 3])], findings: &mut Findings) {
+pub(in super::super) fn apply_moves(
+    sheet: &mut Sheet,
+    moves: &[(String, [f64; 3])],
+    findings: &mut Findings,
+) {
     for (name, by) in moves {
         let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
         if sheet.points_side == Side::Right && !sheet.template.is_central(name) {

@@ -1,12 +1,9 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
-use super::aliases;
-use super::entries::Entries;
 use super::template::{Keys, Template};
 use crate::corner;
 use crate::corner::design::{Part, SEATS, STOPS, is_central};
-use crate::findings::Findings;
 use crate::limits::MAX_SHEET_KEYS;
 use percuss_formats::reading::quoted;
 use percuss_mechanism::near_names;
@@ -103,32 +100,6 @@ impl Template {
     }
 }
 
-/// Warns about sections of parts that are not built because their points are missing: their masses and rates have no effect.
-pub(super) fn warn_unbuilt_parts(entries: &Entries, findings: &mut Findings) {
-    let bar = (&["anti_roll_bar", "drop_link"][..], &BAR_POINTS[..]);
-    let seats = SEATS.iter().map(|(section, pair)| (std::slice::from_ref(section), &pair[..]));
-    for (sections, points) in seats.chain([bar]) {
-        // A stop with a gap may be on the damper; without a damper it is an error.
-        let has_gap = entries.has(&format!("{}.gap", sections[0]));
-        if has_gap || points.iter().any(|point| entries.has(&format!("points.{point}"))) {
-            continue;
-        }
-        let given = sections.iter().map(|section| (section, entries.keys_in(section)));
-        let given = given.filter(|(_, keys)| !keys.is_empty());
-        let given: Vec<String> =
-            given.map(|(section, keys)| format!("[{section}] ({})", keys.join(", "))).collect();
-        let spot = sections.iter().find_map(|section| entries.spot_in(&format!("{section}.")));
-        if let Some(spot) = spot {
-            let message = format!(
-                "{}: without effect, because the part is not built. Its points are missing: {}; give them, or delete the section",
-                given.join(" and "),
-                points.join(", ")
-            );
-            findings.warning("section-without-points", &spot, message);
-        }
-    }
-}
-
 /// Keys of the head; any other key without a section is a point.
 pub(super) const HEAD: [&str; 9] =
     ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
@@ -168,6 +139,31 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     keys
 }
 
+/// Point of a template with a meaning like that of a name of another program: at least two words in common, and more than any other.
+pub(super) fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    let words = |text: &str| -> Vec<String> {
+        let lower = text.to_lowercase();
+        let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+        let with_meaning =
+            |word: &str| keys().words.get(word).cloned().unwrap_or_else(|| vec![word.to_owned()]);
+        words.flat_map(with_meaning).collect()
+    };
+    let of_name = words(name);
+    let score = |key: &str| {
+        let of_key = words(key);
+        let all = [of_key.clone(), words(description_of(&keys().points, key))].concat();
+        let common = of_name.iter().filter(|word| all.contains(word)).count();
+        let unmatched = of_key.iter().filter(|word| !of_name.contains(word)).count();
+        (common, std::cmp::Reverse(unmatched))
+    };
+    let mut ranked: Vec<_> = points.map(|key| (score(key), key)).collect();
+    ranked.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+    match ranked[..] {
+        [(first, key), (second, _), ..] if first.0 >= 2 && first > second => Some(key),
+        _ => None,
+    }
+}
+
 /// Message about an unknown key: the nearest key, and the known keys of its section, or the sections if the section is unknown; the
 /// nearest come first.
 pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
@@ -177,7 +173,7 @@ pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
         // A point is similar to points only, unless it is a key of another section.
         near.retain(|other| split(other).0 == section || split(other).1 == last);
         let points = known.iter().filter_map(|other| other.strip_prefix("points."));
-        near.splice(..0, aliases::near_meaning(last, points).map(|point| format!("points.{point}")));
+        near.splice(..0, near_meaning(last, points).map(|point| format!("points.{point}")));
     }
     let rank = |of: &str, near: &[&str]| near.iter().position(|other| *other == of).unwrap_or(near.len());
     let of_section = known.iter().map(|other| split(other)).filter(|(other, _)| *other == section);

@@ -17,7 +17,7 @@ mod template;
 mod toml_text;
 mod write;
 
-pub(super) use build::build;
+pub(super) use build::{apply_moves, build};
 pub(super) use point_table::Files;
 pub(super) use read::{Sheet, read};
 pub(super) use table::is_workbook;

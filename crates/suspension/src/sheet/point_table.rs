@@ -4,6 +4,7 @@
 
 use super::entries::{Cell, Entries};
 use super::{adams, catalogue, table};
+use crate::corner::design::SEATS;
 use crate::encoding;
 use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
@@ -142,4 +143,30 @@ pub(super) fn refuse_points_only(findings: &mut Findings, source: &Source, optio
         quoted(file)
     );
     findings.error("missing-key", &Spot::default(), message);
+}
+
+/// Warns about sections of parts that are not built because their points are missing: their masses and rates have no effect.
+pub(super) fn warn_unbuilt_parts(entries: &Entries, findings: &mut Findings) {
+    let bar = (&["anti_roll_bar", "drop_link"][..], &catalogue::BAR_POINTS[..]);
+    let seats = SEATS.iter().map(|(section, pair)| (std::slice::from_ref(section), &pair[..]));
+    for (sections, points) in seats.chain([bar]) {
+        // A stop with a gap may be on the damper; without a damper it is an error.
+        let has_gap = entries.has(&format!("{}.gap", sections[0]));
+        if has_gap || points.iter().any(|point| entries.has(&format!("points.{point}"))) {
+            continue;
+        }
+        let given = sections.iter().map(|section| (section, entries.keys_in(section)));
+        let given = given.filter(|(_, keys)| !keys.is_empty());
+        let given: Vec<String> =
+            given.map(|(section, keys)| format!("[{section}] ({})", keys.join(", "))).collect();
+        let spot = sections.iter().find_map(|section| entries.spot_in(&format!("{section}.")));
+        if let Some(spot) = spot {
+            let message = format!(
+                "{}: without effect, because the part is not built. Its points are missing: {}; give them, or delete the section",
+                given.join(" and "),
+                points.join(", ")
+            );
+            findings.warning("section-without-points", &spot, message);
+        }
+    }
 }

@@ -4,7 +4,7 @@ use super::catalogue;
 use super::entries::{Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{Shape, Template, symmetric_matrix};
-use super::{adams, aliases, build, contacts, table, toml_text};
+use super::{adams, aliases, contacts, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
@@ -81,10 +81,7 @@ pub(in super::super) fn read(
         return None;
     }
     entries.masses_optional = options.masses_optional;
-    let mut sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
-    if let Some(sheet) = &mut sheet {
-        build::apply_moves(sheet, &options.moves, findings);
-    }
+    let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
     if let Some(sheet) = &sheet {
         let mut known = catalogue::keys_of(sheet.template);
         known.extend(contacts::contact_keys(&entries));
@@ -148,7 +145,7 @@ impl SheetReader<'_> {
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
-        catalogue::warn_unbuilt_parts(self.entries, self.findings);
+        point_table::warn_unbuilt_parts(self.entries, self.findings);
         Some(Sheet {
             template,
             name,
