@@ -56,7 +56,9 @@ pub fn read(reader: &str, bytes: &[u8]) -> bool {
         }
         "pose.json" => GivenPose::read(&Temporary::new(reader, bytes).path(), LARGEST).is_ok(),
         "rows.csv" | "rows.parquet" => rows(&Temporary::new(reader, bytes).path()),
-        "obj" | "stl" | "dae" | "msh" => read_mesh(&FileSystem, &Temporary::new(reader, bytes).file, LARGEST).is_ok(),
+        "obj" | "stl" | "dae" | "msh" => {
+            read_mesh(&FileSystem, &Temporary::new(reader, bytes).file, LARGEST).is_ok()
+        }
         _ => panic!("no reader {reader:?}; expected one of {READERS:?}"),
     }
 }

@@ -341,7 +341,7 @@ fn kinematics_may_be_written_again() {
     let travel = "--wheel-travel -10mm:10mm:3";
     for (name, flags) in [
         ("rows.csv", travel),
-        ("inches.csv", "--heave -1in:1in:3 --unit in"),
+        ("heave.csv", "--heave -10mm:10mm:3"),
         ("one.csv", "--columns camber,toe"),
         ("rows.txt", travel),
         ("one.txt", ""),

@@ -174,7 +174,7 @@ fn moments_are_balanced_on_request() {
             .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "disc"));
         built.build().unwrap().mechanism
     };
-    for excess in [1e-11, 1e-6, 0.3, 2.0] {
+    for excess in [1e-13, 1e-11, 1e-6, 0.3, 2.0] {
         let mechanism = of_moments([1.0, 1.0 + excess + 2.0, 2.0]);
         let file = |balances_inertia| {
             write_mjcf(ModelParts { balances_inertia, ..ModelParts::from(&mechanism) }, "")

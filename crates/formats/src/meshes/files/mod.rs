@@ -34,7 +34,7 @@ pub fn read_mesh(files: &dyn FileStore, path: &Path, max_size: u64) -> Result<Tr
 }
 
 /// Contents of a mesh file.
-pub(crate) struct MeshFile {
+pub(crate) struct MeshContents {
     pub triangles: Triangles,
     /// Number of triangles in the first object or group of an OBJ file; of all triangles in other files.
     pub in_first_shape: usize,
@@ -47,7 +47,7 @@ pub(crate) fn read_mesh_file(
     files: &dyn FileStore,
     path: &Path,
     max_size: u64,
-) -> Result<MeshFile, MeshError> {
+) -> Result<MeshContents, MeshError> {
     let unreadable =
         |error: std::io::Error| MeshError::Unreadable { path: path.to_owned(), message: error.to_string() };
     // A pipe would wait for its other end.
@@ -79,5 +79,5 @@ pub(crate) fn read_mesh_file(
     if let Some(x) = out_of_range {
         return Err(malformed(format!("a coordinate is {x}; a finite number below 1e30 is expected")));
     }
-    Ok(MeshFile { triangles, in_first_shape, size: bytes.len() as u64 })
+    Ok(MeshContents { triangles, in_first_shape, size: bytes.len() as u64 })
 }

@@ -1,7 +1,7 @@
 //! Mesh assets, and their inertias. A file is opened only if an inertia depends on it.
 
 use crate::SharedFiles;
-use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFile, Triangles, read_mesh_file};
+use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshContents, MeshError, Triangles, read_mesh_file};
 use crate::meshes::surface::hull::{HullDefect, convex_hull};
 use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
 use crate::mjcf::values::attributes::Attributes;
@@ -175,7 +175,7 @@ impl<'t> Meshes<'t> {
                 let read = read_mesh_file(&*self.files, &path, DEFAULT_MAX_MESH_SIZE.min(left));
                 self.opened.push(path);
                 match read {
-                    Ok(MeshFile { mut triangles, in_first_shape, size }) => {
+                    Ok(MeshContents { mut triangles, in_first_shape, size }) => {
                         self.bytes += size;
                         // MuJoCo computes a hull of all vertices.
                         if rule != MeshRule::Convex && in_first_shape < triangles.len() {

@@ -56,11 +56,14 @@ pub(crate) struct Classes {
     classes: Vec<Class>,
     by_name: HashMap<String, ClassId>,
     /// Results of [`find_attribute`](Self::find_attribute): a chain of classes is followed once for each attribute.
-    found: RefCell<HashMap<(usize, DefaultKind, &'static str), Option<Setting>>>,
+    found: RefCell<HashMap<SettingKey, Option<Setting>>>,
 }
 
 /// Level of a class, and the element there that gives an attribute.
 type Setting = (usize, ElementId);
+
+/// Class, kind of element, and attribute.
+type SettingKey = (usize, DefaultKind, &'static str);
 
 /// Name of the top class.
 const MAIN: &str = "main";

@@ -1,6 +1,7 @@
 //! Links and joints as nested bodies.
 
 use super::error::MjcfError;
+use super::moments::{LEAST_INERTIA, balance_moments, check_moments, raise_moments};
 use super::rotors::{Rotor, rotor_inertial};
 use crate::writing::changes::Change;
 use crate::writing::structure::{drawn_poses, held_links, immovable_links, is_massless};
@@ -11,22 +12,12 @@ use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 
 /// Largest depth of nested bodies: readers bound the nesting of elements.
 const MAX_DEPTH: usize = 200;
-/// Least moment of a moving body, kg·m², and least mass, kg, that MuJoCo accepts (mjMINVAL).
-const LEAST_INERTIA: f64 = 1e-15;
-/// Moment that replaces a smaller one, relative to the largest moment and to m·(size of the mechanism)²: a change of the
-/// kinetic energy of a few roundings.
-const RELATIVE_MOMENT: f64 = 1e-13;
-/// Least moment that replaces a smaller one, kg·m².
-const RAISED_MOMENT: f64 = 2.0 * LEAST_INERTIA;
+
 /// Least moment of a body that is written by its inertia matrix, relative to the largest moment.
 const THIN_ROD: f64 = 1e-9;
 /// Least principal moment of a body that is written as an inertia matrix, kg·m². MuJoCo's eigenvalue iteration stops at off-diagonal
 /// entries of 1e-12 kg·m² (kEigEPS); this limit is ten times larger.
 const LEAST_DECOMPOSED: f64 = 1e-11;
-/// Excess C − A − B relative to C up to which a file has rounded the moments of a plate.
-const ROUNDED_EXCESS: f64 = 1e-10;
-/// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
-const TRIANGLE_SLACK: f64 = 1e-12;
 
 /// Bodies of the file: one per link, except massless links whose joints belong to the body of their child.
 pub(super) struct BodyTree {
@@ -134,7 +125,7 @@ impl BodyTree {
                 ));
                 continue;
             }
-            if let Some(inertial) = tree.inertials[link.index()].as_mut().filter(|_| !at_rest[link.index()]) {
+            if let Some(inertial) = tree.inertials[link.index()].as_mut() {
                 tree.changes.extend(balance_moments(inertial, name, balances));
             }
             let inertial = tree.inertials[link.index()].as_ref();
@@ -436,73 +427,6 @@ fn check_body(
         return Err(MjcfError::new("link", name, reason));
     }
     Ok(())
-}
-
-/// Excess C − A − B of the principal moments of a body relative to C, if it is more than a rounding; A + B ≥ C holds for every rigid body.
-fn triangle_excess(moments: &Vector3<f64>) -> Option<f64> {
-    let (sum, largest) = (moments.sum(), moments.max());
-    // Smaller moments are raised.
-    let violates = largest >= LEAST_INERTIA && sum - largest < largest * (1.0 - TRIANGLE_SLACK);
-    violates.then(|| 2.0 - sum / largest)
-}
-
-/// Returns an error if MuJoCo refuses the moments of a link.
-fn check_moments(inertial: Option<&Inertial>, name: &str) -> Result<(), MjcfError> {
-    let Some(inertial) = inertial else { return Ok(()) };
-    let moments = inertial.about_com.symmetric_eigenvalues();
-    if triangle_excess(&moments).is_some() {
-        let reason = format!(
-            "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia, or write the \
-             nearest possible one (percuss convert --balance-inertia)",
-            moments[0], moments[1], moments[2]
-        );
-        return Err(MjcfError::new("link", name, reason));
-    }
-    Ok(())
-}
-
-/// Replaces moments A + B < C by the nearest ones with A + B = C, which differ by a third of the excess. Without `balances`, only an excess
-/// by rounding in the file is removed. Returns the change.
-fn balance_moments(inertial: &mut Inertial, name: &str, balances: bool) -> Option<Change> {
-    let principal = inertial.about_com.symmetric_eigen();
-    let (old, c) = (principal.eigenvalues, principal.eigenvalues.imax());
-    let excess = triangle_excess(&old).filter(|excess| balances || *excess <= ROUNDED_EXCESS)?;
-    // Moments below 0, which another finding reports, would leave an excess.
-    let mut new = old.map(|moment| moment.max(0.0));
-    let third = (2.0 * new[c] - new.sum()) / 3.0 + TRIANGLE_SLACK * new[c];
-    for k in 0..3 {
-        new[k] += if k == c { -third } else { third };
-    }
-    for k in 0..3 {
-        let axis = principal.eigenvectors.column(k);
-        inertial.about_com += axis * axis.transpose() * (new[k] - old[k]);
-    }
-    inertial.about_com = inertial.about_com * 0.5 + inertial.about_com.transpose() * 0.5;
-    let text = |moments: &Vector3<f64>| format!("{:.6e}, {:.6e}, {:.6e}", moments[0], moments[1], moments[2]);
-    let what = format!(
-        "principal moments {} kg·m² in place of {}, a change by {:.2} % of the largest",
-        text(&new),
-        text(&old),
-        100.0 * (new - old).amax() / old.max()
-    );
-    let reason = "MuJoCo refuses moments with A + B < C, which no body has";
-    (excess > ROUNDED_EXCESS).then(|| Change::changed("link", name, what, reason))
-}
-
-/// Raises moments near 0 of a body with mass. Returns the new value if a moment changed. `size`: that of the mechanism, m.
-fn raise_moments(inertial: &mut Inertial, size: f64) -> Option<f64> {
-    let principal = inertial.about_com.symmetric_eigen();
-    let scale = principal.eigenvalues.max().max(inertial.mass * size * size);
-    let least = (RELATIVE_MOMENT * scale).max(RAISED_MOMENT);
-    if principal.eigenvalues.min() >= LEAST_INERTIA.max(least * 1e-2) {
-        return None;
-    }
-    for (moment, axis) in principal.eigenvalues.iter().zip(principal.eigenvectors.column_iter()) {
-        if *moment < least {
-            inertial.about_com += axis * axis.transpose() * (least - moment);
-        }
-    }
-    Some(least)
 }
 
 /// `<inertial>` with a share of the mass and inertia. Principal moments are written if one of them is very small, absolutely or relative to

@@ -7,6 +7,7 @@ mod error;
 mod forms;
 mod impact;
 mod keyframe;
+mod moments;
 mod relations;
 mod rotors;
 mod shapes;
