@@ -67,6 +67,10 @@ pub(crate) const MAX_SUGGESTIONS: usize = 10;
 pub(crate) const MAX_CANDIDATES: usize = 2_000;
 /// Longest name that is compared with others in MJCF, bytes.
 pub(crate) const LONGEST_COMPARED_NAME: usize = 100;
+/// Largest number of links, and of joints, that are listed for a plugin: those that join links name two.
+pub(crate) const MAX_PLUGIN_NAMES: usize = 16;
+/// Largest number of couplings in elements for simulators that are compared with the loops and couplings of the file.
+pub(crate) const MAX_COUPLING_SEARCHES: usize = 1_000;
 /// Longest chain of mimic joints.
 pub(crate) const MAX_MIMIC_CHAIN: usize = 100;
 /// Largest number of joints on the paths from the coupled links to the root, summed over all couplings.
@@ -86,6 +90,9 @@ pub(crate) const MIN_AXIS_COMPONENT: f64 = 1e-100;
 pub(crate) const MAX_SHAPE_SIZE: f64 = 1e9;
 /// Relative difference up to which two values of an armature are equal within rounding: files have nine digits.
 pub(crate) const ARMATURE_TOLERANCE: f64 = 1e-9;
+/// Difference up to which two statements of a mimic are equal, relative to the larger multiplier or offset, or rad or m: files have six
+/// digits.
+pub(crate) const MIMIC_TOLERANCE: f64 = 1e-5;
 /// Magnitudes written in decimal notation. Smaller and larger numbers have an exponent instead of long rows of zeros.
 pub(crate) const DECIMAL_NOTATION_RANGE: std::ops::Range<f64> = 1e-5..1e16;
 

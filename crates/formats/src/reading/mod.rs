@@ -5,6 +5,7 @@ pub(crate) mod element_tree;
 pub(crate) mod files;
 pub(crate) mod findings;
 pub(crate) mod limits;
+pub(crate) mod plugins;
 pub(crate) mod prescan;
 pub(crate) mod report;
 pub(crate) mod source;

@@ -2,6 +2,7 @@
 
 use crate::reading::report::{Place, Report, shortened};
 use crate::urdf::elements::dialect::{ElementRule, GAZEBO_JOINT, Treatment};
+use crate::urdf::elements::numbers::parse_numbers;
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
@@ -90,13 +91,19 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
             continue;
         }
         let Some(index) = rule.children.iter().position(|s| is_named(child, s.name)) else {
-            if tag_language(child) == Language::Urdf {
+            if rule.silent.iter().any(|name| is_named(child, name)) {
+                report.add_unread(Place::Element(child), || {
+                    format!("<{}> in <{}>", child.tag_name().name(), rule.name)
+                });
+            } else if tag_language(child) == Language::Urdf {
                 warn_unknown_element(child, rule, report);
             }
             continue;
         };
         let found = &rule.children[index];
-        if found.single && seen & (1 << index) != 0 {
+        // Tables of elements that a parent may have once are short.
+        let bit = if found.single { 1 << index } else { 0 };
+        if seen & bit != 0 {
             report.error("duplicate-element", Place::Element(child), || {
                 format!(
                     "a second <{}>; only one is allowed, and which of them counts is not said",
@@ -104,7 +111,7 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
                 )
             });
         }
-        seen |= 1 << index;
+        seen |= bit;
         apply_treatment(child, found, report);
     }
 }
@@ -113,24 +120,33 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
 fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     let place = Place::Element(node);
     match rule.treatment {
-        Treatment::Read => check_element(node, rule, report),
-        Treatment::Silent => {
-            match rule.name {
-                "gazebo" => check_gazebo_joints(node, report),
-                "mujoco" => refuse_mujoco_equalities(node, report),
-                "visual" | "collision" => return list_unread_children(node, report),
-                _ => {}
+        Treatment::Read => {
+            if rule.name == "gazebo" {
+                check_gazebo_joints(node, report);
             }
-            report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node)));
+            check_element(node, rule, report);
         }
+        Treatment::Text => {}
+        Treatment::Silent => match rule.name {
+            "visual" | "collision" => list_unread_children(node, report),
+            _ => report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node))),
+        },
         Treatment::Noted(reason) => {
             report.add_once(Severity::Note, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
-        Treatment::Warned(reason) => {
-            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || reason.to_owned());
+        Treatment::WarnedUnless(harmless, _) if has_no_effect(node.text().unwrap_or_default(), harmless) => {}
+        Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason) => {
+            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || {
+                format!("<{}>: {reason}", rule.name)
+            });
         }
         Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
     }
+}
+
+/// True if a value is one of the words without effect, or a number of at most 0.
+fn has_no_effect(value: &str, harmless: &[&str]) -> bool {
+    harmless.contains(&value.trim_ascii()) || parse_numbers::<1>(value).is_ok_and(|[number]| number <= 0.0)
 }
 
 /// Children of `<geometry>` that `shape.rs` reads.
@@ -171,10 +187,15 @@ fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut
             Some(Treatment::Read) if has_xacro_substitution(attribute.value()) => {
                 report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
             }
-            Some(Treatment::Read) => {}
+            Some(Treatment::Read | Treatment::Text) => {}
             Some(Treatment::Silent) => report.add_unread(place, || format!("{name} of <{}>", rule.name)),
             Some(Treatment::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
-            Some(Treatment::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
+            Some(Treatment::WarnedUnless(harmless, _)) if has_no_effect(attribute.value(), harmless) => {}
+            Some(Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason)) => {
+                report.warning("ignored", place, || {
+                    format!("{name}=\"{}\": {reason}", shortened(attribute.value()))
+                });
+            }
             Some(Treatment::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
             None => {
                 let shown = shortened(name);
@@ -245,15 +266,4 @@ pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reaso
             reason()
         )
     });
-}
-
-/// Refuses equality constraints, which close loops and couple joints. Other settings have no effect here.
-fn refuse_mujoco_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
-    for equality in children(mujoco, "equality") {
-        report.error("loop-unsupported", Place::Element(equality), || {
-            "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \
-             (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)"
-                .to_owned()
-        });
-    }
 }

@@ -3,7 +3,9 @@
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::link::read_name;
-use crate::urdf::elements::numbers::{optional_numbers, report_missing_attribute, required_numbers};
+use crate::urdf::elements::numbers::{
+    optional_numbers, parse_checked_number, report_missing_attribute, required_numbers,
+};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{JointKind, Severity, near_names};
@@ -32,10 +34,9 @@ pub(crate) struct JointText<'a> {
 /// Checked `<mimic>`.
 pub(crate) struct MimicText<'a> {
     pub joint: &'a str,
-    /// One valid number.
-    pub multiplier: &'a str,
-    /// One valid number, rad or m.
-    pub offset: &'a str,
+    pub multiplier: f64,
+    /// rad or m.
+    pub offset: f64,
 }
 
 /// Default axis of URDF.
@@ -182,8 +183,8 @@ fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Repo
         report_missing_attribute(node, "joint", report);
         ""
     });
-    let multiplier = optional_numbers::<1>(node, "multiplier", "1", report);
-    let offset = optional_numbers::<1>(node, "offset", "0", report);
+    let multiplier = parse_checked_number(optional_numbers::<1>(node, "multiplier", "1", report));
+    let offset = parse_checked_number(optional_numbers::<1>(node, "offset", "0", report));
     if kind == Some(JointKind::Fixed) {
         // Reduced robot models often fix a joint and keep its other elements.
         report.warning("fixed-mimic", Place::Element(node), || {
