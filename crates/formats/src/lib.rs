@@ -30,6 +30,7 @@
 
 pub mod reading;
 
+mod hull;
 mod load;
 mod meshes;
 mod mjcf;
@@ -37,7 +38,7 @@ mod sdf;
 mod shape;
 mod urdf;
 mod writing;
-pub use load::{load, load_file};
+pub use load::{foreign_format, load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact};

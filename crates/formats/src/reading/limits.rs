@@ -5,6 +5,9 @@
 
 // URDF: the text.
 
+/// Largest part of a file that is searched for the name of a foreign root element, bytes.
+pub(crate) const LONGEST_HEAD: usize = 4096;
+
 /// Deepest nesting of elements, for the stack of recursive parsers: real files stay below 20.
 pub(crate) const MAX_ELEMENT_DEPTH: usize = 256;
 /// Largest number of joint positions in all keyframes of a model: 40 MB.

@@ -2,6 +2,7 @@
 
 pub(crate) mod diagnostic;
 pub(crate) mod element_tree;
+pub mod encoding;
 pub(crate) mod files;
 pub(crate) mod findings;
 pub(crate) mod limits;

@@ -31,7 +31,7 @@ impl<'a> Texts<'a> {
     pub fn read_elements<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
-        let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
+        let has_gazebo_joints = nodes.closures.iter().chain(&nodes.relations).any(|n| is_gazebo_joint(*n));
         let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });
         let link_index = index_by_name(links.iter().map(|l| l.name));
         let reader = GazeboJointReader { zero_pose: &zero_pose, links: &link_index };
@@ -42,12 +42,20 @@ impl<'a> Texts<'a> {
                 closure::read_loop(*node, report)
             }
         };
+        let closures = nodes.closures.iter().map(closure).collect();
+        let relation = |node: &Node<'a, 'i>| {
+            if is_gazebo_joint(*node) {
+                reader.read_relation(*node, report)
+            } else {
+                relation::read_relation(*node, report)
+            }
+        };
         Texts {
-            closures: nodes.closures.iter().map(closure).collect(),
+            relations: nodes.relations.iter().map(relation).collect(),
+            closures,
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),
-            relations: nodes.relations.iter().map(|n| relation::read_relation(*n, report)).collect(),
             contacts: nodes.contacts.iter().map(|n| contact::read_contact(*n, report)).collect(),
         }
     }

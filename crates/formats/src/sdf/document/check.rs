@@ -22,7 +22,10 @@ pub(crate) fn check_children(
         };
         let rule = &rules[index];
         if rule.single && seen & (1 << index) != 0 {
-            findings.error("duplicate-element", child, || {
+            // Shapes have no effect on the masses.
+            let is_shape = ["visual", "collision"].contains(&tree.tag(parent));
+            let severity = if is_shape { Severity::Warning } else { Severity::Error };
+            findings.add(severity, "duplicate-element", child, || {
                 format!("a second <{tag}>; only one is allowed, and which of them counts is not defined")
             });
         }

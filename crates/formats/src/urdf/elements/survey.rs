@@ -70,12 +70,19 @@ pub(crate) fn has_xacro_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// Reports the first unexpanded xacro element.
+/// Reports the first unexpanded xacro element; in a `<visual>` or `<collision>`, where it has no effect, as a warning.
 pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
-    if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
-        report
-            .add_xacro_error(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
+    let in_shape =
+        |n: &Node<'_, '_>| n.ancestors().any(|n| is_named(n, "visual") || is_named(n, "collision"));
+    let macros = || root.descendants().filter(|n| n.is_element() && is_macro(n));
+    let tag = |node: Node<'_, '_>| format!("<xacro:{}>", shortened(node.tag_name().name()));
+    if let Some(node) = macros().find(|n| !in_shape(n)) {
+        report.add_xacro_error(Place::Element(node), &tag(node));
+    } else if let Some(node) = macros().next() {
+        report.warning("xacro", Place::Element(node), || {
+            format!("{} was not expanded by xacro; it is part of a shape, and is ignored", tag(node))
+        });
     }
 }
 
@@ -104,16 +111,34 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
         // Tables of elements that a parent may have once are short.
         let bit = if found.single { 1 << index } else { 0 };
         if seen & bit != 0 {
-            report.error("duplicate-element", Place::Element(child), || {
-                format!(
-                    "a second <{}>; only one is allowed, and which of them counts is not said",
-                    found.name
-                )
-            });
+            report_duplicate(node, child, report);
         }
         seen |= bit;
         apply_treatment(child, found, report);
     }
+}
+
+/// Reports a second element where only one is allowed; a warning if it has no effect, or is accepted.
+fn report_duplicate(parent: Node<'_, '_>, second: Node<'_, '_>, report: &mut Report) {
+    let tag = second.tag_name().name();
+    let is_inertial = tag == "inertial";
+    let (severity, remedy) = if is_inertial && report.accepted().second_inertial {
+        (Severity::Warning, "; the first one is taken (accepted)")
+    } else if is_fixed_joint(parent) && tag != "origin" && tag != "parent" && tag != "child" {
+        (Severity::Warning, "; the joint is fixed, and it has no effect")
+    } else if is_inertial {
+        (Severity::Error, "; remove one, or take the first with --accept second-inertial")
+    } else {
+        (Severity::Error, "")
+    };
+    report.add(severity, "duplicate-element", Place::Element(second), || {
+        format!("a second <{tag}>; only one is allowed, and which of them counts is not said{remedy}")
+    });
+}
+
+/// True for a `<joint>` without motion.
+pub(crate) fn is_fixed_joint(node: Node<'_, '_>) -> bool {
+    is_named(node, "joint") && node.attribute("type") == Some("fixed")
 }
 
 /// Applies the treatment of the table to an element.
@@ -266,4 +291,60 @@ pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reaso
             reason()
         )
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::urdf::elements::dialect::ROBOT;
+
+    /// Messages of the warnings about a text, each with its XML path.
+    fn warnings(text: &str) -> Vec<String> {
+        let document = roxmltree::Document::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let mut report = Report::default();
+        check_element(document.root_element(), &ROBOT, &mut report);
+        let found = report.finish("", text).into_iter().filter(|d| d.severity == Severity::Warning);
+        found.map(|d| d.message).collect()
+    }
+
+    /// Inserts every element and attribute with a warning, and an unknown one, below the elements of `path`; counts them.
+    fn insert_names(path: &[&str], rule: &'static ElementRule, count: &mut usize) {
+        let mut insert = |name: &str, element: &str| {
+            let holders = path[1..].iter().map(|tag| format!("<{tag}>")).collect::<String>();
+            let ends = path[1..].iter().rev().map(|tag| format!("</{tag}>")).collect::<String>();
+            let text =
+                format!("<robot xmlns:drake=\"http://drake.mit.edu\">{holders}{element}{ends}</robot>");
+            assert!(
+                warnings(&text).iter().any(|message| message.contains(name)),
+                "{text}: {:?}",
+                warnings(&text)
+            );
+            *count += 1;
+        };
+        insert("unheard_of", "<unheard_of/>");
+        for child in rule.children {
+            if matches!(child.treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
+                insert(child.name, &format!("<{0}>1</{0}>", child.name));
+            }
+            if matches!(child.treatment, Treatment::Read) {
+                insert("unheard_of", &format!("<{} unheard_of=\"1\"/>", child.name));
+            }
+            for (name, treatment) in child.attributes {
+                if matches!(treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
+                    insert(name, &format!("<{} {name}=\"1\"/>", child.name));
+                }
+            }
+        }
+        for child in rule.children.iter().filter(|child| matches!(child.treatment, Treatment::Read)) {
+            insert_names(&[path, &[child.name]].concat(), child, count);
+        }
+    }
+
+    #[test]
+    fn every_name_without_effect_here_is_in_a_warning() {
+        let mut count = 0;
+        insert_names(&["robot"], &ROBOT, &mut count);
+        insert_names(&["robot", "gazebo", "joint"], &GAZEBO_JOINT, &mut count);
+        assert!(count > 120, "{count}");
+    }
 }
