@@ -34,6 +34,7 @@ use findings::{Findings, Spot};
 pub use forces::{ForceElements, SpringForce, StopForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
+use percuss_formats::reading::encoding::{self, Decoded};
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
