@@ -8,7 +8,7 @@ use percuss_mechanism::{Mechanism, Problem, Subject};
 const HULL_SLACK: f64 = 2.0;
 
 /// Distance of a centre of mass outside the shapes, relative to their size, for the same reason.
-const COM_SLACK: f64 = 0.25;
+const COM_SLACK: f64 = 0.5;
 
 /// Number of steps of the search for a separating plane; each brings the point of the hull nearer to the centre of mass.
 const HULL_STEPS: usize = 100;
@@ -23,8 +23,8 @@ pub(crate) fn inertias_beyond_shapes(
     let mut found = Vec::new();
     for (index, (link, shapes)) in mechanism.links().iter().zip(shapes).enumerate() {
         let Some(inertial) = link.inertial().filter(|inertial| inertial.mass > 0.0) else { continue };
-        let purpose = [Purpose::Collision, Purpose::Visual].into_iter();
-        let purpose = purpose.filter(|purpose| shapes.iter().any(|shape| shape.purpose == *purpose)).next();
+        let has = |purpose: &Purpose| shapes.iter().any(|shape| shape.purpose == *purpose);
+        let purpose = [Purpose::Collision, Purpose::Visual].into_iter().find(has);
         let hull: Vec<&Shape> = shapes.iter().filter(|shape| Some(shape.purpose) == purpose).collect();
         let is_unknown = |shape: &&Shape| {
             matches!(shape.solid, Solid::Mesh { .. }) || farthest(shape, &inertial.com) == 0.0

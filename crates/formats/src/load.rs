@@ -87,8 +87,10 @@ pub fn foreign_format(source: &Source) -> Option<LoadError> {
         FOREIGN_ENDINGS.iter().find(|(endings, _)| endings.contains(&&*ending))?.1
     };
     let message = format!(
-        "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>) and SDFormat (<sdf>), and of suspensions sheets (.toml), \
-         tables of points (.csv, .xlsx), subsystems of Adams (.sub) and JSON of Chrono::Vehicle: export one of these from the program that \
+        "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>) and SDFormat \
+         (<sdf>), and of suspensions sheets (.toml), \
+         tables of points (.csv, .xlsx), subsystems of Adams (.sub) and JSON of Chrono::Vehicle: export \
+         one of these from the program that \
          wrote the file"
     );
     Some(LoadError::of_file(&source.name, "foreign-format", message))

@@ -121,7 +121,7 @@ fn build_mechanism(
     if !nodes.check_counts(robot, report) {
         return None;
     }
-    let mut texts = Texts::read_elements(&nodes, report);
+    let mut texts = Texts::read_elements(&mut nodes, report);
     consistency::resolve_references(robot, &nodes, &mut texts, report);
     close_pairs(&mut nodes, &mut texts, options.open_pairs, report);
     if report.has_errors() {

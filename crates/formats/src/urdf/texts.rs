@@ -27,8 +27,8 @@ pub(crate) struct Texts<'a> {
 }
 
 impl<'a> Texts<'a> {
-    /// Reads all elements.
-    pub fn read_elements<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
+    /// Reads all elements. Relations that cannot be read are removed from `nodes`.
+    pub fn read_elements<'i: 'a>(nodes: &mut Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
         let has_gazebo_joints = nodes.closures.iter().chain(&nodes.relations).any(|n| is_gazebo_joint(*n));
@@ -43,16 +43,20 @@ impl<'a> Texts<'a> {
             }
         };
         let closures = nodes.closures.iter().map(closure).collect();
-        let relation = |node: &Node<'a, 'i>| {
-            if is_gazebo_joint(*node) {
+        let mut relations = Vec::new();
+        nodes.relations.retain(|node| {
+            let read = if is_gazebo_joint(*node) {
                 reader.read_relation(*node, report)
             } else {
-                relation::read_relation(*node, report)
-            }
-        };
+                Some(relation::read_relation(*node, report))
+            };
+            let is_read = read.is_some();
+            relations.extend(read);
+            is_read
+        });
         Texts {
-            relations: nodes.relations.iter().map(relation).collect(),
             closures,
+            relations,
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),

@@ -38,7 +38,6 @@ fn what_cannot_be_read_is_refused() {
     let cases = [
         ("name=\"pin\" type=\"gearbox\"", ENDS.to_owned(), "<gearbox_reference_body>"),
         ("name=\"pin\" type=\"screw\"", ENDS.to_owned(), "<screw_thread_pitch>"),
-        ("name=\"pin\" type=\"screw\"", format!("<thread_pitch>100</thread_pitch>{ENDS}"), "<relation>"),
         ("name=\"pin\"", ENDS.to_owned(), "universal, revolute2, fixed, screw and gearbox are read"),
         (good, "<child>arm</child>".to_owned(), "<parent>LINK</parent>"),
         (good, "<parent link=\"base\"/><child link=\"arm\"/>".to_owned(), "with the link's name as text"),

@@ -9,9 +9,12 @@ fn gripper(extra: &str) -> String {
     let finger = |name: &str, x: f64, sign: i32| {
         format!(
             "<link name=\"{name}\"><inertial><origin xyz=\"0 0 0.04\"/><mass value=\"0.1\"/>\
-             <inertia ixx=\"5e-5\" iyy=\"5e-5\" izz=\"1e-5\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n\
-             <joint name=\"j{name}\" type=\"revolute\"><parent link=\"palm\"/><child link=\"{name}\"/><origin xyz=\"{x} 0 0\"/>\
-             <axis xyz=\"0 {sign} 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"1\"/></joint>\n"
+             <inertia ixx=\"5e-5\" iyy=\"5e-5\" izz=\"1e-5\" ixy=\"0\" ixz=\"0\" \
+             iyz=\"0\"/></inertial></link>\n\
+             <joint name=\"j{name}\" type=\"revolute\"><parent link=\"palm\"/><child \
+             link=\"{name}\"/><origin xyz=\"{x} 0 0\"/>\
+             <axis xyz=\"0 {sign} 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" \
+             velocity=\"1\"/></joint>\n"
         )
     };
     let fingers = finger("a", 0.03, 1) + &finger("b", -0.03, -1);
@@ -103,7 +106,8 @@ fn plugins_that_join_links_are_named() {
         let link = |name: &str| format!("<link name=\"{name}\"><inertial><mass>1</mass></inertial></link>");
         let joint = |name: &str, child: &str| {
             format!(
-                "<joint name=\"{name}\" type=\"revolute\"><parent>world</parent><child>{child}</child><axis/></joint>"
+                "<joint name=\"{name}\" \
+                 type=\"revolute\"><parent>world</parent><child>{child}</child><axis/></joint>"
             )
         };
         let parts = [link("a"), link("b"), joint("ja", "a"), joint("jb", "b")].concat();
@@ -124,22 +128,28 @@ fn mimics_of_simulators_are_read() {
         let expected = Some([m.parse().unwrap(), o.parse().unwrap()]);
         let spellings = [
             format!(
-                "<gazebo><plugin name=\"x\" filename=\"libroboticsgroup_gazebo_mimic_joint_plugin.so\"><joint>ja</joint>\
+                "<gazebo><plugin name=\"x\" \
+                 filename=\"libroboticsgroup_gazebo_mimic_joint_plugin.so\"><joint>ja</joint>\
                  <mimicJoint>jb</mimicJoint><multiplier>{m}</multiplier><offset>{o}</offset></plugin></gazebo>"
             ),
             format!(
-                "<gazebo reference=\"b\"><plugin name=\"mimic_b\" filename=\"y\"><joint>ja</joint><mimic_joint> jb </mimic_joint>\
+                "<gazebo reference=\"b\"><plugin name=\"mimic_b\" \
+                 filename=\"y\"><joint>ja</joint><mimic_joint> jb </mimic_joint>\
                  <multiplier>{m}</multiplier><offset>{o}</offset></plugin></gazebo>"
             ),
             format!(
-                "<ros2_control name=\"g\" type=\"system\"><joint name=\"jb\"><param name=\"mimic\">ja</param>\
-                 <param name=\"multiplier\">{m}</param><param name=\"offset\">{o}</param></joint></ros2_control>"
+                "<ros2_control name=\"g\" type=\"system\"><joint name=\"jb\"><param \
+                 name=\"mimic\">ja</param>\
+                 <param name=\"multiplier\">{m}</param><param \
+                 name=\"offset\">{o}</param></joint></ros2_control>"
             ),
             format!(
-                "<gazebo reference=\"jb\"><mimic joint=\"ja\"><multiplier>{m}</multiplier><offset>{o}</offset></mimic></gazebo>"
+                "<gazebo reference=\"jb\"><mimic \
+                 joint=\"ja\"><multiplier>{m}</multiplier><offset>{o}</offset></mimic></gazebo>"
             ),
             format!(
-                "<gazebo reference=\"jb\"><axis><mimic joint=\"ja\" multiplier=\"{m}\" offset=\"{o}\"/></axis></gazebo>"
+                "<gazebo reference=\"jb\"><axis><mimic joint=\"ja\" multiplier=\"{m}\" \
+                 offset=\"{o}\"/></axis></gazebo>"
             ),
         ];
         for spelling in &spellings {
@@ -160,7 +170,8 @@ fn mimics_of_simulators_are_read() {
     assert_eq!(mimic(sdf), Some([2.0, -1.0]));
     let param = |m: &str, leader: &str| {
         format!(
-            "<ros2_control name=\"g\"><joint name=\"jb\"><param name=\"mimic\">{leader}</param><param name=\"multiplier\">{m}</param>\
+            "<ros2_control name=\"g\"><joint name=\"jb\"><param name=\"mimic\">{leader}</param><param \
+             name=\"multiplier\">{m}</param>\
              </joint></ros2_control>"
         )
     };
@@ -287,7 +298,8 @@ fn tolerated_notations_are_read_with_a_note() {
 fn faults_without_effect_are_warnings() {
     let fixed = |inside: &str| {
         format!(
-            "<link name=\"c\"/><joint name=\"f\" type=\"fixed\"><parent link=\"palm\"/><child link=\"c\"/>{inside}</joint>"
+            "<link name=\"c\"/><joint name=\"f\" type=\"fixed\"><parent link=\"palm\"/><child \
+             link=\"c\"/>{inside}</joint>"
         )
     };
     let macros = "<link name=\"c\"><visual><geometry><box size=\"1 1 1\"/></geometry><x:grey xmlns:x=\"http://www.ros.org/wiki/xacro\"/></visual>\
@@ -324,9 +336,13 @@ fn faults_without_effect_are_warnings() {
 fn screws_and_gearboxes_are_relations() {
     let lift = "<robot name=\"r\"><link name=\"base\"/><link name=\"torso\"><inertial><mass value=\"1\"/></inertial></link>\
         <link name=\"nut\"><inertial><mass value=\"1\"/></inertial></link>\
-        <joint name=\"lift\" type=\"prismatic\"><parent link=\"base\"/><child link=\"torso\"/><origin rpy=\"0 0 1\"/><axis xyz=\"0 0 1\"/></joint>\
-        <joint name=\"spin\" type=\"continuous\"><parent link=\"base\"/><child link=\"nut\"/><axis xyz=\"0 0 -1\"/></joint>\
-        <gazebo><joint name=\"screw\" type=\"screw\"><parent>torso</parent><child>nut</child><axis><xyz>0 0 1</xyz></axis>PITCH</joint></gazebo>\
+        <joint name=\"lift\" type=\"prismatic\"><parent link=\"base\"/><child link=\"torso\"/><origin \
+        rpy=\"0 0 1\"/><axis xyz=\"0 0 1\"/></joint>\
+        <joint name=\"spin\" type=\"continuous\"><parent link=\"base\"/><child link=\"nut\"/><axis \
+        xyz=\"0 0 -1\"/></joint>\
+        <gazebo><joint name=\"screw\" \
+        type=\"screw\"><parent>torso</parent><child>nut</child><axis><xyz>0 0 \
+        1</xyz></axis>PITCH</joint></gazebo>\
         </robot>";
     let terms = |text: &str| {
         let loaded = load_text(text).unwrap_or_else(|error| panic!("{error}"));
@@ -345,8 +361,16 @@ fn screws_and_gearboxes_are_relations() {
         // The nut sinks against the torso by `lift`, and turns by −`spin`: −lift = −advance·spin.
         assert!((about / along + advance).abs() < 1e-15, "{along} {about}");
     }
+    let other = lift.replace("PITCH", "<thread_pitch>9</thread_pitch>").replace("prismatic", "continuous");
+    let unread = load_text(&other).unwrap_or_else(|error| panic!("{error}"));
+    let warning =
+        unread.diagnostics.iter().find(|d| d.severity == Severity::Warning && d.code == "gazebo-joint");
+    assert!(
+        warning.is_some_and(|d| d.message.contains("<relation>")) && unread.mechanism.couplings().is_empty()
+    );
     let gear = "<gazebo><joint name=\"g\" type=\"gearbox\"><parent>a</parent><child>b</child><gearbox_ratio>4</gearbox_ratio>\
-        <gearbox_reference_body>palm</gearbox_reference_body><axis><xyz>0 1 0</xyz></axis><axis2><xyz>0 1 0</xyz></axis2></joint></gazebo>";
+        <gearbox_reference_body>palm</gearbox_reference_body><axis><xyz>0 1 0</xyz></axis><axis2><xyz>0 \
+        1 0</xyz></axis2></joint></gazebo>";
     // θ_b = −4 θ_a about +y, and jb turns about −y.
     let [(first, a), (second, b)] = &terms(&gripper(gear))[..] else { panic!("two terms") };
     assert_eq!((first.as_str(), second.as_str(), a / b), ("ja", "jb", -4.0));

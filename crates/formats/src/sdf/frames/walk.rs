@@ -204,7 +204,8 @@ impl Walker<'_, '_, '_> {
             include.is_some_and(|include| read_boolean_attribute(tree, include, "merge", self.findings));
         if is_merged && scope.0 == 0 && tree.children_named(model, "link").next().is_some() {
             self.findings.error("merged-links", source, || {
-                "a model with links of its own is merged into a world, which has models and joints, but no links; remove merge=\"true\""
+                "a model with links of its own is merged into a world, which has models and joints, but \
+                 no links; remove merge=\"true\""
                     .to_owned()
             });
         }
@@ -289,7 +290,8 @@ impl Walker<'_, '_, '_> {
                 let shown = name.into_iter().find(|name| !name.is_empty()).unwrap_or_default();
                 self.findings.add_once(Severity::Warning, "plugin", shown, plugin, || {
                     format!(
-                        "plugins are not read, and {} joins links or couples joints, by its name or its elements: the loop or coupling \
+                        "plugins are not read, and {} joins links or couples joints, by its name or its \
+                         elements: the loop or coupling \
                          is missing here. Write a <joint> or a <mimic> for it",
                         quoted(shown)
                     )

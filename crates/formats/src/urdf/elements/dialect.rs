@@ -306,6 +306,7 @@ const IN_JOINT: &[ElementRule] = &[
     unread_element("calibration", Silent),
     unread_element("safety_controller", Silent),
     unread_element("hardwareInterface", Silent),
+    unread_element("controller_gains", Silent),
     unread_element("joint_properties", Silent),
     unread_element("physics", Silent),
     unread_element("sensor", Silent),
@@ -467,8 +468,9 @@ const OF_MUJOCO: Treatment = Warned(
 );
 
 /// Treatment of a body that Gazebo adds to the robot.
-const ADDED_BODY: Treatment =
-    Warned("links and models inside <gazebo> are not read: write them as <link> and <joint> of the robot");
+const ADDED_BODY: Treatment = Warned(
+    "links and models inside <gazebo>, and joints to them, are not read: write them as <link> and <joint> of the robot",
+);
 
 /// Treatment of an inertia that does not replace that of the link.
 const SECOND_INERTIA: Treatment =
@@ -581,6 +583,8 @@ const GAZEBO_SETTINGS: &[&str] = &[
 const TRANSMISSION_SETTINGS: &[&str] = &[
     "hardwareInterface",
     "robotNamespace",
+    "api",
+    "node",
     "param",
     "motorTorqueConstant",
     "motorVelocityConstant",
@@ -598,6 +602,8 @@ const TRANSMISSION_SETTINGS: &[&str] = &[
 const ACTUATOR_SETTINGS: &[&str] = &[
     "hardwareInterface",
     "role",
+    "api",
+    "node",
     "offset",
     "param",
     "motorTorqueConstant",

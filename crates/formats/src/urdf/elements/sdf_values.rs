@@ -30,14 +30,16 @@ pub(crate) fn screw_advance(
         )),
         (None, None) => Err((
             "missing-element",
-            "the screw has neither <screw_thread_pitch> (m per turn) nor <thread_pitch> (rad/m, left-handed), and versions of \
+            "the screw has neither <screw_thread_pitch> (m per turn) nor <thread_pitch> (rad/m, \
+             left-handed), and versions of \
              libsdformat have different defaults; give one of them",
         )),
     }
 }
 
 /// Message about the meaning of a gearbox.
-pub(crate) const GEARBOX: &str = "a gearbox is read by SDFormat's definition, θ₂ = −ratio·θ₁ relative to the reference body; simulators \
+pub(crate) const GEARBOX: &str = "a gearbox is read by SDFormat's definition, θ₂ = −ratio·θ₁ relative to the reference \
+    body; simulators \
     differ (Gazebo Classic takes absolute rates, gz-physics welds the links)";
 
 /// Largest |1 − |cosine|| of the angle between an axis of a gearbox or screw and that of its joint, dimensionless: files have four decimals

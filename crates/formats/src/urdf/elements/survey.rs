@@ -286,7 +286,8 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
 pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reason: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
-            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop as a <loop> and \
+            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop \
+             as a <loop> and \
              remove it here",
             reason()
         )

@@ -14,7 +14,7 @@ use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
 use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind, Problem, RelationDescription, Severity};
 use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// SDF name of the model frame, which coincides with the root link's frame.
 const MODEL: &str = "__model__";
@@ -46,12 +46,21 @@ pub(crate) fn fixes_root_to_world(
     } else {
         refuse(node, report, || {
             format!(
-                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without mass",
+                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without \
+                 mass",
                 quoted(root)
             )
         });
     }
     true
+}
+
+/// True for a joint to one of the links or models that a `<gazebo>` adds.
+pub(crate) fn joins_any(node: Node<'_, '_>, added: &HashSet<&str>) -> bool {
+    ["parent", "child"].iter().any(|tag| {
+        let name = child(node, tag).map(element_text).unwrap_or_default();
+        added.contains(name.trim_ascii().split("::").next().unwrap_or_default())
+    })
 }
 
 /// True for a screw or a gearbox, which is a relation between joints of the tree.
@@ -193,9 +202,13 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
     }
 
-    /// Relation between the joints that a screw or a gearbox couples. The path between its links must hold no other joints, which the
-    /// relation would leave free.
-    pub fn read_relation<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> RelationDescription {
+    /// Relation between the joints that a screw or a gearbox couples; `None`, with a warning, if the path between its links holds other
+    /// joints, which the relation would leave free.
+    pub fn read_relation<'i: 'a>(
+        &self,
+        node: Node<'a, 'i>,
+        report: &mut Report,
+    ) -> Option<RelationDescription> {
         let name = read_name(node, report).to_owned();
         let [parent, child] = ["parent", "child"].map(|tag| read_link_name(node, tag, report));
         let x_rj = self.read_joint_frame(node, &self.zero_pose.link_frame(&child), report);
@@ -210,7 +223,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
                 Ok(advance) => self.screw_terms([&parent, &child], &axes[0], &x_rj.translation, advance),
                 Err((code, defect)) => {
                     report.error(code, Place::Element(node), || defect.to_owned());
-                    return RelationDescription { name, terms: Vec::new(), constant: 0.0, curve: None };
+                    return None;
                 }
             }
         } else {
@@ -222,14 +235,16 @@ impl<'a> GazeboJointReader<'_, 'a> {
             self.gearbox_terms(&reference, [&parent, &child], &axes, ratio)
         };
         if terms.is_none() {
-            report.error("gazebo-joint", Place::Element(node), || {
-                "the joint is not read: a screw is read between links that one hinge and one slide with its axis connect, a gearbox \
-                 between links that one hinge each, with its axes, connects to <gearbox_reference_body>. Write a <relation> of the joints \
+            report.warning("gazebo-joint", Place::Element(node), || {
+                "the joint is not read, and its coupling is missing here: a screw is read between links \
+                 that one hinge and one slide with its axis connect, a gearbox \
+                 between links that one hinge each, with its axes, connects to <gearbox_reference_body>. \
+                 Write a <relation> of the joints \
                  instead: factor 1 for the slide (m) and −advance per radian for the hinge"
                     .to_owned()
             });
         }
-        RelationDescription { name, terms: terms.unwrap_or_default(), constant: 0.0, curve: None }
+        Some(RelationDescription { name, terms: terms?, constant: 0.0, curve: None })
     }
 
     /// Sign of a joint's motion about or along a direction in the root frame; `None` if the two are not parallel.
@@ -311,7 +326,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         self.zero_pose.named_frame(frame, self.links).unwrap_or_else(|| {
             refuse(node, report, || {
                 format!(
-                    "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of the tree",
+                    "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of \
+                     the tree",
                     quoted(frame)
                 )
             });

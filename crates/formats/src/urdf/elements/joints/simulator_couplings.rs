@@ -93,7 +93,8 @@ impl<'a> CouplingReader<'_, 'a> {
             let shown = plugin.attribute("name").or_else(|| plugin.attribute("filename")).unwrap_or_default();
             report.add_once(Severity::Warning, "plugin", shown.to_owned(), Place::Element(plugin), || {
                 format!(
-                    "plugins are not read, and {} joins links or couples joints, by its name or its elements: the loop or coupling is \
+                    "plugins are not read, and {} joins links or couples joints, by its name or its \
+                     elements: the loop or coupling is \
                      missing here. Write a <loop> (a joint that closes a loop) or a <mimic> for it",
                     quoted(shown)
                 )
@@ -139,7 +140,8 @@ impl<'a> CouplingReader<'_, 'a> {
                 let (has, needed) = if wanted { ("no", "write") } else { ("a", "remove") };
                 warn(joint, report, || {
                     format!(
-                        "mimic={}, and joint {} has {has} <mimic>, which alone counts here: {needed} the <mimic> of the joint",
+                        "mimic={}, and joint {} has {has} <mimic>, which alone counts here: {needed} the \
+                         <mimic> of the joint",
                         quoted(flag),
                         quoted(name.unwrap_or_default())
                     )
@@ -174,7 +176,8 @@ impl<'a> CouplingReader<'_, 'a> {
             Ok(None) => {}
             Err(reason) => warn(place, report, || {
                 format!(
-                    "the coupling of joint {} to joint {} is not read: {reason}. Write it as <mimic joint=\"...\" multiplier=\"...\" \
+                    "the coupling of joint {} to joint {} is not read: {reason}. Write it as <mimic \
+                     joint=\"...\" multiplier=\"...\" \
                      offset=\"...\"/> of the joint, or remove it here",
                     quoted(follower),
                     quoted(leader)

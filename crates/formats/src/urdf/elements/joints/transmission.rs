@@ -76,12 +76,19 @@ impl<'a> Rotors<'_, 'a> {
                     let near = self.suggestions.similar_names(name, self.joints.iter().map(|j| j.name));
                     let guess =
                         near.first().map(|near| format!(" (did you mean \"{near}\"?)")).unwrap_or_default();
-                    report.add_once(Severity::Warning, "dangling-armature", name.to_owned(), Place::Element(*joint), || {
-                        format!(
-                            "the transmission is for joint {}, which does not exist{guess}; its rotor inertia, if any, is ignored",
-                            quoted(name)
-                        )
-                    });
+                    report.add_once(
+                        Severity::Warning,
+                        "dangling-armature",
+                        String::new(),
+                        Place::Element(*joint),
+                        || {
+                            format!(
+                                "the transmission is for joint {}, which does not exist{guess}; its rotor \
+                             inertia, if any, is ignored",
+                                quoted(name)
+                            )
+                        },
+                    );
                 }
             }
         }
@@ -97,7 +104,8 @@ impl<'a> Rotors<'_, 'a> {
         if couples || (driven.len() != 1 && has_inertia()) {
             report.add_once(Severity::Warning, "rotor-inertia", kind, Place::Element(transmission), || {
                 format!(
-                    "this <transmission> does not drive one joint alone; the inertias of its rotors are not read, and the answer is \
+                    "this <transmission> does not drive one joint alone; the inertias of its rotors are \
+                     not read, and the answer is \
                      without them: {REMEDY}, or write the rotors as links with a <relation> of their joints"
                 )
             });
@@ -132,27 +140,51 @@ impl<'a> Rotors<'_, 'a> {
         let name = self.joints[joint].name;
         match (single_number(&inertias, 0.0), ratio) {
             (Some(0.0), Some(ratio)) => {
-                if ratio.abs() > 1.0 && self.joints[joint].armature.is_empty() && self.joints[joint].kind.dofs() > 0 {
-                    report.add_once(Severity::Note, "gear-without-rotor", String::new(), Place::Element(place), || {
-                        format!(
-                            "joint {} has a gear ratio of {ratio}, and no inertia of its rotor: the reflected inertia I·N² is missing, \
-                             which is often the largest part of the effective mass of a geared arm: {REMEDY}",
-                            quoted(name)
-                        )
-                    });
+                if ratio.abs() > 1.0
+                    && self.joints[joint].armature.is_empty()
+                    && self.joints[joint].kind.dofs() > 0
+                {
+                    report.add_once(
+                        Severity::Note,
+                        "gear-without-rotor",
+                        String::new(),
+                        Place::Element(place),
+                        || {
+                            format!(
+                                "joint {} has a gear ratio of {ratio}, and no inertia of its rotor: the \
+                             reflected inertia I·N² is missing, \
+                             which is often the largest part of the effective mass of a geared arm: \
+                             {REMEDY}",
+                                quoted(name)
+                            )
+                        },
+                    );
                 }
             }
             (Some(inertia), Some(ratio)) if inertia > 0.0 && ratio != 0.0 => {
                 if ratios.is_empty() {
-                    report.add_once(Severity::Note, "default-gear", String::new(), Place::Element(place), || {
-                        "a rotor inertia without <mechanicalReduction>: the ratio is taken as 1".to_owned()
-                    });
+                    report.add_once(
+                        Severity::Note,
+                        "default-gear",
+                        String::new(),
+                        Place::Element(place),
+                        || {
+                            "a rotor inertia without <mechanicalReduction>: the ratio is taken as 1"
+                                .to_owned()
+                        },
+                    );
                 }
-                let actuator = holders.iter().filter(|n| n.tag_name().name() == "actuator").find_map(|n| n.attribute("name"));
+                let actuator = holders
+                    .iter()
+                    .filter(|n| n.tag_name().name() == "actuator")
+                    .find_map(|n| n.attribute("name"));
                 let actuator = actuator.unwrap_or_default();
                 if self.actuators.insert(joint, actuator).is_some_and(|first| first != actuator) {
                     report.warning("rotor-inertia", Place::Element(place), || {
-                        format!("a second motor of joint {}: only the inertia of the first is read; {REMEDY}", quoted(name))
+                        format!(
+                            "a second motor of joint {}: only the inertia of the first is read; {REMEDY}",
+                            quoted(name)
+                        )
                     });
                     return;
                 }
@@ -160,7 +192,8 @@ impl<'a> Rotors<'_, 'a> {
             }
             _ => report.warning("rotor-inertia", Place::Element(place), || {
                 format!(
-                    "the rotor of joint {} is not read, and the answer is without it: inertia {}, ratio {}; one positive inertia in kg·m² \
+                    "the rotor of joint {} is not read, and the answer is without it: inertia {}, ratio \
+                     {}; one positive inertia in kg·m² \
                      and one ratio are expected; {REMEDY}",
                     quoted(name),
                     quoted(&inertias.join(", ")),
@@ -184,7 +217,8 @@ impl<'a> Rotors<'_, 'a> {
             [given] if (given - value).abs() <= ARMATURE_TOLERANCE * given.abs().max(value) => {}
             _ => report.warning("rotor-inertia", Place::Element(place), || {
                 format!(
-                    "an armature of {value} for joint {} is ignored: it has {:?} already, or not one degree of freedom",
+                    "an armature of {value} for joint {} is ignored: it has {:?} already, or not one \
+                     degree of freedom",
                     quoted(joint.name),
                     joint.armature
                 )
