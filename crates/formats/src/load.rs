@@ -49,7 +49,7 @@ const FOREIGN_ENDINGS: [(&[&str], &str); 13] = [
     (&["yaml", "yml"], "a YAML file"),
     (&["adm", "cmd", "acf"], "a file of Adams"),
     (&["pm"], "a suspension of rFactor"),
-    (&["m", "mlx", "slx", "mdl"], "a file of MATLAB"),
+    (&["m", "mat", "mlx", "slx", "mdl"], "a file of MATLAB"),
     (&["py"], "a Python program"),
     (&["proto", "wbt"], "a file of Webots"),
     (&["skel"], "a model of DART"),

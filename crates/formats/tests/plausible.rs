@@ -187,12 +187,12 @@ fn a_centre_of_mass_is_no_size() {
     }
 }
 
-/// Chain of links with the given lengths; `inertials`: mass of each, 0 for none.
-fn chain(lengths: &[f64], masses: &[f64]) -> String {
+/// Chain of links with the given lengths and masses, 0 for none, at `com` (m) in each link.
+fn chain(lengths: &[f64], masses: &[f64], com: f64) -> String {
     let mut text = "<robot name=\"c\"><link name=\"l0\"/>".to_owned();
     for (i, (length, mass)) in lengths.iter().zip(masses).enumerate() {
         let inertial = format!(
-            "<inertial><mass value=\"{mass}\"/><inertia ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+            "<inertial><origin xyz=\"{com} 0 0\"/><mass value=\"{mass}\"/><inertia ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
         );
         let inertial = if *mass > 0.0 { inertial } else { String::new() };
         let child = i + 1;
@@ -206,16 +206,17 @@ fn chain(lengths: &[f64], masses: &[f64]) -> String {
 
 #[test]
 fn absent_masses_and_placeholders_are_named() {
-    let warned = |lengths: &[f64], masses: &[f64]| {
-        let loaded = load_text(&chain(lengths, masses));
+    let warned = |lengths: &[f64], masses: &[f64], com: f64| {
+        let loaded = load_text(&chain(lengths, masses, com));
         told(&loaded).iter().filter(|d| d.severity == Severity::Warning).map(|d| d.code).collect::<Vec<_>>()
     };
     let (lengths, equal) = ([0.1, 0.4, 0.3, 0.5, 0.2, 0.3], [0.2; 6]);
-    assert_eq!(warned(&lengths, &[0.0; 6]), ["no-moving-mass"]);
-    assert_eq!(warned(&lengths, &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), [""; 0]);
-    assert_eq!(warned(&lengths, &[2.0; 6]), ["equal-inertias"]);
-    assert_eq!(warned(&lengths, &[2.0, 2.0, 2.0, 2.0, 2.0, 0.3]), ["equal-inertias"]);
-    assert_eq!(warned(&lengths, &[6.0, 5.0, 4.0, 3.0, 2.0, 1.0]), [""; 0]);
-    assert_eq!(warned(&equal, &[2.0; 6]), [""; 0], "a chain of equal links");
-    assert_eq!(warned(&lengths[..3], &[2.0; 3]), [""; 0], "few links");
+    assert_eq!(warned(&lengths, &[0.0; 6], 0.1), ["no-moving-mass"]);
+    assert_eq!(warned(&lengths, &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.1), [""; 0]);
+    assert_eq!(warned(&lengths, &[2.0; 6], 0.1), ["equal-inertias"]);
+    assert_eq!(warned(&lengths, &[2.0, 2.0, 2.0, 2.0, 2.0, 0.3], 0.1), ["equal-inertias"]);
+    assert_eq!(warned(&lengths, &[6.0, 5.0, 4.0, 3.0, 2.0, 1.0], 0.1), [""; 0]);
+    assert_eq!(warned(&equal, &[2.0; 6], 0.1), [""; 0], "a chain of equal links");
+    assert_eq!(warned(&equal, &[2.0; 6], 0.0), ["equal-inertias"], "balls at the joints of long links");
+    assert_eq!(warned(&lengths[..3], &[2.0; 3], 0.1), [""; 0], "few links");
 }

@@ -74,6 +74,8 @@ pub(crate) const LONGEST_COMPARED_NAME: usize = 100;
 pub(crate) const MAX_PLUGIN_NAMES: usize = 16;
 /// Largest number of couplings in elements for simulators that are compared with the loops and couplings of the file.
 pub(crate) const MAX_COUPLING_SEARCHES: usize = 1_000;
+/// Largest number of joints from a link of a screw or gearbox to the root.
+pub(crate) const MAX_RELATION_PATH: usize = 1_000;
 /// Longest chain of mimic joints.
 pub(crate) const MAX_MIMIC_CHAIN: usize = 100;
 /// Largest number of joints on the paths from the coupled links to the root, summed over all couplings.

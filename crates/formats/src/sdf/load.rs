@@ -122,6 +122,9 @@ fn is_expected(parts: &Parts, subject: &Subject, problem: &Problem) -> bool {
             | Problem::InertiaBeyondShape { .. }
             | Problem::ComBeyondShape { .. },
         ) => parts.links.get(*index).is_some_and(|(_, origin)| origin.has_default_inertia),
+        (Subject::Mechanism, Problem::EqualInertias { .. }) => {
+            parts.links.iter().any(|(_, origin)| origin.has_default_inertia)
+        }
         // SDFormat normalises every axis.
         (_, Problem::AxisNotUnit { .. }) => true,
         _ => false,

@@ -89,7 +89,8 @@ impl Mechanism {
         self.link_ids().filter(|link| all || moves[link.index()]).collect()
     }
 
-    /// Equal inertias of nearly all moving links with a mass, although the links have different sizes.
+    /// Equal inertias of nearly all moving links with a mass, although the links have different sizes, or extend from a ball at their origin without a
+    /// shape.
     fn equal_inertias(&self, sizes: &[f64]) -> Option<Problem> {
         let bodies = self.moving_links().into_iter();
         let bodies =
@@ -107,9 +108,10 @@ impl Mechanism {
         let equal: Vec<LinkId> = equal.collect();
         let known = equal.iter().map(|id| sizes[id.index()]).filter(|size| *size > LEAST_SIZE);
         let (least, most) = known.fold((f64::INFINITY, 0.0f64), |(a, b), size| (a.min(size), b.max(size)));
+        let has_shapes = equal.iter().any(|id| matches!(self.link(*id).geometry(), Geometry::Within(_)));
         let is_placeholder = equal.len() >= LEAST_EQUAL_LINKS
             && equal.len() as f64 >= EQUAL_SHARE * bodies.len() as f64
-            && most > DIFFERENT_SIZES * least;
+            && (most > DIFFERENT_SIZES * least || most > 0.0 && is_ball_at_origin(common) && !has_shapes);
         is_placeholder.then(|| Problem::EqualInertias {
             links: equal.len(),
             bodies: bodies.len(),
@@ -161,4 +163,10 @@ impl Mechanism {
         }
         rotors
     }
+}
+
+/// True for equal moments about all axes, and a centre of mass at the origin of the link.
+fn is_ball_at_origin(inertial: &Inertial) -> bool {
+    let [least, _, most] = principal_moments(&inertial.about_com);
+    inertial.com.amax() == 0.0 && most > 0.0 && most - least <= MOMENT_SLACK * most
 }

@@ -379,8 +379,13 @@ const IN_TRANSMISSION: &[ElementRule] = &[
     unread_element("gear_ratio", Text),
 ];
 
-const NAME_AND_ROLE: &[(&str, Treatment)] =
-    &[("name", Read), ("role", Silent), ("mechanicalReduction", Read)];
+const NAME_AND_ROLE: &[(&str, Treatment)] = &[
+    ("name", Read),
+    ("role", Silent),
+    ("motorInertia", Read),
+    ("rotorInertia", Read),
+    ("mechanicalReduction", Read),
+];
 
 const ROS2_CONTROL: &[(&str, Treatment)] = &[
     ("name", Silent),

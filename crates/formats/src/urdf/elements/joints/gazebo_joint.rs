@@ -4,7 +4,7 @@
 //! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
 //! `parser_urdf.cc`, which copies the element into the model.
 
-use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS};
+use crate::reading::limits::{MAX_RELATION_PATH, MIN_AXIS_COMPONENT, OBLIQUE_PINS};
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::read_name;
@@ -113,7 +113,7 @@ impl<'j, 'a> ZeroPoseFrames<'j, 'a> {
         Self { above, links, children }
     }
 
-    /// Joints with a position that move `second` against `first`, each with the sign of its motion; `None` for a path without end.
+    /// Joints with a position that move `second` against `first`, each with the sign of its motion; `None` for a path without end, or a long one.
     fn joints_between(&self, first: &str, second: &str) -> Option<Vec<(&'j JointText<'a>, f64)>> {
         let path = |link: &str| {
             let mut joints = Vec::new();
@@ -121,7 +121,7 @@ impl<'j, 'a> ZeroPoseFrames<'j, 'a> {
             while let Some(joint) = self.above.get(current) {
                 joints.push(*joint);
                 current = joint.parent;
-                if joints.len() > self.above.len() {
+                if joints.len() > MAX_RELATION_PATH {
                     return None;
                 }
             }

@@ -34,7 +34,7 @@ pub(crate) fn read_couplings<'a, 'i: 'a>(
             reader.add(
                 mimic,
                 gazebo.attribute("reference"),
-                mimic.attribute("joint"),
+                leader_of_mimic(mimic),
                 numbers_of_mimic(mimic),
                 report,
             );
@@ -127,11 +127,11 @@ impl<'a> CouplingReader<'_, 'a> {
             let mut found = children(joint, "param").filter(|p| p.attribute("name") == Some(wanted));
             found.next().map(|p| p.text().unwrap_or_default().trim_ascii())
         };
-        if let Some(leader) = parameter("mimic") {
+        if let Some(leader) = parameter("mimic").or_else(|| parameter("mimic_joint")) {
             let numbers = both(parameter("multiplier").unwrap_or("1"), parameter("offset").unwrap_or("0"));
             self.add(joint, name, Some(leader), numbers, report);
         } else if let Some(mimic) = child(joint, "mimic") {
-            self.add(mimic, name, mimic.attribute("joint"), numbers_of_mimic(mimic), report);
+            self.add(mimic, name, leader_of_mimic(mimic), numbers_of_mimic(mimic), report);
         } else if let Some(flag) = joint.attribute("mimic") {
             let of_joint =
                 name.and_then(|name| self.index.get(name)).and_then(|i| self.texts.joints[*i].mimic.as_ref());
@@ -244,6 +244,11 @@ impl<'a> CouplingReader<'_, 'a> {
 /// Adds a warning about a coupling.
 fn warn(place: Node<'_, '_>, report: &mut Report, message: impl FnOnce() -> String) {
     report.warning("plugin", Place::Element(place), message);
+}
+
+/// Joint that a `<mimic>` follows: an attribute or an element.
+fn leader_of_mimic<'a, 'i: 'a>(mimic: Node<'a, 'i>) -> Option<&'a str> {
+    mimic.attribute("joint").or_else(|| child(mimic, "joint")?.text())
 }
 
 /// Multiplier and offset of an SDF `<mimic>`: elements or attributes. SDF: q = multiplier·(leader − reference) + offset.
