@@ -106,13 +106,16 @@ impl Mechanism {
         };
         let equal = bodies.iter().filter(|(_, inertial)| is_common(inertial)).map(|(id, _)| *id);
         let equal: Vec<LinkId> = equal.collect();
-        let known = equal.iter().map(|id| sizes[id.index()]).filter(|size| *size > LEAST_SIZE);
-        let (least, most) = known.fold((f64::INFINITY, 0.0f64), |(a, b), size| (a.min(size), b.max(size)));
+        let known: Vec<f64> =
+            equal.iter().map(|id| sizes[id.index()]).filter(|size| *size > LEAST_SIZE).collect();
+        let least = known.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = known.iter().copied().fold(0.0, f64::max);
         let has_shapes = equal.iter().any(|id| matches!(self.link(*id).geometry(), Geometry::Within(_)));
+        let are_balls = known.len() + 1 >= LEAST_EQUAL_LINKS && !has_shapes && is_ball_at_origin(common);
         let is_placeholder = equal.len() >= LEAST_EQUAL_LINKS
             && equal.len() as f64 >= EQUAL_SHARE * bodies.len() as f64
-            && (most > DIFFERENT_SIZES * least || most > 0.0 && is_ball_at_origin(common) && !has_shapes);
-        is_placeholder.then(|| Problem::EqualInertias {
+            && (most > DIFFERENT_SIZES * least || are_balls);
+        is_placeholder.then_some(Problem::EqualInertias {
             links: equal.len(),
             bodies: bodies.len(),
             mass: common.mass,
