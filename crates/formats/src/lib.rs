@@ -13,7 +13,8 @@
 //! parent joints (the first joint in the file belongs to the tree), and SDF's `<joint>` in a `<gazebo>`. Elements without
 //! effect on the mechanics (looks, sensors, controllers, simulator settings) are ignored without a message; unknown elements
 //! are ignored with a warning; unsupported elements that would change the result are errors. The table is
-//! `src/urdf/elements/dialect.rs`.
+//! `src/urdf/elements/dialect.rs`. Read with a note: white space before the XML declaration, missing blanks between attributes, bytes in
+//! Windows-1252; the same in MJCF and SDFormat.
 //!
 //! ```xml
 //! <loop name="pin" type="revolute">        <!-- fixed revolute continuous prismatic cylindrical universal planar
@@ -30,6 +31,7 @@
 
 pub mod reading;
 
+mod hull;
 mod load;
 mod meshes;
 mod mjcf;
@@ -37,7 +39,7 @@ mod sdf;
 mod shape;
 mod urdf;
 mod writing;
-pub use load::{load, load_file};
+pub use load::{foreign_format, load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact};

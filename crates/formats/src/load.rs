@@ -1,11 +1,13 @@
 //! Entry point of all readers of models: the root element of the file selects the format.
 
+use crate::reading::limits::LONGEST_HEAD;
 use crate::reading::report::Report;
 use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::sdf;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{DEFAULT_MAX_SIZE, LoadError, Source, mjcf, urdf};
+use std::path::Path;
 
 /// Reads a model: URDF (root `<robot>`), MJCF (root `<mujoco>`) or SDFormat (root `<sdf>`), closed loops and couplings included.
 ///
@@ -17,11 +19,14 @@ use crate::{DEFAULT_MAX_SIZE, LoadError, Source, mjcf, urdf};
 /// [`LoadError`] with all findings if a finding is an error (at most 50 findings of each severity and file; further findings are
 /// only counted).
 pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    if let Some(error) = foreign_format(source) {
+        return Err(error);
+    }
     let mut report = Report::default();
     let Some(text) = source.text(&mut report) else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
-    let text = &*tolerant_text(text);
+    let text = &*tolerant_text(&text, &mut report);
     match xml::root_name(text) {
         Some("sdf") => sdf::load::load_text(source, text, options, report),
         Some("mujoco") => {
@@ -33,6 +38,62 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
             urdf::load::load_text(&source.name, text, options, report)
         }
     }
+}
+
+/// Endings of file names of other formats, and their names.
+const FOREIGN_ENDINGS: [(&[&str], &str); 13] = [
+    (&["usd", "usda", "usdc", "usdz"], USD),
+    (&["osim"], "an OpenSim model"),
+    (&["rob"], "a robot of Klampt"),
+    (&["lua"], "a Lua file, such as a model of RBDL"),
+    (&["yaml", "yml"], "a YAML file"),
+    (&["adm", "cmd", "acf"], "a file of Adams"),
+    (&["pm"], "a suspension of rFactor"),
+    (&["m", "mat", "mlx", "slx", "mdl"], "a file of MATLAB"),
+    (&["py"], "a Python program"),
+    (&["proto", "wbt"], "a file of Webots"),
+    (&["skel"], "a model of DART"),
+    (&["fmu"], "a functional mock-up unit"),
+    (&["stl", "obj", "ply", "step", "stp"], "a shape without masses and joints"),
+];
+
+/// Root elements of other formats in XML, and their names.
+const FOREIGN_ROOTS: [(&str, &str); 7] = [
+    ("OpenSimDocument", "an OpenSim model"),
+    ("Robot", "a robot of OpenRAVE"),
+    ("KinBody", "a body of OpenRAVE"),
+    ("Environment", "an environment of OpenRAVE"),
+    ("skel", "a model of DART"),
+    ("world", "a world of Klampt"),
+    ("SimscapeMultibodyImportXML", "an export to Simscape Multibody"),
+];
+
+const USD: &str = "a scene in USD";
+
+/// Error that names the format of a file that is not read, by its root element, its first bytes or the ending of its name; `None` for
+/// other files.
+pub fn foreign_format(source: &Source) -> Option<LoadError> {
+    let bytes = source.bytes.trim_ascii_start();
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST_HEAD)]);
+    let kind = if head.starts_with("#usda") || head.starts_with("PXR-USDC") {
+        USD
+    } else if head.starts_with('<') {
+        let root = xml::root_name(&head)?;
+        FOREIGN_ROOTS.iter().find(|(name, _)| *name == root)?.1
+    } else if bytes.is_empty() {
+        return None;
+    } else {
+        let ending = Path::new(source.file()).extension()?.to_str()?.to_ascii_lowercase();
+        FOREIGN_ENDINGS.iter().find(|(endings, _)| endings.contains(&&*ending))?.1
+    };
+    let message = format!(
+        "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>) and SDFormat \
+         (<sdf>), and of suspensions sheets (.toml), \
+         tables of points (.csv, .xlsx), subsystems of Adams (.sub) and JSON of Chrono::Vehicle: export \
+         one of these from the program that \
+         wrote the file"
+    );
+    Some(LoadError::of_file(&source.name, "foreign-format", message))
 }
 
 /// Reads a model file of at most [`DEFAULT_MAX_SIZE`] bytes, with the default options. `-` is the standard input. See [`load`].

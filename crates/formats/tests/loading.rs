@@ -111,8 +111,12 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
     let drake = |name: &str| changed(&[DRAKE, ("</robot>", &format!("<drake:{name}/></robot>"))]);
     let cases = [
         (at_robot("<material name=\"red\"/>"), None),
-        (at_robot("<gazebo reference=\"arm\"><any thing=\"x\"/></gazebo>"), None),
-        (at_robot("<transmission name=\"t\"><any/></transmission>"), None),
+        (at_robot("<gazebo reference=\"arm\"><kp>1</kp><sensor><any/></sensor></gazebo>"), None),
+        (
+            at_robot("<gazebo reference=\"arm\"><any thing=\"x\"/></gazebo>"),
+            Some((Warning, "unknown-element")),
+        ),
+        (at_robot("<transmission name=\"t\"><any/></transmission>"), Some((Warning, "unknown-element"))),
         (at_robot("<sensor/><ros2_control name=\"x\"><joint name=\"hinge\"/></ros2_control>"), None),
         (at_robot("<other:thing xmlns:other=\"http://example.org\"/>"), None),
         (at_robot("<thing/>"), Some((Warning, "unknown-element"))),

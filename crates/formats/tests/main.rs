@@ -1,7 +1,5 @@
 //! Readers and writers.
 
-mod closing_pairs;
-mod gazebo_joints;
 mod hostile_files;
 mod loading;
 mod loops;
@@ -12,6 +10,13 @@ mod plausible;
 mod sdf;
 mod support;
 mod surfaces;
+
+/// Elements of a URDF beside its links and joints.
+mod urdf {
+    mod closing_pairs;
+    mod gazebo_joints;
+    mod simulator_elements;
+}
 
 /// Written files are read as the same models.
 mod writing {

@@ -108,3 +108,115 @@ fn shipped_models_are_plausible() {
     }
     assert!(count > 15, "{count}");
 }
+
+/// Wheel with collision shapes on a hinge, and a link that gives the mechanism its size.
+fn wheel(shapes: &str, com: [f64; 3], mass: f64, moments: [f64; 3]) -> String {
+    let [x, y, z] = com;
+    let [xx, yy, zz] = moments;
+    arm(2.0, [0.001, 0.05, 0.05]).replace(
+        "</robot>",
+        &format!(
+            "<link name=\"wheel\"><inertial><origin xyz=\"{x:e} {y:e} {z:e}\"/><mass value=\"{mass:e}\"/>\n\
+             <inertia ixx=\"{xx:e}\" iyy=\"{yy:e}\" izz=\"{zz:e}\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>{shapes}</link>\
+             <joint name=\"w\" type=\"continuous\"><parent link=\"tip\"/><child link=\"wheel\"/></joint></robot>"
+        ),
+    )
+}
+
+/// Point masses at random points of the shapes are never implausible; the same inertia, enlarged beyond m·max |x − c|², always is.
+#[test]
+fn inertias_are_compared_with_the_shapes_of_the_link() {
+    let rng = &mut StdRng::seed_from_u64(11);
+    for case in 0..200 {
+        let [a, b, c] = [0; 3].map(|_| rng.random_range(0.02..0.3));
+        let at: [f64; 3] = [0; 3].map(|_| rng.random_range(-0.2..0.2));
+        let [u, v, w] = [0; 3].map(|_| rng.random_range(-1.0..1.0));
+        let (solid, point) = match case % 3 {
+            0 => (format!("<box size=\"{a} {b} {c}\"/>"), [u * a / 2.0, v * b / 2.0, w * c / 2.0]),
+            1 => (
+                format!("<cylinder radius=\"{a}\" length=\"{b}\"/>"),
+                [u * a * 0.7, v * a * 0.7, w * b / 2.0],
+            ),
+            _ => (format!("<sphere radius=\"{a}\"/>"), [u * a * 0.57, v * a * 0.57, w * a * 0.57]),
+        };
+        let shape = |tag: &str, solid: &str| {
+            format!(
+                "<{tag}><origin xyz=\"{} {} {}\"/><geometry>{solid}</geometry></{tag}>",
+                at[0], at[1], at[2]
+            )
+        };
+        // Two equal masses at the point and its mirror image about the centre of the shape.
+        let mass = rng.random_range(0.1..10.0);
+        let square = |i: usize, j: usize| mass * (point[i] * point[i] + point[j] * point[j]);
+        let moments = [square(1, 2), square(0, 2), square(0, 1)];
+        let warned = |text: String| {
+            let loaded = load_text(&text);
+            assert!(loaded.is_ok(), "{text}: {:?}", told(&loaded));
+            told(&loaded).iter().any(|d| d.code == CODE && d.message.contains("shapes"))
+        };
+        let tags = ["collision", "visual"];
+        for tag in tags {
+            assert!(!warned(wheel(&shape(tag, &solid), at, mass, moments)), "{solid} {moments:?}");
+            let noise = at.map(|x| x + 1e-9);
+            assert!(!warned(wheel(&shape(tag, &solid), noise, mass, moments)), "{solid} {moments:?}");
+            let farthest = a.max(b).max(c).powi(2);
+            let large = [2.5 * mass * farthest; 3];
+            assert!(warned(wheel(&shape(tag, &solid), at, mass, large)), "{solid} {large:?}");
+            let outside = [at[0] + 2.0 * a.max(b).max(c), at[1], at[2]];
+            assert!(warned(wheel(&shape(tag, &solid), outside, mass, moments)), "{solid} {outside:?}");
+        }
+        // Collision shapes count before visual ones, and a mesh has an unknown size.
+        let sphere = shape("collision", "<sphere radius=\"9\"/>") + &shape("visual", &solid);
+        assert!(!warned(wheel(&sphere, at, mass, [a * a * mass; 3])));
+        let mesh = shape("collision", "<mesh filename=\"x.stl\"/>") + &shape("visual", &solid);
+        assert!(!warned(wheel(&mesh, at, mass, [3.0 * a * a * mass; 3])));
+    }
+}
+
+/// A centre of mass alone is no size of a link: it may be rounding.
+#[test]
+fn a_centre_of_mass_is_no_size() {
+    for off in [0.0, 1e-9, 1e-6, 1e-3, 0.01] {
+        let text = format!(
+            "<robot name=\"w\"><link name=\"base\"/><link name=\"wheel\"><inertial><origin xyz=\"{off} 0 0\"/><mass value=\"5\"/>\
+             <inertia ixx=\"0.05\" iyy=\"0.08\" izz=\"0.05\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+             <joint name=\"h\" type=\"continuous\"><parent link=\"base\"/><child link=\"wheel\"/><axis xyz=\"0 1 0\"/></joint></robot>"
+        );
+        let loaded = load_text(&text);
+        assert!(loaded.is_ok() && told(&loaded).iter().all(|d| d.code != CODE), "{off}: {:?}", told(&loaded));
+    }
+}
+
+/// Chain of links with the given lengths and masses, 0 for none, at `com` (m) in each link.
+fn chain(lengths: &[f64], masses: &[f64], com: f64) -> String {
+    let mut text = "<robot name=\"c\"><link name=\"l0\"/>".to_owned();
+    for (i, (length, mass)) in lengths.iter().zip(masses).enumerate() {
+        let inertial = format!(
+            "<inertial><origin xyz=\"{com} 0 0\"/><mass value=\"{mass}\"/><inertia ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        );
+        let inertial = if *mass > 0.0 { inertial } else { String::new() };
+        let child = i + 1;
+        text += &format!(
+            "<link name=\"l{child}\">{inertial}</link><joint name=\"j{child}\" type=\"continuous\"><parent link=\"l{i}\"/>\
+             <child link=\"l{child}\"/><origin xyz=\"{length} 0 0\"/><axis xyz=\"0 0 1\"/></joint>"
+        );
+    }
+    text + "</robot>"
+}
+
+#[test]
+fn absent_masses_and_placeholders_are_named() {
+    let warned = |lengths: &[f64], masses: &[f64], com: f64| {
+        let loaded = load_text(&chain(lengths, masses, com));
+        told(&loaded).iter().filter(|d| d.severity == Severity::Warning).map(|d| d.code).collect::<Vec<_>>()
+    };
+    let (lengths, equal) = ([0.1, 0.4, 0.3, 0.5, 0.2, 0.3], [0.2; 6]);
+    assert_eq!(warned(&lengths, &[0.0; 6], 0.1), ["no-moving-mass"]);
+    assert_eq!(warned(&lengths, &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.1), [""; 0]);
+    assert_eq!(warned(&lengths, &[2.0; 6], 0.1), ["equal-inertias"]);
+    assert_eq!(warned(&lengths, &[2.0, 2.0, 2.0, 2.0, 2.0, 0.3], 0.1), ["equal-inertias"]);
+    assert_eq!(warned(&lengths, &[6.0, 5.0, 4.0, 3.0, 2.0, 1.0], 0.1), [""; 0]);
+    assert_eq!(warned(&equal, &[2.0; 6], 0.1), [""; 0], "a chain of equal links");
+    assert_eq!(warned(&equal, &[2.0; 6], 0.0), ["equal-inertias"], "balls at the joints of long links");
+    assert_eq!(warned(&lengths[..3], &[2.0; 3], 0.1), [""; 0], "few links");
+}

@@ -47,3 +47,15 @@ pub(crate) const DENSEST: f64 = 2e5;
 
 /// A smaller radius of gyration, as a part of the reach, is that of a point mass, dimensionless.
 pub(crate) const LEAST_GYRATION: f64 = 1e-5;
+
+/// Largest size of a link that is the rounding of a coordinate, m.
+pub(crate) const LEAST_SIZE: f64 = 1e-6;
+
+/// Smallest number of moving links with equal inertias that may be placeholders: a car has four equal wheels.
+pub(crate) const LEAST_EQUAL_LINKS: usize = 4;
+
+/// Smallest part of the moving links with mass that have the same inertia if it is a placeholder, dimensionless.
+pub(crate) const EQUAL_SHARE: f64 = 0.7;
+
+/// Ratio of the largest to the smallest size of links from which on they are no equal bodies, dimensionless.
+pub(crate) const DIFFERENT_SIZES: f64 = 1.2;

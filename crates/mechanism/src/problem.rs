@@ -10,6 +10,8 @@ pub struct Accept {
     pub indefinite_inertia: bool,
     /// Inertias far beyond what the size of the links allows.
     pub implausible_inertia: bool,
+    /// A second `<inertial>` of a link in a URDF: the first one counts.
+    pub second_inertial: bool,
 }
 
 /// Severity of a finding.
@@ -147,6 +149,33 @@ pub enum Problem {
         gyration: f64,
         /// Density of the sphere of that, kg/m³.
         density: f64,
+    },
+    /// A moment of inertia beyond that of any body with the mass inside the shapes of the link.
+    InertiaBeyondShape {
+        /// Mass, kg.
+        mass: f64,
+        /// Half trace of the inertia about the centre of mass, kg·m².
+        half_trace: f64,
+        /// Largest half trace of the mass in the convex hull of the shapes, kg·m².
+        bound: f64,
+    },
+    /// A centre of mass outside the convex hull of the shapes of the link.
+    ComBeyondShape {
+        /// Least distance from the hull, m.
+        distance: f64,
+        /// Largest distance of the hull from its middle, m.
+        size: f64,
+    },
+    /// No moving link with a mass.
+    NoMovingMass,
+    /// Equal inertias of links of different sizes.
+    EqualInertias {
+        /// Number of links with the same inertia.
+        links: usize,
+        /// Number of moving links with a mass.
+        bodies: usize,
+        /// Their mass, kg.
+        mass: f64,
     },
     /// Second joint to the same child link that cannot be a closure, by its kind or its properties.
     NoClosure {
@@ -316,6 +345,10 @@ impl Problem {
             | Problem::WideInertia { far: false, .. }
             | Problem::InertiaWithoutMass { .. }
             | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. }
+            | Problem::ComBeyondShape { .. }
+            | Problem::NoMovingMass
+            | Problem::EqualInertias { .. }
             | Problem::TriangleInequality { .. }
             | Problem::LimitsReversed { .. }
             | Problem::DanglingMimic { .. } => Severity::Warning,
@@ -350,7 +383,11 @@ impl Problem {
             Problem::IndefiniteInertia { .. } => "indefinite-inertia",
             Problem::WideInertia { .. }
             | Problem::InertiaWithoutMass { .. }
-            | Problem::DenseInertia { .. } => "implausible-inertia",
+            | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. }
+            | Problem::ComBeyondShape { .. } => "implausible-inertia",
+            Problem::NoMovingMass => "no-moving-mass",
+            Problem::EqualInertias { .. } => "equal-inertias",
             Problem::TriangleInequality { .. } => "triangle-inequality",
             Problem::Massless => "massless-link",
             Problem::NegativeArmature { .. } => "negative-armature",
@@ -462,6 +499,25 @@ impl fmt::Display for Problem {
                 "the mass of {mass:.4e} kg with a radius of gyration of {gyration:.4e} m would have a density of {density:.0e} \
                  kg/m³: expected kg and kg·m², is the mass in grams, or the inertia in another unit? (A point mass has inertia 0; a sheet \
                  has inertia_unit)"
+            ),
+            Problem::InertiaBeyondShape { mass, half_trace, bound } => write!(
+                f,
+                "half the trace of the inertia about the centre of mass is {half_trace:.4e} kg·m², and a mass of {mass:.4e} kg inside the \
+                 shapes of the link has at most {bound:.4e} kg·m²: correct the inertia, the mass or the shapes"
+            ),
+            Problem::ComBeyondShape { distance, size } => write!(
+                f,
+                "the centre of mass is {distance:.4e} m outside the shapes of the link, which extend {size:.4e} m from their middle: \
+                 correct it or the shapes; it is in the link frame, in m"
+            ),
+            Problem::NoMovingMass => f.write_str(
+                "no moving link has a mass: a file for display has no effective mass. Give masses (--link-mass LINK=KG, then --link-inertia), \
+                 or an <inertial> to every link, computed from its shape and density",
+            ),
+            Problem::EqualInertias { links, bodies, mass } => write!(
+                f,
+                "{links} of {bodies} moving links have the same inertia and the same mass of {mass} kg, and different sizes: placeholders? \
+                 Give the masses of the links (--link-mass LINK=KG, --link-inertia)"
             ),
             Problem::TriangleInequality { principal: [a, b, c] } => write!(
                 f,

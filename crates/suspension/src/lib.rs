@@ -16,7 +16,6 @@
 
 mod chrono;
 mod corner;
-mod encoding;
 mod findings;
 mod forces;
 mod limits;
@@ -31,11 +30,11 @@ use corner::design::THIRD_SPRING;
 pub use corner::drawing::{Line, WheelCircle};
 use corner::plausibility::masses_in_grams;
 use corner::{Annotations, Body, CHASSIS, Corner, RACK};
-use encoding::Decoded;
 use findings::{Findings, Spot};
 pub use forces::{ForceElements, SpringForce, StopForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
+use percuss_formats::reading::encoding::{self, Decoded};
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
@@ -77,6 +76,9 @@ pub struct Imported {
 /// coordinates implausible for a vehicle in the given unit; hardpoints that define no joint axis; an error of the
 /// mechanism's builder.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
+    if let Some(error) = percuss_formats::foreign_format(source) {
+        return Err(error);
+    }
     let mut report = Report::default();
     if sheet::is_workbook(&source.bytes) {
         return import_sheet(source, "", None, options);
@@ -90,7 +92,7 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
     let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
     if is_json || source.name.ends_with(".json") {
         match source.text(&mut report) {
-            Some(text) => import_chrono(source, text, options, report),
+            Some(text) => import_chrono(source, &text, options, report),
             None => Err(LoadError { diagnostics: report.finish(&source.name, "") }),
         }
     } else {
@@ -207,7 +209,7 @@ fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<Decoded<'s>> {
         });
         None
     } else if is_utf16 {
-        source.text(report).map(|text| Decoded { text: text.into(), note: None })
+        source.text(report).map(|text| Decoded { text, note: None })
     } else {
         Some(encoding::decode(&source.bytes))
     }

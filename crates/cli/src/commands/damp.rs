@@ -6,7 +6,7 @@ use crate::terminal::escape;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, upper_bound};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_hanging};
@@ -47,12 +47,12 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
             Some(stop) => {
                 let model = args.reading.load(path)?;
                 args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
-                damp_stop(&model, stop, contact.conditions()?, &question)?
+                with_findings(damp_stop(&model, stop, contact.conditions()?, &question), &model)?
             }
             None => {
                 let (of_contact, model) = (contact.question()?, args.reading.load(path)?);
                 args.damping.check_units(&question, of_contact.is_moment(&model.mechanism))?;
-                damp_contact(&model, &of_contact, &question)?
+                with_findings(damp_contact(&model, &of_contact, &question), &model)?
             }
         },
         (Some(_), _) => {

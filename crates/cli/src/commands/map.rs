@@ -7,7 +7,7 @@ use crate::files::table_style::TableStyle;
 use crate::pictures::map_files::{self, MapFormat};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
 use crate::terminal::wrap::{fact_line, wrap_hanging};
 use percuss_study::{
@@ -46,9 +46,11 @@ pub fn show(model: &Model, question: &StudyMapQuestion, output: &MapOutput) -> R
     // The check precedes the computation.
     output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
     match question {
-        StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, output),
+        StudyMapQuestion::Surfaces(question) => {
+            surfaces(&with_findings(map(model, question), model)?, output)
+        }
         StudyMapQuestion::Directions(question, count) => {
-            directions(&map_point(model, question, *count)?, output)
+            directions(&with_findings(map_point(model, question, *count), model)?, output)
         }
     }
 }

@@ -292,7 +292,7 @@ fn without_rounding(percent: f64) -> f64 {
 }
 
 /// Text for a robot arm without rotor inertias.
-pub const NO_ROTORS: &str = "none given; geared drives make a robot heavier (--armature JOINT=KG·M²)";
+pub const NO_ROTORS: &str = "none in the model; geared drives make a robot heavier (--armature JOINT=KG·M²)";
 
 /// Contact, conditions, motion ratios and method of the result.
 pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {

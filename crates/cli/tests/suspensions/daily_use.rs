@@ -54,7 +54,7 @@ fn numbers_without_a_unit_get_a_hint() {
     let contact = ["--link", "tool", "--point", "0.08,0,0", "--normal", "0,0,-1"];
     let mass = run(&folder, &[&["mass", &arm], &contact[..], &["--set", "shoulder=-40"]].concat());
     assert!(mass.stderr.contains("in rad: for degrees write -40deg"), "{}", mass.stderr);
-    assert!(mass.stdout.contains("rotor inertias       none given"), "{}", mass.stdout);
+    assert!(mass.stdout.contains("rotor inertias       none in the model"), "{}", mass.stdout);
     let with = run(&folder, &[&["mass", &arm], &contact[..], &["--armature", "elbow=0.6"]].concat());
     assert!(!with.stdout.contains("rotor inertias"), "{}", with.stdout);
     let vary = |range: &str| {
@@ -70,7 +70,12 @@ fn numbers_without_a_unit_get_a_hint() {
         &folder,
         &[&["safe-speed", &arm], &contact[..], &["--region", "chest", "--force", "280"]].concat(),
     );
-    assert!(speed.stdout.contains("rotor inertias       none given"), "{}{}", speed.stdout, speed.stderr);
+    assert!(
+        speed.stdout.contains("rotor inertias       none in the model"),
+        "{}{}",
+        speed.stdout,
+        speed.stderr
+    );
 }
 
 /// Messages about travels name the flag and a form that works there; a travel of metres is a number without a unit.

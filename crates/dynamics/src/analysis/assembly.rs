@@ -300,14 +300,14 @@ impl Assembly {
         Ok(())
     }
 
-    /// Gap of each loop in the configuration as drawn, if larger than rounding.
+    /// Gap of each loop in the configuration as drawn, if larger than rounding. A relation with a constant is no loop: it offsets joints.
     pub fn drawn_gaps(&self) -> Vec<DrawnGap> {
         let model = self.pose_model();
         let mut gaps = Vec::new();
         for (group, facts) in model.groups.iter().zip(&self.facts.groups) {
             let least = (CLOSED_AS_DRAWN * group.size).max(2.0 * facts.inexactness);
             for (constraint, &gap) in group.constraints.iter().zip(&facts.drawn_gaps) {
-                if gap > least && !matches!(constraint.constraint, Constraint::Hold(_)) {
+                if gap > least && matches!(constraint.constraint, Constraint::Closure(_)) {
                     gaps.push(DrawnGap {
                         constraint: model.constraint_name(constraint.constraint),
                         gap,
@@ -349,7 +349,7 @@ impl Assembly {
 fn assembly_remarks(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
     let mut remarks = Vec::new();
     let gaps = posing.groups.iter().zip(&facts.groups).flat_map(|(group, facts)| {
-        let closes = |c: &&ConstraintRows| !matches!(c.constraint, Constraint::Hold(_));
+        let closes = |c: &&ConstraintRows| matches!(c.constraint, Constraint::Closure(_));
         let own = group.constraints.iter().zip(&facts.drawn_gaps).filter(move |(c, _)| closes(c));
         own.map(|(_, &gap)| (gap, group.size))
     });

@@ -5,6 +5,9 @@
 
 // URDF: the text.
 
+/// Largest part of a file that is searched for the name of a foreign root element, bytes.
+pub(crate) const LONGEST_HEAD: usize = 4096;
+
 /// Deepest nesting of elements, for the stack of recursive parsers: real files stay below 20.
 pub(crate) const MAX_ELEMENT_DEPTH: usize = 256;
 /// Largest number of joint positions in all keyframes of a model: 40 MB.
@@ -71,6 +74,12 @@ pub(crate) const MAX_SUGGESTIONS: usize = 10;
 pub(crate) const MAX_CANDIDATES: usize = 2_000;
 /// Longest name that is compared with others in MJCF, bytes.
 pub(crate) const LONGEST_COMPARED_NAME: usize = 100;
+/// Largest number of links, and of joints, that are listed for a plugin: those that join links name two.
+pub(crate) const MAX_PLUGIN_NAMES: usize = 16;
+/// Largest number of couplings in elements for simulators that are compared with the loops and couplings of the file.
+pub(crate) const MAX_COUPLING_SEARCHES: usize = 1_000;
+/// Largest number of joints from a link of a screw or gearbox to the root.
+pub(crate) const MAX_RELATION_PATH: usize = 1_000;
 /// Longest chain of mimic joints.
 pub(crate) const MAX_MIMIC_CHAIN: usize = 100;
 /// Largest number of joints on the paths from the coupled links to the root, summed over all couplings.
@@ -90,6 +99,9 @@ pub(crate) const MIN_AXIS_COMPONENT: f64 = 1e-100;
 pub(crate) const MAX_SHAPE_SIZE: f64 = 1e9;
 /// Relative difference up to which two values of an armature are equal within rounding: files have nine digits.
 pub(crate) const ARMATURE_TOLERANCE: f64 = 1e-9;
+/// Difference up to which two statements of a mimic are equal, relative to the larger multiplier or offset, or rad or m: files have six
+/// digits.
+pub(crate) const MIMIC_TOLERANCE: f64 = 1e-5;
 /// Magnitudes written in decimal notation. Smaller and larger numbers have an exponent instead of long rows of zeros.
 pub(crate) const DECIMAL_NOTATION_RANGE: std::ops::Range<f64> = 1e-5..1e16;
 

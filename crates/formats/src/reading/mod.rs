@@ -2,9 +2,11 @@
 
 pub(crate) mod diagnostic;
 pub(crate) mod element_tree;
+pub mod encoding;
 pub(crate) mod files;
 pub(crate) mod findings;
 pub(crate) mod limits;
+pub(crate) mod plugins;
 pub(crate) mod prescan;
 pub(crate) mod report;
 pub(crate) mod source;

@@ -4,7 +4,7 @@
 
 use crate::Diagnostic;
 use crate::reading::limits::{MAX_COLUMN_OFFSET, MAX_QUOTED_CHARACTERS, MAX_REPEATED_KINDS, MOST_FINDINGS};
-use percuss_mechanism::Severity;
+use percuss_mechanism::{Accept, Severity};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -46,6 +46,7 @@ pub struct Report {
     once: HashMap<(&'static str, String), Option<usize>>,
     is_xacro: bool,
     lists_unread: bool,
+    accept: Accept,
 }
 
 /// Index in `Report::counts`.
@@ -86,6 +87,16 @@ impl Report {
     /// Selects notes about parts of the file that are no part of a mechanism.
     pub fn list_unread(&mut self, listed: bool) {
         self.lists_unread = listed;
+    }
+
+    /// Sets the findings that the user accepts.
+    pub(crate) fn accept(&mut self, accept: Accept) {
+        self.accept = accept;
+    }
+
+    /// Findings that the user accepts.
+    pub(crate) fn accepted(&self) -> Accept {
+        self.accept
     }
 
     /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`. No effect unless selected by

@@ -1,8 +1,11 @@
 //! Input of a model's bytes, and check for text.
 
 use crate::LoadError;
+use crate::reading::encoding::{Decoded, decode};
 use crate::reading::files::{FileKind, FileStore, SharedFiles};
+use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Place, Report, shortened};
+use std::borrow::Cow;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -96,8 +99,9 @@ impl Source {
         Source::new(name, text.into().into_bytes())
     }
 
-    /// Returns the bytes as text, without a byte order mark; `None`, with an error in the report, if they are not UTF-8 text.
-    pub fn text(&self, report: &mut Report) -> Option<&str> {
+    /// Returns the bytes as text, without a byte order mark; `None`, with an error in the report, if they are not UTF-8 text. XML with other
+    /// bytes is read as Windows-1252 with a note, unless it declares another encoding.
+    pub fn text(&self, report: &mut Report) -> Option<Cow<'_, str>> {
         let bytes = self.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&self.bytes);
         let utf16 =
             [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|mark| bytes.starts_with(mark));
@@ -115,7 +119,12 @@ impl Source {
             return None;
         }
         let text = match std::str::from_utf8(bytes) {
-            Ok(text) => text,
+            Ok(text) => Cow::Borrowed(text),
+            Err(_) if is_western_xml(bytes) => {
+                let Decoded { text, note } = decode(bytes);
+                note.into_iter().for_each(|note| report.note("windows-1252", Place::File, || note));
+                text
+            }
             Err(error) => {
                 let good = &bytes[..error.valid_up_to()];
                 let line = 1 + good.iter().filter(|b| **b == b'\n').count();
@@ -137,6 +146,19 @@ impl Source {
         }
         Some(text)
     }
+}
+
+/// Encodings whose characters Windows-1252 contains, in lower case; UTF-8 for files that declare it by mistake.
+const WESTERN: [&str; 7] = ["utf-8", "utf8", "iso-8859-1", "latin1", "latin-1", "windows-1252", "us-ascii"];
+
+/// True for XML that declares no encoding, UTF-8, or one that Windows-1252 contains.
+fn is_western_xml(bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST_NAME)]).to_ascii_lowercase();
+    let declaration = head.split_once("?>").map_or("", |(declaration, _)| declaration);
+    let encoding = declaration.split_once("encoding").map(|(_, rest)| {
+        rest.trim_matches(|c: char| !c.is_ascii_alphanumeric()).split(['"', '\'']).next().unwrap_or_default()
+    });
+    head.trim_ascii_start().starts_with('<') && encoding.is_none_or(|name| WESTERN.contains(&name))
 }
 
 /// File and model of `FILE#MODEL`. A file whose own name has a `#` is taken as it is.

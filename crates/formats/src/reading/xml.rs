@@ -58,6 +58,7 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
             report.add_xacro_error(place, "the prefix \"xacro:\"");
             return;
         }
+        Error::UnexpectedDeclaration(_) => ": delete what precedes <?xml".to_owned(),
         Error::NodesLimitReached => {
             report.error("too-complex", Place::File, || {
                 format!("more than {} elements, comments and stretches of text", MAX_NODES)

@@ -1,5 +1,6 @@
 //! Construction of a mechanism from a model in SDFormat.
 
+use crate::hull::inertias_beyond_shapes;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
@@ -60,12 +61,14 @@ fn read_model(
         return None;
     }
     let (parts, mut bodies) = assemble(tree, &scopes, selected.model, findings)?;
-    let mechanism = build_mechanism(tree, model_name(tree, selected.model), &parts, options, findings)?;
     let of_links = parts.links.iter().map(|(_, origin)| match origin.link {
         Some(link) => bodies.get_mut(link).and_then(Option::take).unwrap_or_default(),
         None => Vec::new(),
     });
-    Some((mechanism, of_links.collect()))
+    let shapes: Vec<Vec<Shape>> = of_links.collect();
+    let name = model_name(tree, selected.model);
+    let mechanism = build_mechanism(tree, name, &parts, &shapes, options, findings)?;
+    Some((mechanism, shapes))
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements.
@@ -73,6 +76,7 @@ fn build_mechanism(
     tree: &ElementTree,
     name: &str,
     parts: &Parts,
+    shapes: &[Vec<Shape>],
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Mechanism> {
@@ -89,6 +93,7 @@ fn build_mechanism(
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, findings: mut found }) => {
             found.extend(mechanism.implausible_inertias(options.accept));
+            found.extend(inertias_beyond_shapes(&mechanism, shapes));
             (Some(mechanism), found)
         }
         Err(error) => (None, error.findings),
@@ -110,8 +115,15 @@ fn is_expected(parts: &Parts, subject: &Subject, problem: &Problem) -> bool {
             parts.links.get(*index).is_some_and(|(_, origin)| origin.link.is_none())
         }
         // The missing inertia is reported.
-        (Subject::Link { index, .. }, Problem::WideInertia { .. } | Problem::DenseInertia { .. }) => {
-            parts.links.get(*index).is_some_and(|(_, origin)| origin.has_default_inertia)
+        (
+            Subject::Link { index, .. },
+            Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. }
+            | Problem::ComBeyondShape { .. },
+        ) => parts.links.get(*index).is_some_and(|(_, origin)| origin.has_default_inertia),
+        (Subject::Mechanism, Problem::EqualInertias { .. }) => {
+            parts.links.iter().any(|(_, origin)| origin.has_default_inertia)
         }
         // SDFormat normalises every axis.
         (_, Problem::AxisNotUnit { .. }) => true,
@@ -134,7 +146,9 @@ fn locate(tree: &ElementTree, parts: &Parts, subject: &Subject, problem: &Proble
         Problem::IndefiniteInertia { .. }
         | Problem::TriangleInequality { .. }
         | Problem::WideInertia { .. }
-        | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+        | Problem::DenseInertia { .. }
+        | Problem::InertiaBeyondShape { .. } => &["inertial", "inertia"],
+        Problem::ComBeyondShape { .. } => &["inertial", "pose"],
         Problem::LimitsReversed { .. } => &["axis", "limit"],
         _ => &[],
     };

@@ -79,7 +79,7 @@ pub(crate) fn close_pairs<'a, 'i: 'a>(
 /// Frame at the origin of a link with its z-axis towards the link `LINK_z`, as drawn; `None` if there is no such link, or if it coincides
 /// with the first.
 fn frame_along_axis(
-    zero_pose: &ZeroPoseFrames<'_>,
+    zero_pose: &ZeroPoseFrames<'_, '_>,
     links: &std::collections::HashMap<&str, usize>,
     link: &str,
 ) -> Option<Transform<f64>> {

@@ -2,7 +2,7 @@
 
 use crate::reading::report::Report;
 use crate::urdf::elements::joints::joint;
-use crate::urdf::elements::joints::transmission;
+use crate::urdf::elements::joints::{simulator_couplings, transmission};
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::loops::{LoopChecks, find_loop_closing_joints};
 use crate::urdf::references::{self, Suggestions};
@@ -17,22 +17,31 @@ pub(crate) fn resolve_references<'a, 'i: 'a>(
     texts: &mut Texts<'a>,
     report: &mut Report,
 ) {
-    let joints = &mut texts.joints;
-    let joint_index = references::index_by_name(joints.iter().map(|j| j.name));
-    transmission::add_transmission_armatures(robot, joints, &joint_index, report);
-    for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
-        transmission::drop_fixed_joint_armature(joint, *node, report);
-    }
     let mut suggestions = Suggestions::new();
-    references::check_joint_references(
-        &texts.links,
+    let joint_index = references::index_by_name(texts.joints.iter().map(|j| j.name));
+    let joints = &mut texts.joints;
+    transmission::add_transmission_armatures(
+        robot,
         joints,
         &nodes.joints,
         &joint_index,
         &mut suggestions,
         report,
     );
-    let closes_loop = find_loop_closing_joints(&texts.joints);
+    for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
+        transmission::drop_fixed_joint_armature(joint, *node, report);
+    }
+    let closes_loop = find_loop_closing_joints(joints);
+    let has_loops = !texts.closures.is_empty() || closes_loop.contains(&true);
+    simulator_couplings::read_couplings(robot, texts, &joint_index, has_loops, report);
+    references::check_joint_references(
+        &texts.links,
+        &mut texts.joints,
+        &nodes.joints,
+        &joint_index,
+        &mut suggestions,
+        report,
+    );
     LoopChecks { texts, nodes, closes_loop: &closes_loop }.check_all(&mut suggestions, report);
     if texts.closures.is_empty()
         && texts.couplings.is_empty()

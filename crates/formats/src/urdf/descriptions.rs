@@ -2,7 +2,7 @@
 
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::{InertialText, LinkText};
-use crate::urdf::elements::numbers::parse_numbers;
+use crate::urdf::elements::numbers::{parse_checked_number, parse_numbers};
 use nalgebra::Matrix3;
 use percuss_mechanism::{Inertial, JointDescription, Limits, LinkDescription, MimicDescription};
 
@@ -27,8 +27,8 @@ fn convert_inertial(text: &InertialText<'_>) -> Inertial {
 pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
     let mimic = text.mimic.as_ref().map(|text| MimicDescription {
         joint: text.joint.to_owned(),
-        multiplier: parse_checked_number(text.multiplier),
-        offset: parse_checked_number(text.offset),
+        multiplier: text.multiplier,
+        offset: text.offset,
     });
     JointDescription {
         name: text.name.to_owned(),
@@ -46,10 +46,4 @@ pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
         mimic,
         independent: text.independent,
     }
-}
-
-/// Number of a text that was checked before; 0 if invalid.
-fn parse_checked_number(text: &str) -> f64 {
-    let [value] = parse_numbers(text).unwrap_or_default();
-    value
 }

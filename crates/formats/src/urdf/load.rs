@@ -1,5 +1,6 @@
 //! Construction of a mechanism from a source in URDF.
 
+use crate::hull::inertias_beyond_shapes;
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::reading::xml;
@@ -87,6 +88,7 @@ pub(crate) fn load_text(
     mut report: Report,
 ) -> Result<Loaded, LoadError> {
     report.list_unread(options.list_unread);
+    report.accept(options.accept);
     let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(name, text);
@@ -119,7 +121,7 @@ fn build_mechanism(
     if !nodes.check_counts(robot, report) {
         return None;
     }
-    let mut texts = Texts::read_elements(&nodes, report);
+    let mut texts = Texts::read_elements(&mut nodes, report);
     consistency::resolve_references(robot, &nodes, &mut texts, report);
     close_pairs(&mut nodes, &mut texts, options.open_pairs, report);
     if report.has_errors() {
@@ -136,9 +138,11 @@ fn build_mechanism(
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let builder = texts.relations.into_iter().fold(builder, MechanismBuilder::relation);
     let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
+    let shapes: Vec<Vec<Shape>> = nodes.links.iter().map(|link| link_shapes(*link)).collect();
     let (mechanism, findings) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
+            findings.extend(inertias_beyond_shapes(&mechanism, &shapes));
             (Some(mechanism), findings)
         }
         Err(error) => (None, error.findings),
@@ -153,7 +157,6 @@ fn build_mechanism(
         };
         report.add(severity, problem.code(), nodes.locate(robot, &subject, &problem), || problem.to_string());
     }
-    let shapes = nodes.links.iter().map(|link| link_shapes(*link)).collect();
     mechanism.map(|mechanism| (mechanism, shapes))
 }
 

@@ -27,11 +27,11 @@ pub(crate) struct Texts<'a> {
 }
 
 impl<'a> Texts<'a> {
-    /// Reads all elements.
-    pub fn read_elements<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
+    /// Reads all elements. Relations that cannot be read are removed from `nodes`.
+    pub fn read_elements<'i: 'a>(nodes: &mut Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
-        let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
+        let has_gazebo_joints = nodes.closures.iter().chain(&nodes.relations).any(|n| is_gazebo_joint(*n));
         let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });
         let link_index = index_by_name(links.iter().map(|l| l.name));
         let reader = GazeboJointReader { zero_pose: &zero_pose, links: &link_index };
@@ -42,12 +42,24 @@ impl<'a> Texts<'a> {
                 closure::read_loop(*node, report)
             }
         };
+        let closures = nodes.closures.iter().map(closure).collect();
+        let mut relations = Vec::new();
+        nodes.relations.retain(|node| {
+            let read = if is_gazebo_joint(*node) {
+                reader.read_relation(*node, report)
+            } else {
+                Some(relation::read_relation(*node, report))
+            };
+            let is_read = read.is_some();
+            relations.extend(read);
+            is_read
+        });
         Texts {
-            closures: nodes.closures.iter().map(closure).collect(),
+            closures,
+            relations,
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),
-            relations: nodes.relations.iter().map(|n| relation::read_relation(*n, report)).collect(),
             contacts: nodes.contacts.iter().map(|n| contact::read_contact(*n, report)).collect(),
         }
     }

@@ -51,7 +51,8 @@ fn included_models_have_scopes_of_their_own() {
         epsilon = 1e-15
     );
     assert_eq!(loaded.files.len(), 2);
-    assert_eq!(codes(&Ok(loaded)), [(Severity::Note, "floating")]);
+    let expected = [(Severity::Warning, "equal-inertias"), (Severity::Note, "floating")];
+    assert_eq!(codes(&Ok(loaded)), expected, "arms and body of the same mass");
 }
 
 #[test]

@@ -1,8 +1,11 @@
 //! Search for inertias that are impossible for a body of the link's size. The usual reason is a wrong unit.
 
 use crate::checks::inertias::principal_moments;
-use crate::limits::{DENSEST, FAR_GYRATION, LEAST_GYRATION, SPHERE_OVER_GYRATION, WIDE_GYRATION};
-use crate::{Accept, Geometry, LinkRatio, Mechanism, Problem, Subject};
+use crate::limits::{
+    DENSEST, DIFFERENT_SIZES, EQUAL_SHARE, FAR_GYRATION, LEAST_EQUAL_LINKS, LEAST_GYRATION, LEAST_SIZE,
+    MOMENT_SLACK, SPHERE_OVER_GYRATION, WIDE_GYRATION,
+};
+use crate::{Accept, Geometry, Inertial, Link, LinkId, LinkRatio, Mechanism, Problem, Subject};
 
 impl Mechanism {
     /// Links whose inertia does not fit their mass and size.
@@ -18,9 +21,14 @@ impl Mechanism {
     /// | warning  | a sphere with the same mass and k is denser than 2e5 kg/m³, unless k is tiny against r   |
     ///
     /// Reach of a link: largest distance from its origin to its centre of mass, the end of its declared shape, a child
-    /// joint or a loop frame. If no link has a reach, nothing is reported. Cost: O(links).
+    /// joint or a loop frame. If no link has a reach, nothing is reported; if only centres of mass give one, no radius of gyration is.
+    /// Further warnings: [`Problem::NoMovingMass`], [`Problem::EqualInertias`]. Cost: O(links).
     pub fn implausible_inertias(&self, accept: Accept) -> Vec<(Subject, Problem)> {
-        let (reaches, rotors) = (self.reaches(), self.rotors());
+        let (sizes, rotors) = (self.sizes(), self.rotors());
+        let is_sized = sizes.iter().any(|size| *size > LEAST_SIZE);
+        let com = |link: &Link| link.inertial().map_or(0.0, |inertial| inertial.com.norm());
+        let reaches: Vec<f64> =
+            self.links().iter().zip(&sizes).map(|(link, size)| size.max(com(link))).collect();
         let largest = reaches.iter().copied().fold(0.0, f64::max);
         let total: f64 = self.links().iter().filter_map(|link| link.inertial()).map(|i| i.mass).sum();
         let mut found = Vec::new();
@@ -36,8 +44,10 @@ impl Mechanism {
             let mass = if inertial.mass > 0.0 { inertial.mass } else { total };
             let gyration = if mass > 0.0 { (moment / mass).sqrt() } else { f64::INFINITY };
             let far = gyration > FAR_GYRATION * reach;
-            let problem = if inertial.mass > 0.0 && gyration > WIDE_GYRATION * reach
-                || inertial.mass <= 0.0 && far && total > 0.0
+            // Without a shape, a joint offset or a loop frame, the size of the links is unknown: a centre of mass may be rounding.
+            let problem = if is_sized
+                && (inertial.mass > 0.0 && gyration > WIDE_GYRATION * reach
+                    || inertial.mass <= 0.0 && far && total > 0.0)
             {
                 let accepted = accept.implausible_inertia;
                 Some(Problem::WideInertia { mass, gyration, reach, far: far && !accepted })
@@ -52,31 +62,84 @@ impl Mechanism {
             let subject = || Subject::Link { index: id.index(), name: link.name().to_owned() };
             found.extend(problem.map(|problem| (subject(), problem)));
         }
+        let of_mechanism =
+            if self.has_moving_mass() { self.equal_inertias(&sizes) } else { Some(Problem::NoMovingMass) };
+        found.extend(of_mechanism.map(|problem| (Subject::Mechanism, problem)));
         found
     }
 
-    /// Reach of every link, m: largest distance from its origin to its centre of mass, the end of its shape, a child joint
-    /// or a loop frame.
-    fn reaches(&self) -> Vec<f64> {
-        let own = self.links().iter().map(|link| {
-            let shape = match link.geometry() {
-                Geometry::None | Geometry::Mesh => 0.0,
-                Geometry::Within(radius) => radius,
-            };
-            link.inertial().map_or(0.0, |inertial| inertial.com.norm()).max(shape)
+    /// True if a link that a joint moves has a mass or an inertia, or a joint has an armature. Without joints that move, every link counts.
+    pub fn has_moving_mass(&self) -> bool {
+        let has_mass = |link: &Link| {
+            link.inertial().is_some_and(|inertial| inertial.mass > 0.0 || inertial.about_com.trace() > 0.0)
+        };
+        self.moving_links().iter().any(|id| has_mass(self.link(*id)))
+            || self.joints().iter().any(|joint| joint.armature().iter().any(|a| *a > 0.0))
+    }
+
+    /// Links that a joint moves against the root; all links without joints that move.
+    fn moving_links(&self) -> Vec<LinkId> {
+        let mut moves = vec![false; self.links().len()];
+        for &link in self.order() {
+            if let Some(joint) = self.parent_joint(link).map(|joint| self.joint(joint)) {
+                moves[link.index()] = joint.kind().dofs() > 0 || moves[joint.parent().index()];
+            }
+        }
+        let all = !moves.contains(&true);
+        self.link_ids().filter(|link| all || moves[link.index()]).collect()
+    }
+
+    /// Equal inertias of nearly all moving links with a mass, although the links have different sizes, or extend from a ball at their origin without a
+    /// shape.
+    fn equal_inertias(&self, sizes: &[f64]) -> Option<Problem> {
+        let bodies = self.moving_links().into_iter();
+        let bodies =
+            bodies.filter_map(|id| self.link(id).inertial().filter(|i| i.mass > 0.0).map(|i| (id, i)));
+        let bodies: Vec<(LinkId, &Inertial)> = bodies.collect();
+        // More than half of the bodies are equal, so that one of the two middle ones is among them after sorting.
+        let mut masses: Vec<&Inertial> = bodies.iter().map(|(_, inertial)| *inertial).collect();
+        masses.sort_by(|a, b| a.mass.total_cmp(&b.mass));
+        let common = masses.get(masses.len() / 2)?;
+        let is_common = |inertial: &Inertial| {
+            let moments = (inertial.about_com - common.about_com).amax();
+            inertial.mass == common.mass && moments <= MOMENT_SLACK * common.about_com.amax()
+        };
+        let equal = bodies.iter().filter(|(_, inertial)| is_common(inertial)).map(|(id, _)| *id);
+        let equal: Vec<LinkId> = equal.collect();
+        let known: Vec<f64> =
+            equal.iter().map(|id| sizes[id.index()]).filter(|size| *size > LEAST_SIZE).collect();
+        let least = known.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = known.iter().copied().fold(0.0, f64::max);
+        let has_shapes = equal.iter().any(|id| matches!(self.link(*id).geometry(), Geometry::Within(_)));
+        let are_balls = known.len() + 1 >= LEAST_EQUAL_LINKS && !has_shapes && is_ball_at_origin(common);
+        let is_placeholder = equal.len() >= LEAST_EQUAL_LINKS
+            && equal.len() as f64 >= EQUAL_SHARE * bodies.len() as f64
+            && (most > DIFFERENT_SIZES * least || are_balls);
+        is_placeholder.then_some(Problem::EqualInertias {
+            links: equal.len(),
+            bodies: bodies.len(),
+            mass: common.mass,
+        })
+    }
+
+    /// Size of every link, m: largest distance from its origin to the end of its shape, a child joint or a loop frame.
+    fn sizes(&self) -> Vec<f64> {
+        let own = self.links().iter().map(|link| match link.geometry() {
+            Geometry::None | Geometry::Mesh => 0.0,
+            Geometry::Within(radius) => radius,
         });
-        let mut reaches: Vec<f64> = own.collect();
+        let mut sizes: Vec<f64> = own.collect();
         for joint in self.joints() {
-            let reach = &mut reaches[joint.parent().index()];
-            *reach = reach.max(joint.origin().translation.norm());
+            let size = &mut sizes[joint.parent().index()];
+            *size = size.max(joint.origin().translation.norm());
         }
         for frame in self.closures().iter().flat_map(|c| [c.predecessor(), c.successor()]) {
             if let Some(link) = frame.link {
-                let reach = &mut reaches[link.index()];
-                *reach = reach.max(frame.frame.translation.norm());
+                let size = &mut sizes[link.index()];
+                *size = size.max(frame.frame.translation.norm());
             }
         }
-        reaches
+        sizes
     }
 
     /// Per link: true if the link is part of a coupling, or the child of a joint that mimics or is mimicked. The rotor of a
@@ -103,4 +166,10 @@ impl Mechanism {
         }
         rotors
     }
+}
+
+/// True for equal moments about all axes, and a centre of mass at the origin of the link.
+fn is_ball_at_origin(inertial: &Inertial) -> bool {
+    let [least, _, most] = principal_moments(&inertial.about_com);
+    inertial.com.amax() == 0.0 && most > 0.0 && most - least <= MOMENT_SLACK * most
 }

@@ -686,7 +686,7 @@ def load(
 ) -> Model:
     """Reads a URDF file, closed loops and couplings included.
 
-    accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: size limit in bytes;
+    accept: findings that are accepted: "indefinite-inertia", "implausible-inertia", "second-inertial". max_size: size limit in bytes;
     larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
     notes. Raises LoadError, with every error of the file."""
 def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model:

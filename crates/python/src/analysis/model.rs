@@ -118,9 +118,10 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
         match word.as_str() {
             "indefinite-inertia" => accepted.indefinite_inertia = true,
             "implausible-inertia" => accepted.implausible_inertia = true,
+            "second-inertial" => accepted.second_inertial = true,
             _ => {
                 return Err(errors::input(format_args!(
-                    "accept: \"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\""
+                    "accept: \"{word}\"; known are \"indefinite-inertia\", \"implausible-inertia\" and \"second-inertial\""
                 )));
             }
         }
@@ -130,7 +131,7 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
 
 /// Reads a URDF file, closed loops and couplings included.
 ///
-/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: size limit in bytes;
+/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia", "second-inertial". max_size: size limit in bytes;
 /// larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
 /// notes. Raises LoadError, with every error of the file.
 #[pyfunction]

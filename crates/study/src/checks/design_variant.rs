@@ -49,6 +49,12 @@ impl Model {
         if to_do.changes_inertia() {
             let changed = with_changed_inertia(&model.mechanism, to_do)?;
             model.diagnostics.extend(implausible_masses(&model.mechanism, &changed));
+            let is_settled = |code| match code {
+                "no-moving-mass" => changed.has_moving_mass(),
+                "equal-inertias" => !to_do.link_mass.is_empty(),
+                _ => false,
+            };
+            model.diagnostics.retain(|record| !is_settled(record.code));
             model.mechanism = Arc::new(changed);
         }
         model.origin.closures.clone_from(&self.origin.closures);

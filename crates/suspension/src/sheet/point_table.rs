@@ -5,10 +5,10 @@
 use super::entries::{Cell, Entries};
 use super::{adams, catalogue, table};
 use crate::corner::design::SEATS;
-use crate::encoding;
 use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
 use crate::units::VehicleAxes;
+use percuss_formats::reading::encoding;
 use percuss_formats::reading::quoted;
 use percuss_formats::{DEFAULT_MAX_SIZE, FileKind, FileStore, Source};
 use std::path::Path;

@@ -4,7 +4,7 @@ use crate::args::{CheckFormat, ExtremesArgs};
 use crate::files::output::record_input;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
@@ -35,7 +35,7 @@ pub fn show(
     if let Some(RowSource::File(file)) = &question.path {
         record_input(&file.path);
     }
-    let report = extremes(model, contact, question)?;
+    let report = with_findings(extremes(model, contact, question), model)?;
     write_diagnostics(&report.diagnostics, strict)?;
     match format {
         CheckFormat::Json => write_json(&report),

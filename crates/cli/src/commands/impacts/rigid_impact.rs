@@ -6,7 +6,7 @@ use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
 use crate::terminal::explanation::friction_thresholds;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
@@ -64,7 +64,7 @@ fn answer(
     question: &ImpactQuestion,
     strict: bool,
 ) -> Result<ImpactReport, Failure> {
-    let mut report = impact(model, contact, question)?;
+    let mut report = with_findings(impact(model, contact, question), model)?;
     let contact = &report.mass.contact;
     report.mass.point_in_sheet = model.contact_in_sheet(&contact.point_world, &contact.normal_world);
     write_diagnostics(&report.diagnostics, strict)?;

@@ -4,7 +4,7 @@ use crate::args::{CheckFormat, SafeSpeedArgs};
 use crate::commands::mass::NO_ROTORS;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, triple};
 use crate::terminal::wrap;
 use percuss_study::contact::BodyRegion;
@@ -32,7 +32,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     };
     let study = safe_speed.safe_speed(&question, Path::new(""), args.reading.max_size)?;
     let model = args.reading.load(path)?;
-    show(&study.reports(&model)?, args.format, args.reading.strict)
+    show(&with_findings(study.reports(&model), &model)?, args.format, args.reading.strict)
 }
 
 /// Report with the lowest speed.

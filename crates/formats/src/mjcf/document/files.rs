@@ -8,6 +8,7 @@ use crate::reading::limits::{
     MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
 };
 use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::{SharedFiles, Source};
 use roxmltree::Node;
@@ -201,7 +202,7 @@ impl FileReader<'_> {
         };
         self.bytes += source.bytes.len() as u64;
         let mut report = Report::default();
-        let text = source.text(&mut report).map(str::to_owned);
+        let text = source.text(&mut report).map(|text| tolerant_text(&text, &mut report).into_owned());
         let index = self.files.tree.files.len();
         self.files.tree.files.push(FileText {
             name: source.name,

@@ -22,15 +22,15 @@ pub(crate) fn check_children(
         };
         let rule = &rules[index];
         if rule.single && seen & (1 << index) != 0 {
-            if tree.tag(parent) == "visual" {
-                findings.warning("duplicate-element", child, || {
-                    format!("a second <{tag}> in a <visual>: the first one is used, as in libsdformat; delete one of them")
-                });
+            // Visual shapes have no effect on the masses.
+            let (severity, which) = if tree.tag(parent) == "visual" {
+                (Severity::Warning, "the first one is used, as in libsdformat")
             } else {
-                findings.error("duplicate-element", child, || {
-                    format!("a second <{tag}>; only one is allowed, and which of them counts is not defined")
-                });
-            }
+                (Severity::Error, "which of them counts is not defined")
+            };
+            findings.add(severity, "duplicate-element", child, || {
+                format!("a second <{tag}>; only one is allowed, and {which}: delete one of them")
+            });
         }
         seen |= 1 << index;
         match rule.treatment {

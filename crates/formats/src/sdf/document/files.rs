@@ -172,7 +172,7 @@ impl FileReader<'_> {
         };
         self.bytes += source.bytes.len() as u64;
         let mut report = Report::default();
-        let text = source.text(&mut report).map(|text| tolerant_text(text).into_owned());
+        let text = source.text(&mut report).map(|text| tolerant_text(&text, &mut report).into_owned());
         let index = self.files.tree.files.len();
         self.files.tree.files.push(FileText {
             name: source.name,

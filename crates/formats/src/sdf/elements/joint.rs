@@ -6,7 +6,7 @@ use crate::reading::report::quoted;
 use crate::sdf::elements::axis::{JointAxis, read_axis};
 use crate::sdf::frames::scopes::{Attached, FrameId, ScopeId, Scopes};
 use crate::sdf::values::{read_boolean_in, read_number_in, text_in};
-use std::f64::consts::TAU;
+use crate::urdf::elements::sdf_values::screw_advance;
 
 /// Kinds of joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -193,26 +193,12 @@ fn resolve_body(
 
 /// Advance of a screw, m/rad: right-handed metres per turn, or (older) left-handed radians per metre.
 fn read_advance(tree: &ElementTree, element: ElementId, findings: &mut Findings<'_>) -> f64 {
-    if let Some(pitch) = read_number_in(tree, element, "screw_thread_pitch", findings) {
-        return pitch / TAU;
-    }
-    match read_number_in(tree, element, "thread_pitch", findings) {
-        Some(pitch) if pitch != 0.0 => -1.0 / pitch,
-        Some(_) => {
-            findings.error("bad-number", element, || {
-                "<thread_pitch> is 0 rad/m; give <screw_thread_pitch>, the advance in m per turn".to_owned()
-            });
-            0.0
-        }
-        None => {
-            findings.error("missing-element", element, || {
-                "the screw has neither <screw_thread_pitch> (m per turn) nor <thread_pitch> (rad/m, left-handed), and versions of \
-                 libsdformat have different defaults; give one of them"
-                    .to_owned()
-            });
-            0.0
-        }
-    }
+    let [turn, pitch] =
+        ["screw_thread_pitch", "thread_pitch"].map(|tag| read_number_in(tree, element, tag, findings));
+    screw_advance(turn, pitch).unwrap_or_else(|(code, defect)| {
+        findings.error(code, element, || defect.to_owned());
+        0.0
+    })
 }
 
 /// Ratio and reference body of a gearbox; `None`, with an error, if the body is unknown.

@@ -2,7 +2,8 @@
 
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
-use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_MODEL_DEPTH};
+use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_MODEL_DEPTH, MAX_PLUGIN_NAMES};
+use crate::reading::plugins::joins_links;
 use crate::reading::report::quoted;
 use crate::sdf::document::check::check_children;
 use crate::sdf::document::grammar_rules::{IN_MODEL, IN_WORLD};
@@ -12,6 +13,7 @@ use crate::sdf::values::{read_boolean_attribute, read_boolean_in, text_in};
 use percuss_mechanism::Severity;
 use percuss_spatial::Transform;
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Name of a model, of an `<include>` where given there.
 pub(crate) fn model_name(tree: &ElementTree, element: ElementId) -> &str {
@@ -59,6 +61,8 @@ pub(crate) fn collect_scopes(
     });
     check_children(tree, container, IN_WORLD, walker.findings);
     walker.read_contents(container, world, Some(main));
+    let scopes = 0..walker.scopes.scopes.len();
+    walker.warn_plugins(container, scopes);
     walker.scopes
 }
 
@@ -205,7 +209,8 @@ impl Walker<'_, '_, '_> {
             include.is_some_and(|include| read_boolean_attribute(tree, include, "merge", self.findings));
         if is_merged && scope.0 == 0 && tree.children_named(model, "link").next().is_some() {
             self.findings.error("merged-links", source, || {
-                "a model with links of its own is merged into a world, which has models and joints, but no links; remove merge=\"true\""
+                "a model with links of its own is merged into a world, which has models and joints, but \
+                 no links; remove merge=\"true\""
                     .to_owned()
             });
         }
@@ -240,8 +245,10 @@ impl Walker<'_, '_, '_> {
             depth,
         });
         check_children(tree, model, IN_MODEL, self.findings);
-        self.warn_plugins(model);
         self.read_contents(model, id, None);
+        for holder in [Some(model), include].into_iter().flatten() {
+            self.warn_plugins(holder, id.0..id.0 + 1);
+        }
         if is_merged {
             self.merge_names(id, scope);
         }
@@ -271,20 +278,45 @@ impl Walker<'_, '_, '_> {
         }
     }
 
-    /// Warns about plugins that join or couple links.
-    fn warn_plugins(&mut self, model: ElementId) {
-        for plugin in self.tree.children_named(model, "plugin") {
-            let words =
-                ["filename", "name"].map(|name| self.tree.attribute(plugin, name).unwrap_or_default());
-            let words = words.join(" ").to_ascii_lowercase();
-            if ["mimic", "detachablejoint", "detachable-joint", "disable_link"]
-                .iter()
-                .any(|part| words.contains(part))
-            {
-                self.findings.add_once(Severity::Warning, "plugin", "plugin", plugin, || {
-                    "plugins are not read; if this one joins or couples links, write a <joint> or a <mimic> for it".to_owned()
+    /// Warns about plugins of a model or world, and of its links and joints, that join or couple links. `scopes`: scopes of their names.
+    fn warn_plugins(&mut self, holder: ElementId, scopes: Range<usize>) {
+        let tree = self.tree;
+        let parts = tree.children(holder).iter().filter(|part| ["link", "joint"].contains(&tree.tag(**part)));
+        for plugin in parts.chain([&holder]).flat_map(|holder| tree.children_named(*holder, "plugin")) {
+            let name = ["name", "filename"].map(|name| tree.attribute(plugin, name).unwrap_or_default());
+            let of_scopes =
+                &self.scopes.scopes[scopes.start..scopes.end.min(scopes.start + MAX_PLUGIN_NAMES)];
+            let is_known = |name: &str| {
+                let frames = || of_scopes.iter().filter_map(|scope| scope.names.get(name));
+                let kinds = || frames().map(|frame| self.scopes.frame(*frame).kind);
+                [
+                    kinds().any(|kind| matches!(kind, FrameKind::Link(_))),
+                    kinds().any(|kind| matches!(kind, FrameKind::Joint(_))),
+                ]
+            };
+            if joins_links(&name.join(" "), &plugin_values(tree, plugin), is_known) {
+                let shown = name.into_iter().find(|name| !name.is_empty()).unwrap_or_default();
+                self.findings.add_once(Severity::Warning, "plugin", shown, plugin, || {
+                    format!(
+                        "plugins are not read, and {} joins links or couples joints, by its name or its \
+                         elements: the loop or coupling \
+                         is missing here. Write a <joint> or a <mimic> for it",
+                        quoted(shown)
+                    )
                 });
             }
         }
     }
+}
+
+/// Names and texts of the elements and attributes below a plugin.
+fn plugin_values(tree: &ElementTree, plugin: ElementId) -> Vec<(&str, &str)> {
+    let mut values = Vec::new();
+    let mut open = tree.children(plugin).to_vec();
+    while let Some(id) = open.pop() {
+        values.push((tree.tag(id), tree.text(id)));
+        values.extend(tree.element(id).attributes.iter().map(|a| (a.name.as_str(), a.value.as_str())));
+        open.extend(tree.children(id));
+    }
+    values
 }

@@ -8,12 +8,9 @@ use crate::sdf::frames::scopes::{Attached, Scopes};
 use crate::sdf::tree::chain::{body_frame, body_name};
 use crate::sdf::tree::parts::Parts;
 use crate::sdf::tree::spanning::{SpanningTree, Support};
+use crate::urdf::elements::sdf_values::{GEARBOX, PARALLEL_AXES};
 use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Severity};
 use percuss_spatial::Vector3;
-
-/// Largest |1 − |cosine|| of the angle between an axis of a gearbox and that of its joint, dimensionless: files have four decimals or
-/// more.
-const GEAR_AXIS_TOLERANCE: f64 = 1e-6;
 
 /// Adds a joint that closes a loop. Kinds and properties that a closure cannot have are errors; `is_leader`: another joint follows this
 /// one by `<mimic>`.
@@ -94,7 +91,7 @@ pub(crate) fn add_gearbox(
         let [wanted, own] =
             axes.map(|(direction, frame)| scopes.frame(frame).world_pose.vector(direction).normalize());
         let cosine = wanted.dot(&own);
-        let is_parallel = (cosine.abs() - 1.0).abs() <= GEAR_AXIS_TOLERANCE;
+        let is_parallel = (cosine.abs() - 1.0).abs() <= PARALLEL_AXES;
         // A reversed joint moves its parent against its axis.
         let sign = cosine.signum() * if reversed { -1.0 } else { 1.0 };
         (base == reference && is_parallel).then_some(sign)
@@ -110,11 +107,7 @@ pub(crate) fn add_gearbox(
         });
         return;
     };
-    findings.add_once(Severity::Warning, "gearbox", "gearbox", gearbox.element, || {
-        "a gearbox is read by SDFormat's definition, θ₂ = −ratio·θ₁ relative to the reference body; simulators differ (Gazebo Classic \
-         takes absolute rates, gz-physics welds the links)"
-            .to_owned()
-    });
+    findings.add_once(Severity::Warning, "gearbox", "gearbox", gearbox.element, || GEARBOX.to_owned());
     let names = [gearbox.parent, child].map(|body| body_name(scopes, body).to_owned());
     let [predecessor, successor] = names;
     let coupling = CouplingDescription {

@@ -1,18 +1,22 @@
 //! Table of the dialect: every element and attribute with its treatment.
 
-use Treatment::{Noted, Read, Refused, Silent, Warned};
+use Treatment::{Noted, Read, Refused, Silent, Text, Warned, WarnedUnless};
 
 /// Treatment of an element or attribute.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Treatment {
     /// Part of the mechanism.
     Read,
+    /// Element whose text is a value of the mechanism; attributes and children are not examined.
+    Text,
     /// Ignored without a message: no effect on the mechanics.
     Silent,
     /// Ignored with a note; the text gives the reason.
     Noted(&'static str),
     /// Ignored with a warning; the text gives the reason.
     Warned(&'static str),
+    /// As `Warned`, but silent if the value has no effect: one of these words, or a number of at most 0.
+    WarnedUnless(&'static [&'static str], &'static str),
     /// Not supported, and the result without this entry would be wrong: an error with this code and message.
     Refused(&'static str, &'static str),
 }
@@ -29,6 +33,15 @@ pub(crate) struct ElementRule {
     pub attributes: &'static [(&'static str, Treatment)],
     /// Child elements. Only children of elements with the treatment `Read` are examined.
     pub children: &'static [ElementRule],
+    /// Further child elements, without effect on the mechanics.
+    pub silent: &'static [&'static str],
+}
+
+impl ElementRule {
+    /// The rule with child elements that have no effect.
+    const fn silent(self, silent: &'static [&'static str]) -> Self {
+        Self { silent, ..self }
+    }
 }
 
 /// Element that is read; a parent may have several.
@@ -37,17 +50,17 @@ const fn element(
     attributes: &'static [(&'static str, Treatment)],
     children: &'static [ElementRule],
 ) -> ElementRule {
-    ElementRule { name, treatment: Read, single: false, attributes, children }
+    ElementRule { name, treatment: Read, single: false, attributes, children, silent: &[] }
 }
 
 /// Element that is read, without children; a parent may have one.
 const fn single_element(name: &'static str, attributes: &'static [(&'static str, Treatment)]) -> ElementRule {
-    ElementRule { name, treatment: Read, single: true, attributes, children: &[] }
+    ElementRule { single: true, ..element(name, attributes, &[]) }
 }
 
 /// Element with a treatment other than `Read`; attributes and children are not examined.
 const fn unread_element(name: &'static str, treatment: Treatment) -> ElementRule {
-    ElementRule { name, treatment, single: false, attributes: &[], children: &[] }
+    ElementRule { treatment, ..element(name, &[], &[]) }
 }
 
 /// Treatment of an origin at a position that belongs to the other notation of loops.
@@ -77,13 +90,8 @@ const COMPLIANT: Treatment = Warned(
 );
 
 /// Root element.
-pub(crate) const ROBOT: ElementRule = ElementRule {
-    name: "robot",
-    treatment: Read,
-    single: true,
-    attributes: &[("name", Read), ("version", Read), ("type", Silent)],
-    children: IN_ROBOT,
-};
+pub(crate) const ROBOT: ElementRule =
+    element("robot", &[("name", Read), ("version", Read), ("type", Silent)], IN_ROBOT);
 
 const IN_ROBOT: &[ElementRule] = &[
     element("link", &[("name", Read), ("type", Silent)], IN_LINK),
@@ -93,15 +101,29 @@ const IN_ROBOT: &[ElementRule] = &[
         &[("name", Read), ("type", Read), ("independent", Read), ("dont_collapse", Silent)],
         IN_JOINT,
     ),
-    // armature.rs searches transmissions for Drake's rotor inertias.
-    unread_element("transmission", Silent),
-    // Joints in a `<gazebo>` close loops: GAZEBO_JOINT.
-    unread_element("gazebo", Silent),
+    TRANSMISSION,
+    element("gazebo", &[("reference", Read), ("name", Silent)], IN_GAZEBO).silent(GAZEBO_SETTINGS),
     unread_element("material", Silent),
     unread_element("sensor", Silent),
-    unread_element("ros2_control", Silent),
-    // survey.rs searches `<mujoco>` for equality constraints.
-    unread_element("mujoco", Silent),
+    element("ros2_control", ROS2_CONTROL, IN_ROS2_CONTROL).silent(&[
+        "hardware",
+        "sensor",
+        "gpio",
+        "async",
+        "properties",
+    ]),
+    element("mujoco", &[], IN_MUJOCO).silent(&[
+        "option",
+        "size",
+        "visual",
+        "statistic",
+        "asset",
+        "contact",
+        "sensor",
+        "keyframe",
+        "custom",
+        "extension",
+    ]),
     unread_element("group", Silent),
     unread_element("frame", Silent),
     unread_element("capability", Silent),
@@ -137,7 +159,7 @@ const fn single_element_with_children(
     attributes: &'static [(&'static str, Treatment)],
     children: &'static [ElementRule],
 ) -> ElementRule {
-    ElementRule { name, treatment: Read, single: true, attributes, children }
+    ElementRule { single: true, ..element(name, attributes, children) }
 }
 
 /// Attributes of the end of a `<loop>`: the frame is given by an `<origin>`.
@@ -204,7 +226,7 @@ const IN_CONTACT: &[ElementRule] = &[
 ];
 
 const IN_LINK: &[ElementRule] = &[
-    ElementRule { name: "inertial", treatment: Read, single: true, attributes: &[], children: IN_INERTIAL },
+    single_element_with_children("inertial", &[], IN_INERTIAL),
     // `geometry.rs` and `shape.rs` read the shapes; `survey.rs` lists the other children.
     unread_element("visual", Silent),
     unread_element("collision", Silent),
@@ -278,12 +300,13 @@ const IN_JOINT: &[ElementRule] = &[
         ],
     ),
     single_element("mimic", &[("joint", Read), ("multiplier", Read), ("offset", Read)]),
-    element("actuator", &[("name", Silent)], IN_ACTUATOR),
+    element("actuator", NAME_AND_ROLE, IN_ACTUATOR).silent(ACTUATOR_SETTINGS),
     single_element("drake:rotor_inertia", &[("value", Read)]),
     single_element("drake:gear_ratio", &[("value", Read)]),
     unread_element("calibration", Silent),
     unread_element("safety_controller", Silent),
     unread_element("hardwareInterface", Silent),
+    unread_element("controller_gains", Silent),
     unread_element("joint_properties", Silent),
     unread_element("physics", Silent),
     unread_element("sensor", Silent),
@@ -297,7 +320,7 @@ pub(crate) const GAZEBO_JOINT: ElementRule =
 
 /// Element whose content is text; a parent may have one.
 const fn single_text_element(name: &'static str) -> ElementRule {
-    ElementRule { name, treatment: Silent, single: true, attributes: &[], children: &[] }
+    ElementRule { single: true, ..unread_element(name, Text) }
 }
 
 const IN_GAZEBO_JOINT: &[ElementRule] = &[
@@ -306,6 +329,10 @@ const IN_GAZEBO_JOINT: &[ElementRule] = &[
     single_text_element("child"),
     single_element_with_children("axis", &[], IN_GAZEBO_AXIS),
     single_element_with_children("axis2", &[], IN_GAZEBO_AXIS),
+    single_text_element("thread_pitch"),
+    single_text_element("screw_thread_pitch"),
+    single_text_element("gearbox_ratio"),
+    single_text_element("gearbox_reference_body"),
     unread_element("physics", Silent),
     unread_element("sensor", Silent),
 ];
@@ -322,6 +349,269 @@ const IN_GAZEBO_AXIS: &[ElementRule] = &[
 const IN_ACTUATOR: &[ElementRule] = &[
     single_element("drake:rotor_inertia", &[("value", Read)]),
     single_element("drake:gear_ratio", &[("value", Read)]),
-    unread_element("hardwareInterface", Silent),
-    unread_element("mechanicalReduction", Silent),
+    unread_element("motorInertia", Text),
+    unread_element("motor_inertia", Text),
+    unread_element("rotorInertia", Text),
+    unread_element("rotor_inertia", Text),
+    unread_element("mechanicalReduction", Text),
+    unread_element("mechanical_reduction", Text),
+    unread_element("gearRatio", Text),
+    unread_element("gear_ratio", Text),
+];
+
+/// Transmission of ROS, of ros2_control and of the PR2. `transmission.rs` reads the rotor inertias.
+const TRANSMISSION: ElementRule =
+    element("transmission", &[("name", Silent), ("type", Read)], IN_TRANSMISSION)
+        .silent(TRANSMISSION_SETTINGS);
+
+const IN_TRANSMISSION: &[ElementRule] = &[
+    unread_element("type", Text),
+    unread_element("plugin", Text),
+    element("joint", NAME_AND_ROLE, IN_ACTUATOR).silent(ACTUATOR_SETTINGS),
+    element("actuator", NAME_AND_ROLE, IN_ACTUATOR).silent(ACTUATOR_SETTINGS),
+    unread_element("motorInertia", Text),
+    unread_element("motor_inertia", Text),
+    unread_element("rotorInertia", Text),
+    unread_element("rotor_inertia", Text),
+    unread_element("mechanicalReduction", Text),
+    unread_element("mechanical_reduction", Text),
+    unread_element("gearRatio", Text),
+    unread_element("gear_ratio", Text),
+];
+
+const NAME_AND_ROLE: &[(&str, Treatment)] = &[
+    ("name", Read),
+    ("role", Silent),
+    ("motorInertia", Read),
+    ("rotorInertia", Read),
+    ("mechanicalReduction", Read),
+];
+
+const ROS2_CONTROL: &[(&str, Treatment)] = &[
+    ("name", Silent),
+    ("type", Silent),
+    ("rw_rate", Silent),
+    ("is_async", Silent),
+    ("thread_priority", Silent),
+];
+
+const IN_ROS2_CONTROL: &[ElementRule] = &[
+    TRANSMISSION,
+    element("joint", &[("name", Read), ("mimic", Read)], IN_CONTROLLED_JOINT).silent(&[
+        "command_interface",
+        "state_interface",
+        "limits",
+        "properties",
+    ]),
+];
+
+const IN_CONTROLLED_JOINT: &[ElementRule] = &[
+    // `joint_couplings.rs` reads the parameters of a mimic.
+    unread_element("param", Text),
+    unread_element("mimic", Text),
+];
+
+/// Treatment of settings by which MuJoCo changes the masses of a URDF; the words are the defaults.
+macro_rules! changes_masses {
+    ($($default:literal),*) => {
+        WarnedUnless(
+            &[$($default),*],
+            "MuJoCo changes masses or inertias by this setting, and here it is not read: write the masses and inertias that MuJoCo uses \
+             into the links, or convert the file to MJCF by MuJoCo and load that",
+        )
+    };
+}
+
+const IN_MUJOCO: &[ElementRule] = &[
+    element(
+        "compiler",
+        &[
+            ("inertiafromgeom", changes_masses!("false", "auto")),
+            ("balanceinertia", changes_masses!("false")),
+            ("boundmass", changes_masses!()),
+            ("boundinertia", changes_masses!()),
+            ("settotalmass", changes_masses!()),
+            ("inertiagrouprange", Silent),
+            ("exactmeshinertia", Silent),
+            ("fusestatic", Silent),
+            ("discardvisual", Silent),
+            ("strippath", Silent),
+            ("convexhull", Silent),
+            ("meshdir", Silent),
+            ("texturedir", Silent),
+            ("assetdir", Silent),
+            ("angle", Silent),
+            ("eulerseq", Silent),
+            ("coordinate", Silent),
+            ("autolimits", Silent),
+            ("fitaabb", Silent),
+            ("usethread", Silent),
+            ("saveinertial", Silent),
+            ("alignfree", Silent),
+            ("conflict", Silent),
+        ],
+        &[unread_element("lengthrange", Silent)],
+    ),
+    unread_element(
+        "equality",
+        Refused(
+            "loop-unsupported",
+            "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \
+             (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)",
+        ),
+    ),
+    unread_element("tendon", OF_MUJOCO),
+    unread_element("actuator", OF_MUJOCO),
+    unread_element("default", OF_MUJOCO),
+    unread_element("worldbody", OF_MUJOCO),
+    unread_element("deformable", OF_MUJOCO),
+];
+
+const OF_MUJOCO: Treatment = Warned(
+    "it is not read in a URDF, neither here nor by MuJoCo; bodies, couplings and armatures belong in <link>, <joint>, <mimic> and \
+     <dynamics armature>, or load an MJCF",
+);
+
+/// Treatment of a body that Gazebo adds to the robot.
+const ADDED_BODY: Treatment = Warned(
+    "links and models inside <gazebo>, and joints to them, are not read: write them as <link> and <joint> of the robot",
+);
+
+/// Treatment of an inertia that does not replace that of the link.
+const SECOND_INERTIA: Treatment =
+    Warned("masses and inertias inside <gazebo> are not read: write them into the <inertial> of the link");
+
+/// Settings of Gazebo for the robot, a link or a joint. Source: sdformat, `parser_urdf.cc`, and SDFormat 1.11.
+const IN_GAZEBO: &[ElementRule] = &[
+    // `check_gazebo_joints` examines the joints, `joint_couplings.rs` plugins and mimics, `transmission.rs` armatures.
+    unread_element("joint", Text),
+    unread_element("mimic", Text),
+    unread_element("axis", Text),
+    unread_element("armature", Text),
+    unread_element("link", ADDED_BODY),
+    unread_element("model", ADDED_BODY),
+    unread_element("include", ADDED_BODY),
+    unread_element("inertial", SECOND_INERTIA),
+    unread_element("inertia", SECOND_INERTIA),
+    unread_element("mass", SECOND_INERTIA),
+    unread_element(
+        "static",
+        WarnedUnless(
+            &["false", "False", ""],
+            "a static model does not move in Gazebo; here its joints move: lock them to hold it",
+        ),
+    ),
+    unread_element(
+        "kinematic",
+        WarnedUnless(
+            &["false", "False", ""],
+            "a kinematic link is moved by script; here it moves with its joints: lock its joint to hold it",
+        ),
+    ),
+];
+
+/// Settings of Gazebo for contacts, sensors, forces and looks.
+const GAZEBO_SETTINGS: &[&str] = &[
+    "plugin",
+    "material",
+    "visual",
+    "collision",
+    "sensor",
+    "light",
+    "projector",
+    "audio",
+    "audio_sink",
+    "audio_source",
+    "battery",
+    "gripper",
+    "particle_emitter",
+    "gravity",
+    "turnGravityOff",
+    "selfCollide",
+    "self_collide",
+    "enable_wind",
+    "mu",
+    "mu1",
+    "mu2",
+    "fdir1",
+    "slip1",
+    "slip2",
+    "kp",
+    "kd",
+    "minDepth",
+    "min_depth",
+    "maxVel",
+    "max_vel",
+    "maxContacts",
+    "max_contacts",
+    "laserRetro",
+    "laser_retro",
+    "surface",
+    "friction",
+    "bounce",
+    "contact",
+    "physics",
+    "ode",
+    "dampingFactor",
+    "velocity_decay",
+    "provideFeedback",
+    "implicitSpringDamper",
+    "springReference",
+    "springStiffness",
+    "fudgeFactor",
+    "stopCfm",
+    "stopErp",
+    "stopKp",
+    "stopKd",
+    "cfmDamping",
+    "initialJointPosition",
+    "initial_joint_position",
+    "limit",
+    "dynamics",
+    "preserveFixedJoint",
+    "disableFixedJointLumping",
+    "canonicalBody",
+    "must_be_base_link",
+    "allow_auto_disable",
+    "pose",
+    "origin",
+    "frame",
+    "genTexCoord",
+    "dontUseGravity",
+    "robotNamespace",
+    "param",
+    "gui",
+    "scene",
+    "verbose",
+];
+
+const TRANSMISSION_SETTINGS: &[&str] = &[
+    "hardwareInterface",
+    "robotNamespace",
+    "api",
+    "node",
+    "param",
+    "motorTorqueConstant",
+    "motorVelocityConstant",
+    "compensator",
+    "leftActuator",
+    "rightActuator",
+    "flexJoint",
+    "rollJoint",
+    "gap_joint",
+    "passive_joint",
+    "simulated_actuated_joint",
+    "use_simulated_gripper_joint",
+];
+
+const ACTUATOR_SETTINGS: &[&str] = &[
+    "hardwareInterface",
+    "role",
+    "api",
+    "node",
+    "offset",
+    "param",
+    "motorTorqueConstant",
+    "motorVelocityConstant",
+    "maxEffort",
 ];

@@ -3,8 +3,8 @@
 use crate::reading::limits::MAX_ELEMENTS_PER_KIND;
 use crate::reading::report::{Place, Report};
 use crate::urdf::elements::closure;
-use crate::urdf::elements::joints::gazebo_joint::fixes_root_to_world;
-use crate::urdf::elements::survey::{child, children, is_gazebo_joint};
+use crate::urdf::elements::joints::gazebo_joint::{fixes_root_to_world, is_relation, joins_any};
+use crate::urdf::elements::survey::{child, children, is_gazebo_joint, is_named};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
 use std::collections::HashSet;
@@ -28,6 +28,9 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         let child_links: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
         let is_root =
             |link: &str| names.contains(link) && !child_links.contains(link) && !names.contains("world");
+        let bodies = |gazebo| children(gazebo, "link").chain(children(gazebo, "model"));
+        let in_gazebo: HashSet<&str> =
+            children(robot, "gazebo").flat_map(bodies).filter_map(|body| body.attribute("name")).collect();
         Self {
             links: children(robot, "link").collect(),
             joints: children(robot, "joint").collect(),
@@ -36,12 +39,25 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .filter(Node::is_element)
                 .flat_map(|node| {
                     let loop_element = closure::is_loop_element(node).then_some(node);
-                    loop_element.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
+                    let joints = node.children().filter(|n| is_gazebo_joint(*n) && !is_relation(*n));
+                    loop_element.into_iter().chain(joints)
                 })
-                .filter(|node| !is_gazebo_joint(*node) || !fixes_root_to_world(*node, is_root, report))
+                .filter(|node| {
+                    !is_gazebo_joint(*node)
+                        || !joins_any(*node, &in_gazebo) && !fixes_root_to_world(*node, is_root, report)
+                })
                 .collect(),
             couplings: children(robot, "coupling").collect(),
-            relations: children(robot, "relation").collect(),
+            relations: robot
+                .children()
+                .filter(Node::is_element)
+                .flat_map(|node| {
+                    let relation = is_named(node, "relation").then_some(node);
+                    let is_read = |n: &Node<'a, 'i>| is_relation(*n) && !joins_any(*n, &in_gazebo);
+                    let joints = node.children().filter(|n| is_gazebo_joint(*n)).filter(is_read);
+                    relation.into_iter().chain(joints)
+                })
+                .collect(),
             contacts: children(robot, "contact").collect(),
         }
     }
@@ -103,7 +119,9 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             Problem::IndefiniteInertia { .. }
             | Problem::TriangleInequality { .. }
             | Problem::WideInertia { .. }
-            | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+            | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. } => &["inertial", "inertia"],
+            Problem::ComBeyondShape { .. } => &["inertial", "origin"],
             Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
             Problem::ZeroAxis if matches!(subject, Subject::Contact { .. }) => &["normal"],
             Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],

@@ -31,6 +31,12 @@ pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], Stri
     }
 }
 
+/// Number of a text that was checked before; 0 if invalid.
+pub(crate) fn parse_checked_number(text: &str) -> f64 {
+    let [value] = parse_numbers(text).unwrap_or_default();
+    value
+}
+
 fn expected_numbers_text(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }

@@ -6,6 +6,7 @@ use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, report_bad
 use crate::urdf::elements::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Checked `<origin>`.
 #[derive(Clone, Copy)]
@@ -29,6 +30,31 @@ impl Origin<'_> {
         let translation = parse_numbers::<3>(self.xyz).unwrap_or_default();
         Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
     }
+
+    /// The transform as the author meant it: angles such as 1.5708 are multiples of π/12.
+    pub fn unrounded_transform(&self) -> Transform<f64> {
+        let transform = self.transform();
+        let mut angles = self.rpy.split_ascii_whitespace().map(unrounded);
+        match [(); 3].map(|()| angles.next()) {
+            [Some(roll), Some(pitch), Some(yaw)] if self.quaternion.is_none() => {
+                Transform::new(rotation_from_rpy([roll, pitch, yaw]), transform.translation)
+            }
+            _ => transform,
+        }
+    }
+}
+
+/// The multiple of π/2, or of π/12 in a text with four decimals or more, that an angle (rad) in decimal notation rounds; otherwise the angle.
+fn unrounded(text: &str) -> f64 {
+    let [angle] = parse_numbers(text).unwrap_or_default();
+    let decimals = text.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let unit = 10f64.powi(-(decimals.min(17) as i32));
+    let is_plain = text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+'));
+    let steps =
+        [(2, FRAC_PI_2), (4, PI / 12.0)].into_iter().filter(|(least, _)| is_plain && decimals >= *least);
+    let exact =
+        steps.map(|(_, step)| (angle / step).round() * step).find(|exact| (exact - angle).abs() <= unit);
+    exact.unwrap_or(angle)
 }
 
 const ZERO: &str = "0 0 0";

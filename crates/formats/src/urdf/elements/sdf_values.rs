@@ -4,6 +4,7 @@ use crate::reading::limits::QUATERNION_NORM_TOLERANCE;
 use crate::reading::report::quoted;
 use crate::urdf::elements::numbers::parse_numbers;
 use percuss_spatial::{Transform, rotation_from_quaternion, rotation_from_rpy};
+use std::f64::consts::TAU;
 
 /// Boolean value in SDF notation; `None` for another text. An empty text is false.
 pub(crate) fn parse_boolean(text: &str) -> Option<bool> {
@@ -13,6 +14,37 @@ pub(crate) fn parse_boolean(text: &str) -> Option<bool> {
         _ => None,
     }
 }
+
+/// Advance of a screw, m/rad, from `<screw_thread_pitch>`, right-handed metres per turn, or the older `<thread_pitch>`, left-handed
+/// radians per metre. The error names the defect.
+pub(crate) fn screw_advance(
+    screw_thread_pitch: Option<f64>,
+    thread_pitch: Option<f64>,
+) -> Result<f64, (&'static str, &'static str)> {
+    match (screw_thread_pitch, thread_pitch) {
+        (Some(pitch), _) => Ok(pitch / TAU),
+        (None, Some(pitch)) if pitch != 0.0 => Ok(-1.0 / pitch),
+        (None, Some(_)) => Err((
+            "bad-number",
+            "<thread_pitch> is 0 rad/m; give <screw_thread_pitch>, the advance in m per turn",
+        )),
+        (None, None) => Err((
+            "missing-element",
+            "the screw has neither <screw_thread_pitch> (m per turn) nor <thread_pitch> (rad/m, \
+             left-handed), and versions of \
+             libsdformat have different defaults; give one of them",
+        )),
+    }
+}
+
+/// Message about the meaning of a gearbox.
+pub(crate) const GEARBOX: &str = "a gearbox is read by SDFormat's definition, θ₂ = −ratio·θ₁ relative to the reference \
+    body; simulators \
+    differ (Gazebo Classic takes absolute rates, gz-physics welds the links)";
+
+/// Largest |1 − |cosine|| of the angle between an axis of a gearbox or screw and that of its joint, dimensionless: files have four decimals
+/// or more.
+pub(crate) const PARALLEL_AXES: f64 = 1e-6;
 
 /// Pose from the text of a `<pose>` in m and rad, or degrees: x y z roll pitch yaw (`format` euler_rpy), or x y z and a unit quaternion
 /// x y z w (quat_xyzw). An empty text is the identity. The error names the defect.

@@ -2,6 +2,7 @@
 
 use crate::reading::report::{Place, Report, shortened};
 use crate::urdf::elements::dialect::{ElementRule, GAZEBO_JOINT, Treatment};
+use crate::urdf::elements::numbers::parse_numbers;
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
@@ -69,12 +70,19 @@ pub(crate) fn has_xacro_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// Reports the first unexpanded xacro element.
+/// Reports the first unexpanded xacro element; in a `<visual>` or `<collision>`, where it has no effect, as a warning.
 pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
-    if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
-        report
-            .add_xacro_error(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
+    let in_shape =
+        |n: &Node<'_, '_>| n.ancestors().any(|n| is_named(n, "visual") || is_named(n, "collision"));
+    let macros = || root.descendants().filter(|n| n.is_element() && is_macro(n));
+    let tag = |node: Node<'_, '_>| format!("<xacro:{}>", shortened(node.tag_name().name()));
+    if let Some(node) = macros().find(|n| !in_shape(n)) {
+        report.add_xacro_error(Place::Element(node), &tag(node));
+    } else if let Some(node) = macros().next() {
+        report.warning("xacro", Place::Element(node), || {
+            format!("{} was not expanded by xacro; it is part of a shape, and is ignored", tag(node))
+        });
     }
 }
 
@@ -90,47 +98,80 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
             continue;
         }
         let Some(index) = rule.children.iter().position(|s| is_named(child, s.name)) else {
-            if tag_language(child) == Language::Urdf {
+            if rule.silent.iter().any(|name| is_named(child, name)) {
+                report.add_unread(Place::Element(child), || {
+                    format!("<{}> in <{}>", child.tag_name().name(), rule.name)
+                });
+            } else if tag_language(child) == Language::Urdf {
                 warn_unknown_element(child, rule, report);
             }
             continue;
         };
         let found = &rule.children[index];
-        if found.single && seen & (1 << index) != 0 {
-            report.error("duplicate-element", Place::Element(child), || {
-                format!(
-                    "a second <{}>; only one is allowed, and which of them counts is not said",
-                    found.name
-                )
-            });
+        // Tables of elements that a parent may have once are short.
+        let bit = if found.single { 1 << index } else { 0 };
+        if seen & bit != 0 {
+            report_duplicate(node, child, report);
         }
-        seen |= 1 << index;
+        seen |= bit;
         apply_treatment(child, found, report);
     }
+}
+
+/// Reports a second element where only one is allowed; a warning if it has no effect, or is accepted.
+fn report_duplicate(parent: Node<'_, '_>, second: Node<'_, '_>, report: &mut Report) {
+    let tag = second.tag_name().name();
+    let is_inertial = tag == "inertial";
+    let (severity, remedy) = if is_inertial && report.accepted().second_inertial {
+        (Severity::Warning, "; the first one is taken (accepted)")
+    } else if is_fixed_joint(parent) && tag != "origin" && tag != "parent" && tag != "child" {
+        (Severity::Warning, "; the joint is fixed, and it has no effect")
+    } else if is_inertial {
+        (Severity::Error, "; remove one, or take the first with --accept second-inertial")
+    } else {
+        (Severity::Error, "")
+    };
+    report.add(severity, "duplicate-element", Place::Element(second), || {
+        format!("a second <{tag}>; only one is allowed, and which of them counts is not said{remedy}")
+    });
+}
+
+/// True for a `<joint>` without motion.
+pub(crate) fn is_fixed_joint(node: Node<'_, '_>) -> bool {
+    is_named(node, "joint") && node.attribute("type") == Some("fixed")
 }
 
 /// Applies the treatment of the table to an element.
 fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     let place = Place::Element(node);
     match rule.treatment {
-        Treatment::Read => check_element(node, rule, report),
-        Treatment::Silent => {
-            match rule.name {
-                "gazebo" => check_gazebo_joints(node, report),
-                "mujoco" => refuse_mujoco_equalities(node, report),
-                "visual" | "collision" => return list_unread_children(node, report),
-                _ => {}
+        Treatment::Read => {
+            if rule.name == "gazebo" {
+                check_gazebo_joints(node, report);
             }
-            report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node)));
+            check_element(node, rule, report);
         }
+        Treatment::Text => {}
+        Treatment::Silent => match rule.name {
+            "visual" | "collision" => list_unread_children(node, report),
+            _ => report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node))),
+        },
         Treatment::Noted(reason) => {
             report.add_once(Severity::Note, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
-        Treatment::Warned(reason) => {
-            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || reason.to_owned());
+        Treatment::WarnedUnless(harmless, _) if has_no_effect(node.text().unwrap_or_default(), harmless) => {}
+        Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason) => {
+            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || {
+                format!("<{}>: {reason}", rule.name)
+            });
         }
         Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
     }
+}
+
+/// True if a value is one of the words without effect, or a number of at most 0.
+fn has_no_effect(value: &str, harmless: &[&str]) -> bool {
+    harmless.contains(&value.trim_ascii()) || parse_numbers::<1>(value).is_ok_and(|[number]| number <= 0.0)
 }
 
 /// Children of `<geometry>` that `shape.rs` reads.
@@ -171,10 +212,15 @@ fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut
             Some(Treatment::Read) if has_xacro_substitution(attribute.value()) => {
                 report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
             }
-            Some(Treatment::Read) => {}
+            Some(Treatment::Read | Treatment::Text) => {}
             Some(Treatment::Silent) => report.add_unread(place, || format!("{name} of <{}>", rule.name)),
             Some(Treatment::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
-            Some(Treatment::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
+            Some(Treatment::WarnedUnless(harmless, _)) if has_no_effect(attribute.value(), harmless) => {}
+            Some(Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason)) => {
+                report.warning("ignored", place, || {
+                    format!("{name}=\"{}\": {reason}", shortened(attribute.value()))
+                });
+            }
             Some(Treatment::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
             None => {
                 let shown = shortened(name);
@@ -240,20 +286,66 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
 pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reason: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
-            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop as a <loop> and \
+            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop \
+             as a <loop> and \
              remove it here",
             reason()
         )
     });
 }
 
-/// Refuses equality constraints, which close loops and couple joints. Other settings have no effect here.
-fn refuse_mujoco_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
-    for equality in children(mujoco, "equality") {
-        report.error("loop-unsupported", Place::Element(equality), || {
-            "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \
-             (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)"
-                .to_owned()
-        });
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::urdf::elements::dialect::ROBOT;
+
+    /// Messages of the warnings about a text, each with its XML path.
+    fn warnings(text: &str) -> Vec<String> {
+        let document = roxmltree::Document::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let mut report = Report::default();
+        check_element(document.root_element(), &ROBOT, &mut report);
+        let found = report.finish("", text).into_iter().filter(|d| d.severity == Severity::Warning);
+        found.map(|d| d.message).collect()
+    }
+
+    /// Inserts every element and attribute with a warning, and an unknown one, below the elements of `path`; counts them.
+    fn insert_names(path: &[&str], rule: &'static ElementRule, count: &mut usize) {
+        let mut insert = |name: &str, element: &str| {
+            let holders = path[1..].iter().map(|tag| format!("<{tag}>")).collect::<String>();
+            let ends = path[1..].iter().rev().map(|tag| format!("</{tag}>")).collect::<String>();
+            let text =
+                format!("<robot xmlns:drake=\"http://drake.mit.edu\">{holders}{element}{ends}</robot>");
+            assert!(
+                warnings(&text).iter().any(|message| message.contains(name)),
+                "{text}: {:?}",
+                warnings(&text)
+            );
+            *count += 1;
+        };
+        insert("unheard_of", "<unheard_of/>");
+        for child in rule.children {
+            if matches!(child.treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
+                insert(child.name, &format!("<{0}>1</{0}>", child.name));
+            }
+            if matches!(child.treatment, Treatment::Read) {
+                insert("unheard_of", &format!("<{} unheard_of=\"1\"/>", child.name));
+            }
+            for (name, treatment) in child.attributes {
+                if matches!(treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
+                    insert(name, &format!("<{} {name}=\"1\"/>", child.name));
+                }
+            }
+        }
+        for child in rule.children.iter().filter(|child| matches!(child.treatment, Treatment::Read)) {
+            insert_names(&[path, &[child.name]].concat(), child, count);
+        }
+    }
+
+    #[test]
+    fn every_name_without_effect_here_is_in_a_warning() {
+        let mut count = 0;
+        insert_names(&["robot"], &ROBOT, &mut count);
+        insert_names(&["robot", "gazebo", "joint"], &GAZEBO_JOINT, &mut count);
+        assert!(count > 120, "{count}");
     }
 }

@@ -21,6 +21,8 @@ pub enum Acceptable {
     IndefiniteInertia,
     /// Inertias far too large for the size of the links.
     ImplausibleInertia,
+    /// A second inertial of a link in a URDF: the first one counts.
+    SecondInertial,
 }
 
 /// Model of a question, with changes.
@@ -146,6 +148,7 @@ impl ModelTable {
         Accept {
             indefinite_inertia: self.accept.contains(&Acceptable::IndefiniteInertia),
             implausible_inertia: self.accept.contains(&Acceptable::ImplausibleInertia),
+            second_inertial: self.accept.contains(&Acceptable::SecondInertial),
         }
     }
 

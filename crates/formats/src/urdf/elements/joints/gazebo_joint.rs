@@ -4,21 +4,24 @@
 //! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
 //! `parser_urdf.cc`, which copies the element into the model.
 
-use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS};
+use crate::reading::limits::{MAX_RELATION_PATH, MIN_AXIS_COMPONENT, OBLIQUE_PINS};
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::sdf_values;
 use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
-use percuss_mechanism::{ClosureDescription, ClosureKind, Problem};
+use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind, Problem, RelationDescription, Severity};
 use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// SDF name of the model frame, which coincides with the root link's frame.
 const MODEL: &str = "__model__";
 const WORLD: &str = "world";
+
+/// Largest distance between the axis of a screw and that of its hinge, m, for links of a meter: files have six decimals.
+const SCREW_AXIS_OFFSET: f64 = 1e-6;
 
 /// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop. A joint
 /// of this kind that is not fixed is an error, because the root would move.
@@ -43,7 +46,8 @@ pub(crate) fn fixes_root_to_world(
     } else {
         refuse(node, report, || {
             format!(
-                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without mass",
+                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without \
+                 mass",
                 quoted(root)
             )
         });
@@ -51,16 +55,32 @@ pub(crate) fn fixes_root_to_world(
     true
 }
 
-/// Frames of links and tree joints relative to the root link, with all joints at 0.
-pub(crate) struct ZeroPoseFrames<'a> {
+/// True for a joint to one of the links or models that a `<gazebo>` adds.
+pub(crate) fn joins_any(node: Node<'_, '_>, added: &HashSet<&str>) -> bool {
+    ["parent", "child"].iter().any(|tag| {
+        let name = child(node, tag).map(element_text).unwrap_or_default();
+        added.contains(name.trim_ascii().split("::").next().unwrap_or_default())
+    })
+}
+
+/// True for a screw or a gearbox, which is a relation between joints of the tree.
+pub(crate) fn is_relation(node: Node<'_, '_>) -> bool {
+    matches!(node.attribute("type"), Some("screw" | "gearbox"))
+}
+
+/// Frames of links and tree joints relative to the root link, with all joints at 0. Angles that round multiples of π/12 are exact: loops
+/// of the file may depend on each other only with exact angles.
+pub(crate) struct ZeroPoseFrames<'j, 'a> {
+    /// The joint of the tree above each link.
+    above: HashMap<&'a str, &'j JointText<'a>>,
     links: HashMap<&'a str, Transform<f64>>,
     /// Child link of each tree joint. The SDF frame of a URDF joint is the frame of its child.
     children: HashMap<&'a str, &'a str>,
 }
 
-impl<'a> ZeroPoseFrames<'a> {
+impl<'j, 'a> ZeroPoseFrames<'j, 'a> {
     /// Computes the frames of all child links of `joints`; each frame is computed once.
-    pub fn new(joints: &[JointText<'a>]) -> Self {
+    pub fn new(joints: &'j [JointText<'a>]) -> Self {
         // The first joint to a link belongs to the tree; later joints to the same link close loops.
         let mut above: HashMap<&str, &JointText<'a>> = HashMap::new();
         for joint in joints {
@@ -85,11 +105,38 @@ impl<'a> ZeroPoseFrames<'a> {
             }
             let mut frame = links.get(current).copied().unwrap_or_else(Transform::identity);
             for joint in path.into_iter().rev() {
-                frame = frame * joint.origin.transform();
+                frame = frame * joint.origin.unrounded_transform();
                 links.insert(joint.child, frame);
             }
         }
-        Self { links, children: tree().map(|joint| (joint.name, joint.child)).collect() }
+        let children = tree().map(|joint| (joint.name, joint.child)).collect();
+        Self { above, links, children }
+    }
+
+    /// Joints with a position that move `second` against `first`, each with the sign of its motion; `None` for a path without end, or a long one.
+    fn joints_between(&self, first: &str, second: &str) -> Option<Vec<(&'j JointText<'a>, f64)>> {
+        let path = |link: &str| {
+            let mut joints = Vec::new();
+            let mut current = link;
+            while let Some(joint) = self.above.get(current) {
+                joints.push(*joint);
+                current = joint.parent;
+                if joints.len() > MAX_RELATION_PATH {
+                    return None;
+                }
+            }
+            Some(joints)
+        };
+        let (mut up, mut down) = (path(first)?, path(second)?);
+        while let (Some(a), Some(b)) = (up.last(), down.last())
+            && std::ptr::eq(*a, *b)
+        {
+            up.pop();
+            down.pop();
+        }
+        let signed =
+            up.into_iter().map(|joint| (joint, -1.0)).chain(down.into_iter().map(|joint| (joint, 1.0)));
+        Some(signed.filter(|(joint, _)| joint.kind.dofs() > 0).collect())
     }
 
     /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
@@ -110,7 +157,7 @@ impl<'a> ZeroPoseFrames<'a> {
 
 /// Reads SDF joints as closures.
 pub(crate) struct GazeboJointReader<'f, 'a> {
-    pub zero_pose: &'f ZeroPoseFrames<'a>,
+    pub zero_pose: &'f ZeroPoseFrames<'f, 'a>,
     /// Index of each link by name.
     pub links: &'f HashMap<&'a str, usize>,
 }
@@ -155,6 +202,97 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
     }
 
+    /// Relation between the joints that a screw or a gearbox couples; `None`, with a warning, if the path between its links holds other
+    /// joints, which the relation would leave free.
+    pub fn read_relation<'i: 'a>(
+        &self,
+        node: Node<'a, 'i>,
+        report: &mut Report,
+    ) -> Option<RelationDescription> {
+        let name = read_name(node, report).to_owned();
+        let [parent, child] = ["parent", "child"].map(|tag| read_link_name(node, tag, report));
+        let x_rj = self.read_joint_frame(node, &self.zero_pose.link_frame(&child), report);
+        let hinge = Some(ClosureKind::Revolute);
+        let axes = ["axis", "axis2"].map(|tag| {
+            let kind = hinge.filter(|_| tag == "axis" || node.attribute("type") == Some("gearbox"));
+            x_rj.vector(&self.read_axis(node, tag, &x_rj, kind, report).normalize())
+        });
+        let number = |tag| child_number(node, tag);
+        let terms = if node.attribute("type") == Some("screw") {
+            match sdf_values::screw_advance(number("screw_thread_pitch"), number("thread_pitch")) {
+                Ok(advance) => self.screw_terms([&parent, &child], &axes[0], &x_rj.translation, advance),
+                Err((code, defect)) => {
+                    report.error(code, Place::Element(node), || defect.to_owned());
+                    return None;
+                }
+            }
+        } else {
+            report.add_once(Severity::Warning, "gearbox", "gearbox".to_owned(), Place::Element(node), || {
+                sdf_values::GEARBOX.to_owned()
+            });
+            let reference = read_link_name(node, "gearbox_reference_body", report);
+            let ratio = number("gearbox_ratio").unwrap_or(1.0);
+            self.gearbox_terms(&reference, [&parent, &child], &axes, ratio)
+        };
+        if terms.is_none() {
+            report.warning("gazebo-joint", Place::Element(node), || {
+                "the joint is not read, and its coupling is missing here: a screw is read between links \
+                 that one hinge and one slide with its axis connect, a gearbox \
+                 between links that one hinge each, with its axes, connects to <gearbox_reference_body>. \
+                 Write a <relation> of the joints \
+                 instead: factor 1 for the slide (m) and −advance per radian for the hinge"
+                    .to_owned()
+            });
+        }
+        Some(RelationDescription { name, terms: terms?, constant: 0.0, curve: None })
+    }
+
+    /// Sign of a joint's motion about or along a direction in the root frame; `None` if the two are not parallel.
+    fn sign_along(&self, joint: &JointText<'_>, direction: &Vector3<f64>) -> Option<f64> {
+        let own: Vector3<f64> = parse_numbers::<3>(joint.axis).unwrap_or_default().into();
+        let own = self.zero_pose.link_frame(joint.child).vector(&own).try_normalize(0.0)?;
+        let cosine = own.dot(direction);
+        ((cosine.abs() - 1.0).abs() <= sdf_values::PARALLEL_AXES).then(|| cosine.signum())
+    }
+
+    /// s_p q_p = advance · s_r q_r for the slide p and the hinge r that move the second link against the first.
+    fn screw_terms(
+        &self,
+        [first, second]: [&str; 2],
+        axis: &Vector3<f64>,
+        point: &Vector3<f64>,
+        advance: f64,
+    ) -> Option<Vec<(String, f64)>> {
+        let mut joints = self.zero_pose.joints_between(first, second)?;
+        joints.sort_by_key(|(joint, _)| joint.kind != JointKind::Prismatic);
+        let [(slide, along), (hinge, about)] = joints[..] else { return None };
+        let off = self.zero_pose.link_frame(hinge.child).translation - point;
+        let is_screw = slide.kind == JointKind::Prismatic
+            && is_hinge(hinge)
+            && off.cross(axis).norm() <= SCREW_AXIS_OFFSET * (1.0 + off.norm());
+        let [along, about] = [along * self.sign_along(slide, axis)?, about * self.sign_along(hinge, axis)?];
+        is_screw.then(|| vec![(slide.name.to_owned(), along), (hinge.name.to_owned(), -advance * about)])
+    }
+
+    /// s₂ q₂ = −ratio · s₁ q₁ for the hinges of the parent and the child on the reference link.
+    fn gearbox_terms(
+        &self,
+        reference: &str,
+        ends: [&str; 2],
+        axes: &[Vector3<f64>; 2],
+        ratio: f64,
+    ) -> Option<Vec<(String, f64)>> {
+        let mut terms = Vec::new();
+        for ((end, axis), factor) in ends.iter().zip(axes).zip([ratio, 1.0]) {
+            let joints = self.zero_pose.joints_between(reference, end)?;
+            let [(hinge, sign)] = joints[..] else { return None };
+            let sign = sign * self.sign_along(hinge, axis)?;
+            is_hinge(hinge).then_some(())?;
+            terms.push((hinge.name.to_owned(), factor * sign));
+        }
+        (terms[0].0 != terms[1].0).then_some(terms)
+    }
+
     /// X_rj. The pose is relative to the child link (X_rc) unless another frame is named.
     fn read_joint_frame<'i: 'a>(
         &self,
@@ -188,7 +326,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         self.zero_pose.named_frame(frame, self.links).unwrap_or_else(|| {
             refuse(node, report, || {
                 format!(
-                    "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of the tree",
+                    "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of \
+                     the tree",
                     quoted(frame)
                 )
             });
@@ -244,13 +383,15 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKin
         ("prismatic", ClosureKind::Prismatic),
         ("ball", ClosureKind::Spherical),
         ("universal", ClosureKind::Universal),
+        ("revolute2", ClosureKind::Universal),
         ("fixed", ClosureKind::Fixed),
     ];
     let given = node.attribute("type").unwrap_or_default();
     let kind = read.iter().find(|(word, _)| *word == given).map(|(_, kind)| *kind);
     if kind.is_none() {
         refuse(node, report, || {
-            format!("its type is {}; {} are read", quoted(given), read.map(|(word, _)| word).join(", "))
+            let words = read.map(|(word, _)| word).join(", ");
+            format!("its type is {}; {words}, screw and gearbox are read", quoted(given))
         });
     }
     kind
@@ -267,6 +408,16 @@ fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mu
         });
     }
     name.to_owned()
+}
+
+/// True for a joint with one rotation.
+fn is_hinge(joint: &JointText<'_>) -> bool {
+    matches!(joint.kind, JointKind::Revolute | JointKind::Continuous)
+}
+
+/// Number in the text of a child element; `None` if the element is absent or holds no number.
+fn child_number<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option<f64> {
+    parse_numbers::<1>(&element_text(child(node, tag)?)).ok().map(|[value]| value)
 }
 
 /// Text of an element, without comments.

@@ -1,9 +1,12 @@
 //! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic.
 
+use crate::reading::limits::UNLIMITED;
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::link::read_name;
-use crate::urdf::elements::numbers::{optional_numbers, report_missing_attribute, required_numbers};
+use crate::urdf::elements::numbers::{
+    optional_numbers, parse_checked_number, parse_numbers, report_missing_attribute, required_numbers,
+};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{JointKind, Severity, near_names};
@@ -32,10 +35,9 @@ pub(crate) struct JointText<'a> {
 /// Checked `<mimic>`.
 pub(crate) struct MimicText<'a> {
     pub joint: &'a str,
-    /// One valid number.
-    pub multiplier: &'a str,
-    /// One valid number, rad or m.
-    pub offset: &'a str,
+    pub multiplier: f64,
+    /// rad or m.
+    pub offset: f64,
 }
 
 /// Default axis of URDF.
@@ -135,6 +137,15 @@ pub(crate) fn read_link_name<'a, 'i: 'a>(
 /// Text of the axis, in the joint frame; the default of URDF if `<axis>` is absent.
 fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
     match child(node, "axis") {
+        Some(axis) if kind == Some(JointKind::Fixed) => {
+            let is_valid = axis.attribute("xyz").is_some_and(|text| parse_numbers::<3>(text).is_ok());
+            if !is_valid {
+                report.warning("unused-element", Place::Element(axis), || {
+                    "the axis is not three numbers in \"xyz\"; the joint is fixed, and has no axis".to_owned()
+                });
+            }
+            DEFAULT_AXIS
+        }
         Some(axis) => required_numbers::<3>(axis, "xyz", DEFAULT_AXIS, report),
         None => {
             if let Some(kind) = kind.filter(|k| k.has_axis()) {
@@ -154,6 +165,9 @@ fn read_limits<'a, 'i: 'a>(
     kind: Option<JointKind>,
     report: &mut Report,
 ) -> Option<[&'a str; 2]> {
+    if kind == Some(JointKind::Fixed) {
+        return None;
+    }
     let limit = child(node, "limit").filter(|n| n.has_attribute("lower") || n.has_attribute("upper"));
     let Some(limit) = limit else {
         if let Some(kind @ (JointKind::Revolute | JointKind::Prismatic)) = kind {
@@ -163,13 +177,13 @@ fn read_limits<'a, 'i: 'a>(
         }
         return None;
     };
-    let unlimited = |name| {
-        let text: Option<&str> = limit.attribute(name);
-        text.is_some_and(|t| t.trim_ascii().parse::<f64>().is_ok_and(f64::is_infinite))
-    };
-    if unlimited("lower") || unlimited("upper") {
-        report.warning("no-limits", Place::Element(limit), || {
-            "an infinite limit is none: the joint is taken as without position limits".to_owned()
+    let texts = ["lower", "upper"].map(|name| limit.attribute(name).unwrap_or("0").trim_ascii());
+    let is_unlimited = |text: &&str| text.parse::<f64>().is_ok_and(|limit| limit.abs() >= UNLIMITED);
+    if texts.iter().any(is_unlimited) {
+        let is_number = texts.iter().all(|text| !text.contains(['n', 'N']));
+        let severity = if is_number { Severity::Note } else { Severity::Warning };
+        report.add(severity, "no-limits", Place::Element(limit), || {
+            format!("an infinite limit, or one of {UNLIMITED:e} and more, is none: the joint is taken as without position limits")
         });
         return None;
     }
@@ -178,12 +192,6 @@ fn read_limits<'a, 'i: 'a>(
 
 /// `None`, with a warning, for a fixed joint.
 fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
-    let joint = node.attribute("joint").unwrap_or_else(|| {
-        report_missing_attribute(node, "joint", report);
-        ""
-    });
-    let multiplier = optional_numbers::<1>(node, "multiplier", "1", report);
-    let offset = optional_numbers::<1>(node, "offset", "0", report);
     if kind == Some(JointKind::Fixed) {
         // Reduced robot models often fix a joint and keep its other elements.
         report.warning("fixed-mimic", Place::Element(node), || {
@@ -191,5 +199,11 @@ fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Repo
         });
         return None;
     }
+    let joint = node.attribute("joint").unwrap_or_else(|| {
+        report_missing_attribute(node, "joint", report);
+        ""
+    });
+    let multiplier = parse_checked_number(optional_numbers::<1>(node, "multiplier", "1", report));
+    let offset = parse_checked_number(optional_numbers::<1>(node, "offset", "0", report));
     Some(MimicText { joint, multiplier, offset })
 }

@@ -1,32 +1,251 @@
-//! Armatures of joints given in a `<transmission>`; removal of armatures from fixed joints.
+//! Armatures of joints in a `<transmission>`, in the `<actuator>` of a joint and in a `<gazebo>`; removal of armatures from fixed joints.
 
+use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::joints::joint::JointText;
+use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::survey::{child, children};
-use percuss_mechanism::JointKind;
+use crate::urdf::references::Suggestions;
+use percuss_mechanism::{JointKind, Severity};
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// Adds the armatures given in `<transmission>`s to their joints.
+/// Elements and attributes with the inertia of a rotor, kg·m².
+const INERTIAS: [&str; 4] = ["motorInertia", "motor_inertia", "rotorInertia", "rotor_inertia"];
+
+/// Elements and attributes with the rate of a rotor over that of its joint.
+const RATIOS: [&str; 5] =
+    ["mechanicalReduction", "mechanical_reduction", "gearRatio", "gear_ratio", "drake:gear_ratio"];
+
+const REMEDY: &str =
+    "give the reflected inertia I·N² as <dynamics armature=\"...\"/> of the joint, or by --armature";
+
+/// Adds the armatures given outside the `<dynamics>` to their joints.
 pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     joints: &mut [JointText<'a>],
+    nodes: &[Node<'a, 'i>],
     index: &HashMap<&'a str, usize>,
+    suggestions: &mut Suggestions,
     report: &mut Report,
 ) {
-    for transmission in children(robot, "transmission") {
-        let joint = child(transmission, "joint").and_then(|n| n.attribute("name")).unwrap_or_default();
-        for actuator in children(transmission, "actuator") {
-            let Some(value) = armature::reflected_inertia(actuator, report) else { continue };
-            match index.get(joint) {
-                Some(&i) => armature::merge_armature(&mut joints[i].armature, value, actuator, report),
-                None => report.warning("dangling-armature", Place::Element(actuator), || {
-                    format!("the rotor inertia is for joint {}, which does not exist; ignored", quoted(joint))
-                }),
-            }
+    let mut rotors = Rotors { joints, index, suggestions, actuators: HashMap::new() };
+    let of_control = children(robot, "ros2_control").flat_map(|control| children(control, "transmission"));
+    for transmission in children(robot, "transmission").chain(of_control) {
+        rotors.read_transmission(transmission, report);
+    }
+    for (joint, node) in nodes.iter().enumerate() {
+        for actuator in children(*node, "actuator").filter(|actuator| !has_drake_rotor(*actuator)) {
+            rotors.read_rotor(actuator, &[actuator], joint, report);
         }
     }
+    for (gazebo, element) in
+        children(robot, "gazebo").filter_map(|gazebo| child(gazebo, "armature").map(|n| (gazebo, n)))
+    {
+        let joint = gazebo.attribute("reference").and_then(|name| index.get(name.trim_ascii()));
+        let text = element.attribute("value").or_else(|| element.text()).unwrap_or_default();
+        match (joint, parse_numbers::<1>(text)) {
+            (Some(joint), Ok([value])) if value >= 0.0 => rotors.set(*joint, value, element, report),
+            _ => report.warning("rotor-inertia", Place::Element(element), || {
+                format!("{} is no armature of a joint of the robot; ignored: {REMEDY}", quoted(text))
+            }),
+        }
+    }
+}
+
+/// Reader of rotor inertias.
+struct Rotors<'t, 'a> {
+    joints: &'t mut [JointText<'a>],
+    index: &'t HashMap<&'a str, usize>,
+    suggestions: &'t mut Suggestions,
+    /// Actuator from which the armature of a joint comes.
+    actuators: HashMap<usize, &'a str>,
+}
+
+impl<'a> Rotors<'_, 'a> {
+    fn read_transmission<'i: 'a>(&mut self, transmission: Node<'a, 'i>, report: &mut Report) {
+        let driven: Vec<Node<'a, 'i>> = children(transmission, "joint").collect();
+        let actuators: Vec<Node<'a, 'i>> = children(transmission, "actuator").collect();
+        let mut found = Vec::new();
+        for joint in &driven {
+            let name = joint.attribute("name").unwrap_or_default();
+            match self.index.get(name.trim_ascii()) {
+                Some(i) => found.push(*i),
+                None => {
+                    let near = self.suggestions.similar_names(name, self.joints.iter().map(|j| j.name));
+                    let guess =
+                        near.first().map(|near| format!(" (did you mean \"{near}\"?)")).unwrap_or_default();
+                    report.add_once(
+                        Severity::Warning,
+                        "dangling-armature",
+                        String::new(),
+                        Place::Element(*joint),
+                        || {
+                            format!(
+                                "the transmission is for joint {}, which does not exist{guess}; its rotor \
+                             inertia, if any, is ignored",
+                                quoted(name)
+                            )
+                        },
+                    );
+                }
+            }
+        }
+        let kind =
+            ["type", "plugin"].map(|tag| child(transmission, tag).and_then(|n| n.text()).unwrap_or_default());
+        let kind = format!("{} {}", kind.join(" "), transmission.attribute("type").unwrap_or_default());
+        let has_inertia = || {
+            let holders = std::iter::once(&transmission).chain(&driven).chain(&actuators);
+            holders.clone().any(|holder| INERTIAS.iter().any(|tag| !values(*holder, tag).is_empty()))
+                || actuators.iter().any(|actuator| has_drake_rotor(*actuator))
+        };
+        let couples = ["Differential", "FourBar"].iter().any(|word| kind.contains(word));
+        if couples || (driven.len() != 1 && has_inertia()) {
+            report.add_once(Severity::Warning, "rotor-inertia", kind, Place::Element(transmission), || {
+                format!(
+                    "this <transmission> does not drive one joint alone; the inertias of its rotors are \
+                     not read, and the answer is \
+                     without them: {REMEDY}, or write the rotors as links with a <relation> of their joints"
+                )
+            });
+            return;
+        }
+        let [joint] = found[..] else { return };
+        for actuator in &actuators {
+            if let Some(value) = armature::reflected_inertia(*actuator, report) {
+                armature::merge_armature(&mut self.joints[joint].armature, value, *actuator, report);
+            }
+        }
+        if actuators.iter().any(|actuator| has_drake_rotor(*actuator)) {
+            return;
+        }
+        let holders: Vec<_> = std::iter::once(transmission).chain(driven).chain(actuators).collect();
+        self.read_rotor(transmission, &holders, joint, report);
+    }
+
+    /// Reads the inertia and the ratio of the rotor that drives a joint, from one of the elements.
+    fn read_rotor<'i: 'a>(
+        &mut self,
+        place: Node<'a, 'i>,
+        holders: &[Node<'a, 'i>],
+        joint: usize,
+        report: &mut Report,
+    ) {
+        let read = |tags: &[&'static str]| -> Vec<&'a str> {
+            holders.iter().flat_map(|holder| tags.iter().flat_map(|tag| values(*holder, tag))).collect()
+        };
+        let (inertias, ratios) = (read(&INERTIAS), read(&RATIOS));
+        let ratio = single_number(&ratios, 1.0);
+        let name = self.joints[joint].name;
+        match (single_number(&inertias, 0.0), ratio) {
+            (Some(0.0), Some(ratio)) => {
+                if ratio.abs() > 1.0
+                    && self.joints[joint].armature.is_empty()
+                    && self.joints[joint].kind.dofs() > 0
+                {
+                    report.add_once(
+                        Severity::Note,
+                        "gear-without-rotor",
+                        String::new(),
+                        Place::Element(place),
+                        || {
+                            format!(
+                                "joint {} has a gear ratio of {ratio}, and no inertia of its rotor: the \
+                             reflected inertia I·N² is missing, \
+                             which is often the largest part of the effective mass of a geared arm: \
+                             {REMEDY}",
+                                quoted(name)
+                            )
+                        },
+                    );
+                }
+            }
+            (Some(inertia), Some(ratio)) if inertia > 0.0 && ratio != 0.0 => {
+                if ratios.is_empty() {
+                    report.add_once(
+                        Severity::Note,
+                        "default-gear",
+                        String::new(),
+                        Place::Element(place),
+                        || {
+                            "a rotor inertia without <mechanicalReduction>: the ratio is taken as 1"
+                                .to_owned()
+                        },
+                    );
+                }
+                let actuator = holders
+                    .iter()
+                    .filter(|n| n.tag_name().name() == "actuator")
+                    .find_map(|n| n.attribute("name"));
+                let actuator = actuator.unwrap_or_default();
+                if self.actuators.insert(joint, actuator).is_some_and(|first| first != actuator) {
+                    report.warning("rotor-inertia", Place::Element(place), || {
+                        format!(
+                            "a second motor of joint {}: only the inertia of the first is read; {REMEDY}",
+                            quoted(name)
+                        )
+                    });
+                    return;
+                }
+                self.set(joint, inertia * ratio * ratio, place, report);
+            }
+            _ => report.warning("rotor-inertia", Place::Element(place), || {
+                format!(
+                    "the rotor of joint {} is not read, and the answer is without it: inertia {}, ratio \
+                     {}; one positive inertia in kg·m² \
+                     and one ratio are expected; {REMEDY}",
+                    quoted(name),
+                    quoted(&inertias.join(", ")),
+                    quoted(&ratios.join(", "))
+                )
+            }),
+        }
+    }
+
+    /// Sets the armature of a joint without one; a different value of a joint that has one is ignored with a warning.
+    fn set(&mut self, joint: usize, value: f64, place: Node<'_, '_>, report: &mut Report) {
+        let joint = &mut self.joints[joint];
+        match joint.armature[..] {
+            [] if joint.kind.dofs() == 1 => {
+                report.note("rotor-inertia", Place::Element(place), || {
+                    let unit = if joint.kind == JointKind::Prismatic { "kg" } else { "kg·m²" };
+                    format!("read as an armature of {value} {unit} of joint {}", quoted(joint.name))
+                });
+                joint.armature.push(value);
+            }
+            [given] if (given - value).abs() <= ARMATURE_TOLERANCE * given.abs().max(value) => {}
+            _ => report.warning("rotor-inertia", Place::Element(place), || {
+                format!(
+                    "an armature of {value} for joint {} is ignored: it has {:?} already, or not one \
+                     degree of freedom",
+                    quoted(joint.name),
+                    joint.armature
+                )
+            }),
+        }
+    }
+}
+
+/// True for an element with a rotor inertia of Drake, which `armature.rs` reads.
+fn has_drake_rotor<'a, 'i: 'a>(actuator: Node<'a, 'i>) -> bool {
+    child(actuator, "drake:rotor_inertia").is_some()
+}
+
+/// Texts of the child elements and of the attribute with a name: the text of an element, or its attribute `value`.
+fn values<'a, 'i: 'a>(holder: Node<'a, 'i>, tag: &'static str) -> Vec<&'a str> {
+    let elements =
+        children(holder, tag).map(|n| n.attribute("value").or_else(|| n.text()).unwrap_or_default());
+    elements.chain(holder.attribute(tag)).map(str::trim_ascii).collect()
+}
+
+/// The number that all texts state; `default` without texts, and `None` for a text that is no number and for different numbers.
+fn single_number(texts: &[&str], default: f64) -> Option<f64> {
+    let numbers: Option<Vec<f64>> =
+        texts.iter().map(|text| parse_numbers::<1>(text).ok().map(|[value]| value)).collect();
+    let numbers = numbers?;
+    let first = numbers.first().copied().unwrap_or(default);
+    numbers.iter().all(|number| *number == first).then_some(first)
 }
 
 /// Drops the armature of a fixed joint, which has no velocity.

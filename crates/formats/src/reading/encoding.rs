@@ -9,14 +9,15 @@ const HIGH_CONTROLS: [char; 32] = [
 ];
 
 /// Text of the bytes, without a byte order mark.
-pub(super) struct Decoded<'b> {
+pub struct Decoded<'b> {
+    /// The text.
     pub text: Cow<'b, str>,
     /// Note about the encoding, for the report; `None` for UTF-8.
     pub note: Option<String>,
 }
 
 /// Decodes the bytes of a text file.
-pub(super) fn decode(bytes: &[u8]) -> Decoded<'_> {
+pub fn decode(bytes: &[u8]) -> Decoded<'_> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let error = match std::str::from_utf8(bytes) {
         Ok(text) => return Decoded { text: Cow::Borrowed(text), note: None },

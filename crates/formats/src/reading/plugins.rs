@@ -1,0 +1,135 @@
+//! Plugins of simulators that join links or couple joints. A plugin is a program: its names and its elements are all that a file states.
+
+use crate::reading::limits::MAX_PLUGIN_NAMES;
+
+/// Parts of the names of plugins, and of their elements, that join links or couple joints.
+const JOINING: [&str; 14] = [
+    "mimic",
+    "detach",
+    "attach",
+    "disablelink",
+    "closedloop",
+    "closeloop",
+    "loopclos",
+    "loopjoint",
+    "weld",
+    "constraint",
+    "coupl",
+    "gearbox",
+    "linkage",
+    "fourbar",
+];
+
+/// The same for parts that occur in the names of sensors and controllers too.
+const PERHAPS_JOINING: [&str; 3] = ["loop", "differential", "parallel"];
+
+/// Parts of the names of plugins that measure, publish, control or exert finite forces.
+const HARMLESS: [&str; 43] = [
+    "control",
+    "sensor",
+    "camera",
+    "imu",
+    "laser",
+    "lidar",
+    "gpuray",
+    "raysensor",
+    "sonar",
+    "gps",
+    "navsat",
+    "magnetometer",
+    "altimeter",
+    "barometer",
+    "depth",
+    "contact",
+    "bumper",
+    "forcetorque",
+    "p3d",
+    "f3d",
+    "groundtruth",
+    "diffdrive",
+    "differentialdrive",
+    "skidsteer",
+    "tricycle",
+    "ackermann",
+    "steering",
+    "mecanum",
+    "planarmove",
+    "wheelslip",
+    "track",
+    "publish",
+    "jointstate",
+    "odom",
+    "trajectory",
+    "thrust",
+    "motormodel",
+    "multicopter",
+    "buoyan",
+    "hydrodynam",
+    "liftdrag",
+    "grasp",
+    "vacuum",
+];
+
+/// Names of elements that name the two ends of a connection.
+const ENDS: [[&str; 2]; 7] = [
+    ["parent", "child"],
+    ["parentlink", "childlink"],
+    ["link1", "link2"],
+    ["joint1", "joint2"],
+    ["linka", "linkb"],
+    ["jointa", "jointb"],
+    ["leader", "follower"],
+];
+
+/// Letters and digits in lower case, without separators.
+pub(crate) fn plain_word(text: &str) -> String {
+    text.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect()
+}
+
+/// True if a plugin joins links or couples joints, by its name and file name, by the names of its elements, or because it names two links
+/// or two joints of the model. `values`: name and text of every element and attribute below the plugin; `is_known`: true for a link, and
+/// for a joint, of this name.
+pub(crate) fn joins_links<'a>(
+    name: &str,
+    values: &[(&'a str, &'a str)],
+    is_known: impl Fn(&str) -> [bool; 2],
+) -> bool {
+    let word = plain_word(name);
+    let has = |parts: &[&str]| parts.iter().any(|part| word.contains(part));
+    if has(&JOINING) {
+        return true;
+    }
+    if has(&HARMLESS) {
+        return false;
+    }
+    let tags: Vec<String> = values.iter().map(|(tag, _)| plain_word(tag)).collect();
+    let joining_tag = |tag: &String| JOINING.iter().any(|part| tag.contains(part));
+    let has_ends = |ends: &[&str; 2]| ends.iter().all(|end| tags.iter().any(|tag| tag == end));
+    has(&PERHAPS_JOINING) || tags.iter().any(joining_tag) || ENDS.iter().any(has_ends) || {
+        let [links, joints] = named_parts(values, is_known);
+        links.len() > 1 || joints.len() > 1
+    }
+}
+
+/// Distinct links, and distinct joints, that the elements of a plugin name. Frames in which a sensor measures are left out.
+pub(crate) fn named_parts<'a>(
+    values: &[(&'a str, &'a str)],
+    is_known: impl Fn(&str) -> [bool; 2],
+) -> [Vec<&'a str>; 2] {
+    let mut found = [Vec::new(), Vec::new()];
+    for (tag, text) in values {
+        let tag = plain_word(tag);
+        if tag.contains("frame") || tag.contains("topic") {
+            continue;
+        }
+        for word in text.split(|c: char| c.is_ascii_whitespace() || c == ',') {
+            let name = word.rsplit("::").next().unwrap_or(word);
+            for (names, is_known) in found.iter_mut().zip(is_known(name)) {
+                if is_known && names.len() < MAX_PLUGIN_NAMES && !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+    }
+    found
+}
