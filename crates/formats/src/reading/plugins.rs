@@ -2,73 +2,18 @@
 
 use crate::reading::limits::MAX_PLUGIN_NAMES;
 
-/// Parts of the names of plugins, and of their elements, that join links or couple joints.
-const JOINING: [&str; 14] = [
-    "mimic",
-    "detach",
-    "attach",
-    "disablelink",
-    "closedloop",
-    "closeloop",
-    "loopclos",
-    "loopjoint",
-    "weld",
-    "constraint",
-    "coupl",
-    "gearbox",
-    "linkage",
-    "fourbar",
-];
+/// Parts of the names of plugins, and of their elements, that join links or couple joints; separated by blanks, as in the other lists.
+const JOINING: &str = "mimic detach attach disablelink closedloop closeloop loopclos loopjoint weld constraint coupl \
+    gearbox linkage fourbar";
 
 /// The same for parts that occur in the names of sensors and controllers too.
-const PERHAPS_JOINING: [&str; 3] = ["loop", "differential", "parallel"];
+const PERHAPS_JOINING: &str = "loop differential parallel";
 
 /// Parts of the names of plugins that measure, publish, control or exert finite forces.
-const HARMLESS: [&str; 43] = [
-    "control",
-    "sensor",
-    "camera",
-    "imu",
-    "laser",
-    "lidar",
-    "gpuray",
-    "raysensor",
-    "sonar",
-    "gps",
-    "navsat",
-    "magnetometer",
-    "altimeter",
-    "barometer",
-    "depth",
-    "contact",
-    "bumper",
-    "forcetorque",
-    "p3d",
-    "f3d",
-    "groundtruth",
-    "diffdrive",
-    "differentialdrive",
-    "skidsteer",
-    "tricycle",
-    "ackermann",
-    "steering",
-    "mecanum",
-    "planarmove",
-    "wheelslip",
-    "track",
-    "publish",
-    "jointstate",
-    "odom",
-    "trajectory",
-    "thrust",
-    "motormodel",
-    "multicopter",
-    "buoyan",
-    "hydrodynam",
-    "liftdrag",
-    "grasp",
-    "vacuum",
-];
+const HARMLESS: &str = "control sensor camera imu laser lidar gpuray raysensor sonar gps navsat magnetometer altimeter \
+    barometer depth contact bumper forcetorque p3d f3d groundtruth diffdrive differentialdrive \
+    skidsteer tricycle ackermann steering mecanum planarmove wheelslip track publish jointstate odom \
+    trajectory thrust motormodel multicopter buoyan hydrodynam liftdrag grasp vacuum";
 
 /// Names of elements that name the two ends of a connection.
 const ENDS: [[&str; 2]; 7] = [
@@ -95,17 +40,17 @@ pub(crate) fn joins_links<'a>(
     is_known: impl Fn(&str) -> [bool; 2],
 ) -> bool {
     let word = plain_word(name);
-    let has = |parts: &[&str]| parts.iter().any(|part| word.contains(part));
-    if has(&JOINING) {
+    let has = |parts: &str| parts.split_ascii_whitespace().any(|part| word.contains(part));
+    if has(JOINING) {
         return true;
     }
-    if has(&HARMLESS) {
+    if has(HARMLESS) {
         return false;
     }
     let tags: Vec<String> = values.iter().map(|(tag, _)| plain_word(tag)).collect();
-    let joining_tag = |tag: &String| JOINING.iter().any(|part| tag.contains(part));
+    let joining_tag = |tag: &String| JOINING.split_ascii_whitespace().any(|part| tag.contains(part));
     let has_ends = |ends: &[&str; 2]| ends.iter().all(|end| tags.iter().any(|tag| tag == end));
-    has(&PERHAPS_JOINING) || tags.iter().any(joining_tag) || ENDS.iter().any(has_ends) || {
+    has(PERHAPS_JOINING) || tags.iter().any(joining_tag) || ENDS.iter().any(has_ends) || {
         let [links, joints] = named_parts(values, is_known);
         links.len() > 1 || joints.len() > 1
     }

@@ -33,13 +33,13 @@ pub(crate) struct ElementRule {
     pub attributes: &'static [(&'static str, Treatment)],
     /// Child elements. Only children of elements with the treatment `Read` are examined.
     pub children: &'static [ElementRule],
-    /// Further child elements, without effect on the mechanics.
-    pub silent: &'static [&'static str],
+    /// Names of further child elements, without effect on the mechanics, separated by blanks.
+    pub silent: &'static str,
 }
 
 impl ElementRule {
     /// The rule with child elements that have no effect.
-    const fn silent(self, silent: &'static [&'static str]) -> Self {
+    const fn silent(self, silent: &'static str) -> Self {
         Self { silent, ..self }
     }
 }
@@ -50,7 +50,7 @@ const fn element(
     attributes: &'static [(&'static str, Treatment)],
     children: &'static [ElementRule],
 ) -> ElementRule {
-    ElementRule { name, treatment: Read, single: false, attributes, children, silent: &[] }
+    ElementRule { name, treatment: Read, single: false, attributes, children, silent: "" }
 }
 
 /// Element that is read, without children; a parent may have one.
@@ -105,25 +105,9 @@ const IN_ROBOT: &[ElementRule] = &[
     element("gazebo", &[("reference", Read), ("name", Silent)], IN_GAZEBO).silent(GAZEBO_SETTINGS),
     unread_element("material", Silent),
     unread_element("sensor", Silent),
-    element("ros2_control", ROS2_CONTROL, IN_ROS2_CONTROL).silent(&[
-        "hardware",
-        "sensor",
-        "gpio",
-        "async",
-        "properties",
-    ]),
-    element("mujoco", &[], IN_MUJOCO).silent(&[
-        "option",
-        "size",
-        "visual",
-        "statistic",
-        "asset",
-        "contact",
-        "sensor",
-        "keyframe",
-        "custom",
-        "extension",
-    ]),
+    element("ros2_control", ROS2_CONTROL, IN_ROS2_CONTROL).silent("hardware sensor gpio async properties"),
+    element("mujoco", &[], IN_MUJOCO)
+        .silent("option size visual statistic asset contact sensor keyframe custom extension"),
     unread_element("group", Silent),
     unread_element("frame", Silent),
     unread_element("capability", Silent),
@@ -397,12 +381,8 @@ const ROS2_CONTROL: &[(&str, Treatment)] = &[
 
 const IN_ROS2_CONTROL: &[ElementRule] = &[
     TRANSMISSION,
-    element("joint", &[("name", Read), ("mimic", Read)], IN_CONTROLLED_JOINT).silent(&[
-        "command_interface",
-        "state_interface",
-        "limits",
-        "properties",
-    ]),
+    element("joint", &[("name", Read), ("mimic", Read)], IN_CONTROLLED_JOINT)
+        .silent("command_interface state_interface limits properties"),
 ];
 
 const IN_CONTROLLED_JOINT: &[ElementRule] = &[
@@ -511,107 +491,18 @@ const IN_GAZEBO: &[ElementRule] = &[
 ];
 
 /// Settings of Gazebo for contacts, sensors, forces and looks.
-const GAZEBO_SETTINGS: &[&str] = &[
-    "plugin",
-    "material",
-    "visual",
-    "collision",
-    "sensor",
-    "light",
-    "projector",
-    "audio",
-    "audio_sink",
-    "audio_source",
-    "battery",
-    "gripper",
-    "particle_emitter",
-    "gravity",
-    "turnGravityOff",
-    "selfCollide",
-    "self_collide",
-    "enable_wind",
-    "mu",
-    "mu1",
-    "mu2",
-    "fdir1",
-    "slip1",
-    "slip2",
-    "kp",
-    "kd",
-    "minDepth",
-    "min_depth",
-    "maxVel",
-    "max_vel",
-    "maxContacts",
-    "max_contacts",
-    "laserRetro",
-    "laser_retro",
-    "surface",
-    "friction",
-    "bounce",
-    "contact",
-    "physics",
-    "ode",
-    "dampingFactor",
-    "velocity_decay",
-    "provideFeedback",
-    "implicitSpringDamper",
-    "springReference",
-    "springStiffness",
-    "fudgeFactor",
-    "stopCfm",
-    "stopErp",
-    "stopKp",
-    "stopKd",
-    "cfmDamping",
-    "initialJointPosition",
-    "initial_joint_position",
-    "limit",
-    "dynamics",
-    "preserveFixedJoint",
-    "disableFixedJointLumping",
-    "canonicalBody",
-    "must_be_base_link",
-    "allow_auto_disable",
-    "pose",
-    "origin",
-    "frame",
-    "genTexCoord",
-    "dontUseGravity",
-    "robotNamespace",
-    "param",
-    "gui",
-    "scene",
-    "verbose",
-];
+const GAZEBO_SETTINGS: &str = "plugin material visual collision sensor light projector audio audio_sink audio_source battery \
+    gripper particle_emitter gravity turnGravityOff selfCollide self_collide enable_wind mu mu1 mu2 \
+    fdir1 slip1 slip2 kp kd minDepth min_depth maxVel max_vel maxContacts max_contacts laserRetro \
+    laser_retro surface friction bounce contact physics ode dampingFactor velocity_decay \
+    provideFeedback implicitSpringDamper springReference springStiffness fudgeFactor stopCfm stopErp \
+    stopKp stopKd cfmDamping initialJointPosition initial_joint_position limit dynamics \
+    preserveFixedJoint disableFixedJointLumping canonicalBody must_be_base_link allow_auto_disable \
+    pose origin frame genTexCoord dontUseGravity robotNamespace param gui scene verbose";
 
-const TRANSMISSION_SETTINGS: &[&str] = &[
-    "hardwareInterface",
-    "robotNamespace",
-    "api",
-    "node",
-    "param",
-    "motorTorqueConstant",
-    "motorVelocityConstant",
-    "compensator",
-    "leftActuator",
-    "rightActuator",
-    "flexJoint",
-    "rollJoint",
-    "gap_joint",
-    "passive_joint",
-    "simulated_actuated_joint",
-    "use_simulated_gripper_joint",
-];
+const TRANSMISSION_SETTINGS: &str = "hardwareInterface robotNamespace api node param motorTorqueConstant motorVelocityConstant \
+    compensator leftActuator rightActuator flexJoint rollJoint gap_joint passive_joint \
+    simulated_actuated_joint use_simulated_gripper_joint";
 
-const ACTUATOR_SETTINGS: &[&str] = &[
-    "hardwareInterface",
-    "role",
-    "api",
-    "node",
-    "offset",
-    "param",
-    "motorTorqueConstant",
-    "motorVelocityConstant",
-    "maxEffort",
-];
+const ACTUATOR_SETTINGS: &str =
+    "hardwareInterface role api node offset param motorTorqueConstant motorVelocityConstant maxEffort";

@@ -2,7 +2,6 @@
 
 use crate::reading::report::{Place, Report, shortened};
 use crate::urdf::elements::dialect::{ElementRule, GAZEBO_JOINT, Treatment};
-use crate::urdf::elements::numbers::parse_numbers;
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
@@ -98,7 +97,7 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
             continue;
         }
         let Some(index) = rule.children.iter().position(|s| is_named(child, s.name)) else {
-            if rule.silent.iter().any(|name| is_named(child, name)) {
+            if rule.silent.split_ascii_whitespace().any(|name| is_named(child, name)) {
                 report.add_unread(Place::Element(child), || {
                     format!("<{}> in <{}>", child.tag_name().name(), rule.name)
                 });
@@ -171,7 +170,8 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
 
 /// True if a value is one of the words without effect, or a number of at most 0.
 fn has_no_effect(value: &str, harmless: &[&str]) -> bool {
-    harmless.contains(&value.trim_ascii()) || parse_numbers::<1>(value).is_ok_and(|[number]| number <= 0.0)
+    let value = value.trim_ascii();
+    harmless.contains(&value) || value.parse::<f64>().is_ok_and(|number| number <= 0.0)
 }
 
 /// Children of `<geometry>` that `shape.rs` reads.
