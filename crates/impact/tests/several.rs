@@ -260,7 +260,7 @@ fn two_hinges(rng: &mut StdRng) -> Pose {
         let about_com = Matrix3::identity() * rng.random_range(0.01..0.2);
         let inertial = Inertial { mass: rng.random_range(0.5..3.0), com: vector(rng), about_com };
         builder = builder.link(LinkDescription::new(name, inertial));
-        let mut hinge = JointDescription::new(&format!("h{name}"), JointKind::Continuous, parent, name);
+        let mut hinge = JointDescription::new(format!("h{name}"), JointKind::Continuous, parent, name);
         hinge.axis = vector(rng).normalize();
         hinge.origin.translation = vector(rng);
         builder = builder.joint(hinge);
@@ -285,10 +285,9 @@ fn response_factor(pose: &Pose) -> Option<DMatrix<f64>> {
         }
     }
     rows.resize(rows.len().max(n), vec![0.0; n]);
-    let svd = DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c]).svd(false, true);
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|a, b| svd.singular_values[*a].total_cmp(&svd.singular_values[*b]));
-    let basis = svd.v_t?.transpose().select_columns(&order[..n - rank]);
+    // The singular values descend.
+    let svd = faer::Mat::from_fn(rows.len(), n, |r, c| rows[r][c]).svd().ok()?;
+    let basis = DMatrix::from_fn(n, n - rank, |r, c| svd.V()[(r, rank + c)]);
     let reduced = basis.transpose() * mass * &basis;
     let values = reduced.clone().symmetric_eigenvalues();
     if values.is_empty() || values.min() <= 1e-6 * values.max() {

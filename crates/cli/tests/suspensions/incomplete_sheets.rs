@@ -1,8 +1,8 @@
 //! Sheets without masses, and without the points of a part.
 
 use super::kinematics::rows;
-use super::own_suspension::{done, run};
 use crate::support::Scratch;
+use crate::support::{done, run_in as run};
 
 /// A sheet without masses has the same kinematics; the unsprung mass names the missing masses, the wheel rate the missing points.
 #[test]
