@@ -151,12 +151,13 @@ fn same(a: &BatchAnswer, b: &BatchAnswer) -> bool {
 #[derive(Default, Debug)]
 struct Seen {
     answers: usize,
-    by_lanes: usize,
+    /// Results with a stated error.
+    stated: usize,
     /// Poses without a stated error.
     unstated: usize,
     /// Largest difference as a fraction of the sum of both errors.
     worst: f64,
-    /// Largest relative error stated by a lane.
+    /// Largest relative error stated.
     largest: f64,
 }
 
@@ -183,7 +184,7 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             }
             continue;
         };
-        seen.by_lanes += 1;
+        seen.stated += 1;
         let EffectiveMass::Finite(expected) = response.effective_mass else {
             panic!("{name}: {m} kg for {:?}", response.effective_mass)
         };
@@ -280,14 +281,14 @@ fn family(decades: f64, seed: u64, mimics: f64) -> Seen {
 fn lanes_agree_with_poses() {
     let seen = family(2.0, 1, 0.0);
     // Some contacts are immovable and some uncertain; most are neither.
-    assert!(seen.by_lanes * 10 > seen.answers * 7, "{seen:?}");
+    assert!(seen.stated * 10 > seen.answers * 7, "{seen:?}");
 }
 
 #[test]
 fn lanes_state_their_error_for_masses_over_many_decades() {
     for (decades, seed) in [(9.0, 2), (18.0, 3), (18.0, 4)] {
         let seen = family(decades, seed, 0.0);
-        assert!(seen.by_lanes * 10 > seen.answers, "{seen:?}");
+        assert!(seen.stated * 10 > seen.answers, "{seen:?}");
     }
 }
 
@@ -296,7 +297,7 @@ fn lanes_with_mimics_agree_with_poses() {
     // Contacts between links of one cluster are often immovable.
     for (decades, seed, tenths) in [(2.0, 5, 5), (9.0, 6, 2), (18.0, 7, 1)] {
         let seen = family(decades, seed, 0.4);
-        assert!(seen.by_lanes * 10 > seen.answers * tenths, "{seen:?}");
+        assert!(seen.stated * 10 > seen.answers * tenths, "{seen:?}");
     }
 }
 
@@ -313,7 +314,7 @@ fn lanes_of_thousands_of_bodies_agree_with_poses() {
         check(&format!("long {k}"), &system, &contact, &rows, &mut seen);
     }
     println!("{seen:?}");
-    assert!(seen.by_lanes * 2 > seen.answers, "{seen:?}");
+    assert!(seen.stated * 2 > seen.answers, "{seen:?}");
 }
 
 /// Light bracket between heavy links in line: its reduced inertia is the rounding of the inertia of its subtree.
@@ -349,7 +350,8 @@ fn lanes_report_light_links_with_heavy_subtrees() {
         check(&format!("bracket {k}, {light:.1e}, {tilt:.1e}"), &system, &contact, &rows, &mut seen);
     }
     println!("{seen:?}");
-    assert!(seen.by_lanes > 100 && seen.by_lanes < seen.answers, "{seen:?}");
+    // The family has certain and uncertain masses.
+    assert!(seen.stated > 100 && seen.largest > 1e-6, "{seen:?}");
 }
 
 /// By lanes or one by one: the results equal the results of a workspace, each with its own status.
@@ -406,7 +408,7 @@ fn linkages_in_lanes_agree_with_poses() {
         let answer = batch.effective_mass(pose.positions()).expect("positions");
         seen.answers += 1;
         if let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) {
-            seen.by_lanes += 1;
+            seen.stated += 1;
             let response = pose.respond(contact).expect("an answer");
             let EffectiveMass::Finite(expected) = response.effective_mass else {
                 panic!("{name}: {m} kg for {:?}", response.effective_mass)
@@ -437,7 +439,7 @@ fn linkages_in_lanes_agree_with_poses() {
         }
     }
     println!("{linkages} linkages: {seen:?}, {open} doubted because they are open");
-    assert!(linkages > 75 && seen.by_lanes * 10 > seen.answers * 4, "{linkages} linkages: {seen:?}");
+    assert!(linkages > 75 && seen.stated * 10 > seen.answers * 4, "{linkages} linkages: {seen:?}");
     assert!(open > linkages, "{open} doubted");
 }
 

@@ -184,7 +184,7 @@ fn parts_that_are_not_read_are_reported() {
             urdf,
             [
                 "damping of <dynamics>",
-                "<transmission> in <robot>",
+                "name of <transmission>",
                 "unknown element <cable>",
                 "<material> in <visual>",
             ]

@@ -251,12 +251,8 @@ impl RouteInput<'_> {
         if workspace.dense_reason(&errors).is_none() {
             let mass = apply_energy_value(workspace.mass(), &errors);
             let error = rounding_error(mass, &errors, workspace.closing_speed);
-            return Ok(EvaluatedMass {
-                mass,
-                error,
-                flags: self.recursive_flags(workspace, mass),
-                dense: None,
-            });
+            let flags = self.recursive_flags(workspace, mass);
+            return Ok(EvaluatedMass { mass, error, flags, dense: None });
         }
         let found = self.more_accurate_result(workspace, errors)?;
         let flags = found.remarks.iter().collect::<RemarkFlags>()

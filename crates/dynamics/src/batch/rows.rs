@@ -57,7 +57,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Rounding error, kg; `None` unless m̄ is finite. For a massless contact: upper limit of m̄, if the contact is
+    /// Error, kg; `None` unless m̄ is finite. For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
     /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
@@ -212,7 +212,7 @@ impl Batch {
         let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
         let mut answer = match clear {
             Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
-            None => self.worker.workspace.evaluate_row(&self.contact, positions, remarks),
+            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, remarks),
         };
         answer.remarks |= limit_flags(&self.worker.limits, |q| positions[q]);
         Ok(answer)
@@ -244,7 +244,7 @@ impl Batch {
     }
 
     /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the rounding error, kg (NaN unless finite). The length of the columns is the number of
+    /// `errors` receives the error, kg (NaN unless finite). The length of the columns is the number of
     /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
     /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
     ///
@@ -483,13 +483,29 @@ impl Worker {
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = contacts.at(start + lane, base_of_normal.as_ref());
-                        workspace.evaluate_row(&contact, row, *remarks)
+                        evaluate_row(workspace, &contact, row, *remarks)
                     }
                 };
                 answer.remarks |= outside;
                 places.store_one(block + lane, answer);
             }
         }
+    }
+}
+
+/// Computes one configuration by the workspace. `remarks`: findings that hold at every configuration.
+fn evaluate_row(
+    workspace: &mut Workspace,
+    contact: &Contact,
+    positions: &[f64],
+    remarks: RemarkFlags,
+) -> BatchAnswer {
+    if workspace.set_positions(positions).is_err() {
+        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+    }
+    match workspace.evaluate(contact) {
+        Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
+        Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }
 }
 

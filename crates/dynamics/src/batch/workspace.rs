@@ -5,7 +5,6 @@ use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
-use crate::batch::rows::BatchAnswer;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::{Contact, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
@@ -241,29 +240,24 @@ impl Workspace {
         &self.assembly
     }
 
-    /// Computes m̄ and its error (kg) at `positions` by the recursion. `remarks`: findings that hold at every configuration. The
-    /// error is that of [`BatchAnswer::error`].
-    pub(crate) fn evaluate_row(
+    /// m̄ at the current positions by the recursion, its error (kg) as that of a [`Pose`], and the findings of the result. The error is
+    /// `None` unless m̄ is finite; for a massless contact, it is the upper limit of m̄, if massless only within rounding.
+    pub(crate) fn evaluate(
         &mut self,
         contact: &Contact,
-        positions: &[f64],
-        remarks: RemarkFlags,
-    ) -> BatchAnswer {
-        if self.set_positions(positions).is_err() {
-            return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
-        }
-        let found = self.with_recursion(contact, |route_input, recursion| {
+    ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), ResponseError> {
+        let (mass, mut error, flags) = self.with_recursion(contact, |route_input, recursion| {
             let found = route_input.evaluate(recursion)?;
             let limit = route_input.massless_limit(recursion, found.mass);
             Ok((found.mass, found.error.or(limit), found.flags))
-        });
-        match found {
-            Ok((mass, error, own)) => {
-                let remarks = remarks | own | RemarkFlags::of_error(mass, error);
-                BatchAnswer { mass: Some(mass), error, remarks }
-            }
-            Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
+        })?;
+        if matches!(mass, EffectiveMass::Finite(_)) && !self.assembly.model().groups.is_empty() {
+            // The closing of the loops has an error, too.
+            let pose =
+                Pose::new(Arc::clone(&self.assembly), self.kinematics.clone(), Transform::identity(), None);
+            error = pose.respond(contact)?.effective_mass_error();
         }
+        Ok((mass, error, flags | RemarkFlags::of_error(mass, error)))
     }
 
     /// m̄ of a contact at the current positions, its error by rounding, and v*: the velocities of all joints at unit closing speed

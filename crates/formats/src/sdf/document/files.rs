@@ -105,17 +105,23 @@ impl FileReader<'_> {
         if let Some(parent) = parent {
             self.files.tree.elements[parent.0 as usize].children.push(id);
         }
-        // Contents that are not read, in which files may be named.
-        if matches!(node.tag_name().name(), "plugin" | "population" | "state") {
-            return;
-        }
         for child in node.children().filter(Node::is_element) {
             self.append_element(child, file, Some(id), depth + 1);
         }
         let holder = parent.map(|parent| self.files.tree.tag(parent));
-        if node.tag_name().name() == "include" && matches!(holder, Some("sdf" | "world" | "model")) {
+        if node.tag_name().name() == "include"
+            && matches!(holder, Some("sdf" | "world" | "model"))
+            && !self.is_unread(id)
+        {
             self.include(node, file, id, depth);
         }
+    }
+
+    /// True below an element whose contents are no part of the model.
+    fn is_unread(&self, id: ElementId) -> bool {
+        let tree = &self.files.tree;
+        let mut holders = std::iter::successors(tree.element(id).parent, |id| tree.element(*id).parent);
+        holders.any(|holder| matches!(tree.tag(holder), "plugin" | "population" | "state"))
     }
 
     /// Appends the root element of an included file below its `<include>`.
