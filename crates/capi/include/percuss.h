@@ -100,7 +100,7 @@
 #define PERCUSS_REMARK_OFF_TARGET 2048
 
 /*
- A joint is outside its limits. Workspaces and batches do not check limits.
+ A joint is outside its limits. Workspaces do not check limits.
  */
 #define PERCUSS_REMARK_OUTSIDE_LIMITS 4096
 
@@ -139,6 +139,16 @@
  In batches, a row without an answer for another reason.
  */
 #define PERCUSS_REMARK_NO_ANSWER 524288
+
+/*
+ The error of m̄ is above 1e-6 m̄; the gradient is not computed.
+ */
+#define PERCUSS_REMARK_UNCERTAIN_MASS 1048576
+
+/*
+ The error of m̄ is unknown.
+ */
+#define PERCUSS_REMARK_UNKNOWN_ERROR 2097152
 
 /*
  F = k xᵖ + c x^((p−1)/2) ẋ.
