@@ -57,7 +57,8 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite. For a massless contact: upper limit of m̄, if the contact is
+    /// Error, kg; `None` unless m̄ is finite, and for loops outside the SIMD lanes
+    /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
     /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
@@ -244,7 +245,7 @@ impl Batch {
     }
 
     /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the error, kg (NaN unless finite). The length of the columns is the number of
+    /// `errors` receives the error, kg (NaN for `None`). The length of the columns is the number of
     /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
     /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
     ///

@@ -240,24 +240,23 @@ impl Workspace {
         &self.assembly
     }
 
-    /// m̄ at the current positions by the recursion, its error (kg) as that of a [`Pose`], and the findings of the result. The error is
-    /// `None` unless m̄ is finite; for a massless contact, it is the upper limit of m̄, if massless only within rounding.
+    /// m̄ at the current positions by the recursion, its error (kg), and the findings of the result. The error is `None` unless m̄ is
+    /// finite, and for loops, whose closing has an error that the positions alone do not tell. For a massless contact, it is the upper
+    /// limit of m̄, if massless only within rounding.
     pub(crate) fn evaluate(
         &mut self,
         contact: &Contact,
     ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), ResponseError> {
-        let (mass, mut error, flags) = self.with_recursion(contact, |route_input, recursion| {
+        let (mass, rounding, limit, flags) = self.with_recursion(contact, |route_input, recursion| {
             let found = route_input.evaluate(recursion)?;
             let limit = route_input.massless_limit(recursion, found.mass);
-            Ok((found.mass, found.error.or(limit), found.flags))
+            Ok((found.mass, found.error, limit, found.flags))
         })?;
-        if matches!(mass, EffectiveMass::Finite(_)) && !self.assembly.model().groups.is_empty() {
-            // The closing of the loops has an error, too.
-            let pose =
-                Pose::new(Arc::clone(&self.assembly), self.kinematics.clone(), Transform::identity(), None);
-            error = pose.respond(contact)?.effective_mass_error();
+        let flags = flags | RemarkFlags::of_error(mass, rounding);
+        if rounding.is_some() && !self.assembly.model().groups.is_empty() {
+            return Ok((mass, None, flags | RemarkFlags::UNKNOWN_ERROR));
         }
-        Ok((mass, error, flags | RemarkFlags::of_error(mass, error)))
+        Ok((mass, rounding.or(limit), flags))
     }
 
     /// m̄ of a contact at the current positions, its error by rounding, and v*: the velocities of all joints at unit closing speed

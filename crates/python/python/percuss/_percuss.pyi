@@ -653,7 +653,7 @@ class Sweep:
         """m̄, kg; NaN unless finite; (N,)."""
     @property
     def error(self) -> _Array:
-        """Error of m̄, kg; NaN unless m̄ is finite; (N,)."""
+        """Error of m̄, kg; NaN unless m̄ is finite, and with the remark UNKNOWN_ERROR; (N,)."""
     @property
     def status(self) -> NDArray[np.uint8]:
         """0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to

@@ -45,7 +45,7 @@ pub struct Sweep {
     /// m̄, kg; NaN unless finite; (N,).
     #[pyo3(get)]
     effective_mass: Py<PyArray1<f64>>,
-    /// Error of m̄, kg; NaN unless m̄ is finite; (N,).
+    /// Error of m̄, kg; NaN unless m̄ is finite, and with the remark UNKNOWN_ERROR; (N,).
     #[pyo3(get)]
     error: Py<PyArray1<f64>>,
     /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to

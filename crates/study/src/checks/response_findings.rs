@@ -132,7 +132,7 @@ const REMARKS: [(RemarkFlags, FindingKind, &str); 22] = {
         (
             Flags::UNKNOWN_ERROR,
             Kind::UnknownError,
-            "the error of the effective mass is unknown: do not rely on its digits",
+            "the error of the effective mass is not computed for this row; the result at a pose states it",
         ),
     ]
 };
