@@ -57,7 +57,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, and for loops outside the SIMD lanes
+    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for loops outside the SIMD lanes
     /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,

@@ -241,7 +241,7 @@ impl Workspace {
     }
 
     /// m̄ at the current positions by the recursion, its error (kg), and the findings of the result. The error is `None` unless m̄ is
-    /// finite, and for loops, whose closing has an error that the positions alone do not tell. For a massless contact, it is the upper
+    /// finite with an error below 100 %, and for loops, whose closing has an error that the positions alone do not tell. For a massless contact, it is the upper
     /// limit of m̄, if massless only within rounding.
     pub(crate) fn evaluate(
         &mut self,
@@ -252,6 +252,8 @@ impl Workspace {
             let limit = route_input.massless_limit(recursion, found.mass);
             Ok((found.mass, found.error, limit, found.flags))
         })?;
+        // Above 100 %, a relative error of 1/m̄ bounds no m̄.
+        let rounding = rounding.filter(|error| matches!(mass, EffectiveMass::Finite(m) if *error < m));
         let flags = flags | RemarkFlags::of_error(mass, rounding);
         if rounding.is_some() && !self.assembly.model().groups.is_empty() {
             return Ok((mass, None, flags | RemarkFlags::UNKNOWN_ERROR));
