@@ -120,7 +120,7 @@ fn no_line_of_a_study_is_shown_raw() {
         let path = folder.write(&format!("{i}.toml"), line);
         for command in ["run", "import"] {
             let more = if command == "import" { vec!["-o".to_owned(), folder.path("x.urdf")] } else { vec![] };
-            let outcome = run(&[vec![command.to_owned(), path.clone()], more].concat());
+            let outcome = run([vec![command.to_owned(), path.clone()], more].concat());
             assert_eq!(outcome.code, 2, "{line:?}");
             assert!(!outcome.stderr.is_empty());
             assert_harmless(&outcome.stderr, line);
@@ -136,7 +136,7 @@ fn cells_that_would_be_formulas_are_text() {
         let joint = name.replace("&quot;", "\"");
         let line =
             ["mass", &path, "--link", "arm", "--point", "0,0,-0.6", "--normal", "1,0,0", "--format", "csv"];
-        let outcome = run(&line.map(str::to_owned));
+        let outcome = run(line.map(str::to_owned));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let cell = format!("\"'{}\"", joint.replace('"', "\"\""));
         assert!(outcome.stdout.contains(&cell), "{cell} is not in {}", outcome.stdout);
@@ -145,7 +145,7 @@ fn cells_that_would_be_formulas_are_text() {
         // Numbers remain numbers.
         let vary =
             ["sweep", &path, "--link", "arm", "--point", "0,0,-0.6", "--normal", "1,0,0", "--random", "50"];
-        let outcome = run(&vary.map(str::to_owned));
+        let outcome = run(vary.map(str::to_owned));
         assert!(outcome.stdout.lines().skip(1).any(|row| row.contains(",-0.")), "{}", outcome.stdout);
         assert!(!outcome.stdout.contains("'-0."), "{}", outcome.stdout);
     }
