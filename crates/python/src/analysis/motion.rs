@@ -178,7 +178,6 @@ fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyRes
     let mut is_given = vec![false; all.len()];
     for (name, values) in numbers(given, "velocity")? {
         let id = mechanism.find_joint(&name).map_err(input)?;
-        let joint = mechanism.joint(id);
         if values.len() != all[id.index()].len() {
             let expected = all[id.index()].len();
             return Err(input(format_args!(
