@@ -18,7 +18,8 @@ FREE = """<robot name="free"><link name="world"/><link name="body"><inertial><ma
 
 
 def test_joint_states_by_name() -> None:
-    converter = Converter.of_joint_state(ARM, ["elbow", "gripper", "yaw"])
+    with pytest.warns(percuss.ModelWarning, match=r"no joint of the model: 'gripper'; without an entry"):
+        converter = Converter.of_joint_state(ARM, ["elbow", "gripper", "yaw"])
     q = converter.positions([[0.1, 5.0, 0.2], [0.3, 6.0, 0.4]])
     names = ARM.position_names
     assert q.shape == (2, len(names))
@@ -31,6 +32,49 @@ def test_joint_states_by_name() -> None:
         converter.positions([0.1, 0.2])
     with pytest.raises(percuss.InputError, match="each joint once"):
         Converter.of_joint_state(ARM, ["yaw", "yaw"])
+    with pytest.raises(percuss.InputError, match="none is a joint of the model"):
+        Converter.of_joint_state(ARM, ["left_elbow", "left_yaw"])
+
+
+def test_rates_of_mimics_follow_their_masters() -> None:
+    """dm̄/dt = gradient · velocities, against a central difference over the positions of the other program."""
+    link = """<link name="{}"><inertial><origin xyz="0.1 0 0.02"/><mass value="2"/>
+    <inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>"""
+    joint = """<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/><origin xyz="{4} 0 0"/><axis xyz="0 1 0"/>{3}</joint>"""
+    follows = '<mimic joint="a" multiplier="-1.7" offset="0.2"/>'
+    parts = [*map(link.format, "xy"), joint.format("a", "g", "x", "", 0), joint.format("b", "x", "y", follows, 0.3)]
+    model = percuss.loads(f'<robot name="m"><link name="g"/>{"".join(parts)}</robot>')
+    assert [(j.mimics, j.multiplier, j.offset) for j in model.joints] == [(None, None, None), ("a", -1.7, 0.2)]
+    converter, contact = Converter.of_joint_state(model, ["a"]), percuss.Contact("y", [0.2, 0, 0], [0.3, 0, 1])
+
+    def mass(a: float) -> float:
+        return float(percuss.sweep(model, contact, converter.positions([[a]])).effective_mass[0])
+
+    h = 1e-5
+    slope = (mass(0.4 + h) - mass(0.4 - h)) / (2 * h)
+    gradient = percuss.sweep(model, contact, converter.positions([[0.4]]), gradient=True).gradient[0]
+    # The error of the difference is of the order h².
+    assert gradient @ converter.velocities([1.0]) == pytest.approx(slope, rel=1e-7)
+    pose = model.pose({"a": 0.4})
+    assert pose.effective_mass_rate(contact, {"a": 1.0, "b": -1.7}) == pytest.approx(slope, rel=1e-7)
+    with pytest.raises(percuss.InputError, match='follows "a"'):
+        pose.effective_mass_rate(contact, {"a": 1.0, "b": 1.0})
+
+
+def test_joints_of_mujoco_without_names() -> None:
+    """Free joint of the trunk and hinge of the leg, without names; velocity of the base in the axes of MuJoCo."""
+    named = lambda names: lambda number: SimpleNamespace(name=names[number])  # noqa: E731
+    other = SimpleNamespace(
+        njnt=2, nq=8, nv=7, joint=named(["", ""]), body=named(["world", "trunk", "leg"]), jnt_type=[0, 3], jnt_qposadr=[0, 7],
+        jnt_dofadr=[0, 6], jnt_bodyid=[1, 2], body_jntadr=[-1, 0, 1], body_jntnum=[0, 1, 1], qpos0=[0, 0, 0, 1, 0, 0, 0, 0],
+    )  # fmt: skip
+    model = percuss.loads(
+        """<mujoco><worldbody><body name="trunk"><freejoint/><geom size="0.1" mass="2"/>
+        <body name="leg" pos="0 0 -.2"><joint axis="0 1 0"/><geom size="0.05" pos="0 0 -.2" mass="1"/></body></body></worldbody></mujoco>"""
+    )
+    converter = Converter.of_mujoco(model, other)
+    assert [block.name for block in converter.blocks] == [joint.name for joint in model.joints if joint.kind != "fixed"]
+    assert converter.base is None and converter.base_velocity(np.zeros(7)) is None
 
 
 def test_free_joints_of_drake() -> None:

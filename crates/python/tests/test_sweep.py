@@ -327,6 +327,26 @@ def test_limits_are_found_on_a_path_and_a_wide_gap_in_every_row() -> None:
     assert "outside-limits" in [finding["code"] for finding in report.diagnostics]
 
 
+def test_rows_of_trees_have_errors_and_limits() -> None:
+    """Rows outside the lanes state the error of a pose; positions in degrees are outside the limits."""
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    about = percuss.Contact.about_axis("tool", [0.3, 0.1, 1])
+    q = np.random.default_rng(8).uniform(-1, 1, (50, 6))
+    swept = percuss.sweep(arm, about, q)
+    stated = [arm.pose(row).respond(about).error for row in q]
+    assert swept.error == pytest.approx(stated, rel=0.5) and not swept.remarks.any()
+
+    limited = percuss.loads(
+        re.sub(r'type="(continuous|revolute)">', 'type="revolute"><limit lower="-3" upper="3" effort="1" velocity="1"/>',
+               re.sub(r"<limit[^>]*/>", "", (ROOT / "models/six_r_arm.urdf").read_text()))
+    )  # fmt: skip
+    q = np.vstack([q, np.full((1, 6), 90.0)])
+    for contact in (about, percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])):
+        swept = percuss.sweep(limited, contact, q)
+        outside = swept.remarks & percuss.RemarkFlags.OUTSIDE_LIMITS != 0
+        assert outside.tolist() == [False] * 50 + [True] and codes(swept) == ["outside-limits"]
+
+
 def test_findings_of_positions() -> None:
     model = percuss.load(ROOT / "models/four_bar.urdf")
     contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
