@@ -24,11 +24,11 @@ fn the_page_loads_nothing() {
     assert!(!head.contains("unsafe-inline") && !head.contains("https:") && !head.contains("http:"));
 }
 
-/// The whole file is at most 2.6 MB with an engine of at most 1.35 MB; base64 adds a third.
+/// The whole file is at most 2.64 MB with an engine of at most 1.38 MB; base64 adds a third.
 #[test]
 fn the_page_without_its_engine_is_small() {
-    const LARGEST_PAGE: usize = 2_600_000;
-    const LARGEST_ENGINE: usize = 1_350_000;
+    const LARGEST_PAGE: usize = 2_640_000;
+    const LARGEST_ENGINE: usize = 1_380_000;
     let html = page(&PageContent { title: "t", generator: "percuss", start: &json!({}), engine: &[] });
     assert!(html.len() < LARGEST_PAGE - LARGEST_ENGINE / 3 * 4, "{} bytes", html.len());
 }
