@@ -63,9 +63,9 @@ def test_rates_of_mimics_follow_their_masters() -> None:
 
 def test_joints_of_mujoco_without_names() -> None:
     """Free joint of the trunk and hinge of the leg, without names; velocity of the base in the axes of MuJoCo."""
-    named = lambda names: lambda number: SimpleNamespace(name=names[number])  # noqa: E731
+    bodies = [SimpleNamespace(name=name) for name in ("world", "trunk", "leg")]
     other = SimpleNamespace(
-        njnt=2, nq=8, nv=7, joint=named(["", ""]), body=named(["world", "trunk", "leg"]), jnt_type=[0, 3], jnt_qposadr=[0, 7],
+        njnt=2, nq=8, nv=7, joint=([SimpleNamespace(name="")] * 2).__getitem__, body=bodies.__getitem__, jnt_type=[0, 3], jnt_qposadr=[0, 7],
         jnt_dofadr=[0, 6], jnt_bodyid=[1, 2], body_jntadr=[-1, 0, 1], body_jntnum=[0, 1, 1], qpos0=[0, 0, 0, 1, 0, 0, 0, 0],
     )  # fmt: skip
     model = percuss.loads(

@@ -18,7 +18,7 @@ const models = [
 ];
 
 /** Limit of the page of a sheet, bytes. */
-const LARGEST_PAGE = 2_600_000;
+const LARGEST_PAGE = 2_700_000;
 /** Random drags per seed; `EXPLORER_DRAGS` overrides the number. */
 const RANDOM_DRAGS = Number(process.env.EXPLORER_DRAGS ?? 350);
 

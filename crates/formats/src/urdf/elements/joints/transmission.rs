@@ -102,7 +102,8 @@ impl<'a> Rotors<'_, 'a> {
         };
         let couples = ["Differential", "FourBar"].iter().any(|word| kind.contains(word));
         if couples || (driven.len() != 1 && has_inertia()) {
-            report.add_once(Severity::Warning, "rotor-inertia", kind, Place::Element(transmission), || {
+            let severity = if has_inertia() { Severity::Warning } else { Severity::Note };
+            report.add_once(severity, "rotor-inertia", kind, Place::Element(transmission), || {
                 format!(
                     "this <transmission> does not drive one joint alone; the inertias of its rotors are \
                      not read, and the answer is \
