@@ -529,7 +529,7 @@ class Pose {
     check(percuss_pose_link_frame(get(), link, frame.rotation.data(), frame.origin.data()));
     return frame;
   }
-  /// Gradient of m̄ by the velocities of all joints, kg/rad or kg/m; NaN unless m̄ is finite.
+  /// Gradient of m̄ by the velocities of all joints, kg/rad or kg/m; NaN unless m̄ is finite with an error of at most 1e-6 m̄.
   std::vector<double> gradient(const Contact &contact) const {
     std::vector<double> all(counts_.velocities);
     check(percuss_pose_gradient(get(), &contact, all.data(), all.size(), nullptr, nullptr));

@@ -234,7 +234,7 @@ pub fn effective_mass_rate(
     Ok(gradient.map(|gradient| gradient.rate(&velocities)))
 }
 
-/// Gradient of m̄; `None` unless m̄ is finite.
+/// Gradient of m̄; `None` unless m̄ is finite with an error of at most 1e-6 m̄.
 pub fn effective_mass_gradient(
     py: Python<'_>,
     pose: &Pose,

@@ -192,7 +192,7 @@ impl Pose {
 
     /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
     /// are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
-    /// Velocities of a Response are admissible. Exact to rounding. None unless m̄ is finite.
+    /// Velocities of a Response are admissible. None unless m̄ is finite with an error of at most 1e-6 m̄.
     fn effective_mass_rate(
         &self,
         py: Python<'_>,
@@ -205,7 +205,7 @@ impl Pose {
     /// Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
     /// (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
     /// motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
-    /// Exact to rounding. None unless m̄ is finite.
+    /// None unless m̄ is finite with an error of at most 1e-6 m̄.
     fn effective_mass_gradient<'py>(
         &self,
         py: Python<'py>,
