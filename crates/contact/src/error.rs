@@ -1,6 +1,99 @@
 //! Errors of this crate.
 
+use std::fmt;
 use thiserror::Error;
+
+/// Number or name that a user gives for a contact law, a simulator or a safe speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Parameter {
+    /// Coefficient of restitution.
+    Restitution,
+    /// Stiffness of the contact.
+    Stiffness,
+    /// Exponent of the spring.
+    Exponent,
+    /// Approach speed.
+    Speed,
+    /// Effective mass.
+    Mass,
+    /// Mass of the contact link alone.
+    OwnMass,
+    /// Mass of the other body alone.
+    OtherOwnMass,
+    /// Time step of the simulator.
+    TimeStep,
+    /// Diagonal ratio of MuJoCo.
+    DiagonalRatio,
+    /// Accuracy of the restitution.
+    Accuracy,
+    /// Greatest force of a safe speed.
+    Force,
+    /// Greatest pressure of a safe speed.
+    Pressure,
+    /// Area of the pressure.
+    Area,
+    /// Greatest energy of a safe speed.
+    Energy,
+    /// Greatest momentum of a safe speed.
+    Momentum,
+    /// Load at the contact of a safe speed.
+    Load,
+    /// Contact law.
+    Law,
+    /// End of the contact.
+    Separation,
+    /// Region of the body of a safe speed.
+    Region,
+    /// Number that no user gives: its description.
+    Other(&'static str),
+}
+
+impl Parameter {
+    /// Last part of the key in a study, which is the flag with dashes in place of underscores, and description with its unit.
+    fn texts(self) -> (Option<&'static str>, &'static str) {
+        let (key, description) = match self {
+            Self::Restitution => ("restitution", "restitution"),
+            Self::Stiffness => ("stiffness", "stiffness, N/m^p"),
+            Self::Exponent => ("exponent", "exponent of the spring"),
+            Self::Speed => ("speed", "approach speed, m/s"),
+            Self::Mass => ("mass", "effective mass, kg"),
+            Self::OwnMass => ("own_mass", "mass of the contact link alone, kg"),
+            Self::OtherOwnMass => ("other_own_mass", "mass of the other body alone, kg"),
+            Self::TimeStep => ("time_step", "time step, s"),
+            Self::DiagonalRatio => ("diagonal_ratio", "MuJoCo's diagonal ratio"),
+            Self::Accuracy => ("accuracy", "accuracy of the restitution"),
+            Self::Force => ("force", "greatest force, N"),
+            Self::Pressure => ("pressure", "greatest pressure, Pa"),
+            Self::Area => ("area", "area of the contact, m^2"),
+            Self::Energy => ("energy", "greatest energy, J"),
+            Self::Momentum => ("momentum", "greatest momentum, N·s"),
+            Self::Load => ("load", "load, kg"),
+            Self::Law => ("law", "contact law"),
+            Self::Separation => ("separation", "separation"),
+            Self::Region => ("region", "region of the body"),
+            Self::Other(description) => return (None, description),
+        };
+        (Some(key), description)
+    }
+
+    /// Last part of the key in a study; `None` for a number that no user gives.
+    pub fn key(self) -> Option<&'static str> {
+        self.texts().0
+    }
+}
+
+impl From<&'static str> for Parameter {
+    fn from(description: &'static str) -> Self {
+        Self::Other(description)
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.texts().1)
+    }
+}
 
 /// Error of a contact law.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -9,8 +102,8 @@ pub enum ContactLawError {
     /// Number outside its range, including NaN and infinity.
     #[error("{what}: {got:?} is out of range; expected {valid}")]
     OutOfRange {
-        /// Name of the number, with its unit.
-        what: &'static str,
+        /// The number.
+        what: Parameter,
         /// Given value.
         got: f64,
         /// Permitted range, in words.
@@ -59,7 +152,7 @@ pub enum ContactLawError {
         /// Name of the law.
         name: &'static str,
         /// Quantity in conflict: exponent or separation.
-        what: &'static str,
+        what: Parameter,
         /// Value implied by the name.
         fixed: String,
         /// Given value.
@@ -93,30 +186,43 @@ pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> 
 }
 
 /// Checks a number: above zero, finite, and not subnormal.
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn positive(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 {
         return Ok(value);
     }
-    Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number above 0" })
+    Err(ContactLawError::OutOfRange { what: what.into(), got: value, valid: "a finite number above 0" })
 }
 
 /// Checks a number: finite, zero or above.
-pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn not_negative(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number, 0 or above" })
+    Err(ContactLawError::OutOfRange { what: what.into(), got: value, valid: "a finite number, 0 or above" })
 }
 
 /// Checks a coefficient of restitution e, or 1 − e: 0 to 1.
-pub(crate) fn unit_interval(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn unit_interval(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
     if (0.0..=1.0).contains(&value) {
         return Ok(value);
     }
-    Err(ContactLawError::OutOfRange { what, got: value, valid: "a number from 0 to 1" })
+    Err(ContactLawError::OutOfRange { what: what.into(), got: value, valid: "a number from 0 to 1" })
 }
 
 /// Checks a result that is above zero in theory: no overflow, no underflow.
 pub(crate) fn representable(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(ContactLawError::NotRepresentable { what }) }
+}
+
+impl ContactLawError {
+    /// Parameter that is missing or invalid.
+    pub fn parameter(&self) -> Option<Parameter> {
+        match self {
+            Self::OutOfRange { what, .. } | Self::Contradicts { what, .. } => Some(*what),
+            Self::SpeedNeeded { .. } => Some(Parameter::Speed),
+            Self::UnknownLaw { .. } => Some(Parameter::Law),
+            Self::UnknownRegion { .. } => Some(Parameter::Region),
+            Self::Unreachable { .. } | Self::NotRepresentable { .. } => None,
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Key figures and history of an impact.
 
-use crate::error::{positive, representable};
+use crate::error::{Parameter, positive, representable};
 use crate::limits;
 use crate::trajectory::{State, Trajectory};
 use crate::{CompliantContact, ContactLawError};
@@ -57,7 +57,7 @@ struct Units {
 impl Units {
     fn new(contact: CompliantContact, speed: f64) -> Result<Self, ContactLawError> {
         let p = contact.exponent();
-        let speed = positive("approach speed, m/s", speed)?;
+        let speed = positive(Parameter::Speed, speed)?;
         // √(m̄/k) v first: intermediate squares cannot overflow.
         let root = contact.mass().sqrt() / contact.stiffness().sqrt() * speed;
         let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
@@ -123,7 +123,11 @@ pub(crate) fn history(
 ) -> Result<Vec<Sample>, ContactLawError> {
     if !limits::SAMPLES.contains(&count) {
         let valid = "a whole number from 2 to 1000000";
-        return Err(ContactLawError::OutOfRange { what: "number of samples", got: count as f64, valid });
+        return Err(ContactLawError::OutOfRange {
+            what: "number of samples".into(),
+            got: count as f64,
+            valid,
+        });
     }
     let units = Units::new(contact, speed)?;
     let compression = trajectory.time_after_touch(trajectory.compression());

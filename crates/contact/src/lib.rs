@@ -28,7 +28,7 @@ mod varying_mass;
 
 pub use contact::CompliantContact;
 pub use damper::Damper;
-pub use error::ContactLawError;
+pub use error::{ContactLawError, Parameter};
 pub use impact::{Impact, Sample};
 pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;

@@ -71,7 +71,7 @@ pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
-pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
+pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
@@ -134,6 +134,7 @@ pub use reports::tolerance::{
     tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
+pub use study_file::answer::{AskError, MapResult, Report};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};

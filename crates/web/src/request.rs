@@ -137,7 +137,7 @@ impl QuestionRequest {
         let Self { pose, conditions, hold, .. } = self;
         let tables = QuestionTables { contact, pose, conditions, hold };
         tables
-            .question(Path::new(""), DEFAULT_MAX_SIZE, Names::Keys)
-            .map_err(|error| error.message(Names::Keys))
+            .question(Path::new(""), DEFAULT_MAX_SIZE, Names::KEYS)
+            .map_err(|error| error.message(Names::KEYS))
     }
 }

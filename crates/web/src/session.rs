@@ -51,7 +51,7 @@ impl Refusal {
 
 impl From<StudyError> for Refusal {
     fn from(error: StudyError) -> Self {
-        let key = error.field().map(|field| field.key());
+        let key = error.key();
         let no_result = error.has_no_result();
         Self { key, no_result, ..Self::of_message(error.message(Names::Fields)) }
     }

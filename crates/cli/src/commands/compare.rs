@@ -39,7 +39,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
     } else {
         designs_of_models(args)?
     };
-    let names = if studies[0] { Names::Keys } else { Names::Flags };
+    let names = if studies[0] { Names::KEYS } else { Names::Flags };
     let output = ComparisonOutput {
         output: args.output.as_deref(),
         table: TableStyle::from_study(&args.table),
@@ -47,7 +47,8 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
         format: args.format,
         strict: args.reading.strict,
     };
-    show(&designs, names, &output)
+    let report = compare(&designs).map_err(|error| failure(&error, names))?;
+    write(&report, &designs, &output)
 }
 
 /// Designs of studies, with their variants.
@@ -139,20 +140,23 @@ pub struct ComparisonOutput<'a> {
     pub strict: bool,
 }
 
-/// Compares designs and writes the result.
-pub fn show(designs: &[Design], names: Names, output: &ComparisonOutput) -> Result<(), Failure> {
+/// Writes a comparison with its findings and its file.
+pub fn write(
+    report: &ComparisonReport,
+    designs: &[Design],
+    output: &ComparisonOutput,
+) -> Result<(), Failure> {
     let ComparisonOutput { output, table: style, format, strict, figure: requested } = *output;
-    let report = compare(designs).map_err(|error| failure(&error, names))?;
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
-        let bytes = file_bytes(&report, path, style, requested)?;
+        let bytes = file_bytes(report, path, style, requested)?;
         designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| record_input(&input.path));
         write_file(path, &bytes)?;
     }
     match format {
-        MassFormat::Json => write_json(&report)?,
-        MassFormat::Csv => write_out(&table(&report, style))?,
-        MassFormat::Text => write_out(&text(&report))?,
+        MassFormat::Json => write_json(report)?,
+        MassFormat::Csv => write_out(&table(report, style))?,
+        MassFormat::Text => write_out(&text(report))?,
     }
     if report.designs.iter().all(|design| design.status.is_none()) {
         return Err(Failure::NoAnswer("no design has a result".into()));
@@ -161,11 +165,9 @@ pub fn show(designs: &[Design], names: Names, output: &ComparisonOutput) -> Resu
 }
 
 /// Writes the file of a comparison, without text and findings.
-pub fn write_output(designs: &[Design], names: Names, output: &ComparisonOutput) -> Result<(), Failure> {
+pub fn write_output(report: &ComparisonReport, output: &ComparisonOutput) -> Result<(), Failure> {
     let ComparisonOutput { output, table, figure, .. } = *output;
-    let Some(path) = output else { return Ok(()) };
-    let report = compare(designs).map_err(|error| failure(&error, names))?;
-    write_file(path, &file_bytes(&report, path, table, figure)?)
+    output.map_or(Ok(()), |path| write_file(path, &file_bytes(report, path, table, figure)?))
 }
 
 /// Failure of a comparison; the names of fields are flags or keys.

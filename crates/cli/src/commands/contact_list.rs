@@ -10,7 +10,7 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{wrap_hanging, wrap_message};
 use percuss_study::{
     ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
-    StudyFile, contact_list, contact_list_of,
+    contact_list,
 };
 use percuss_suspension::LengthUnit;
 use std::fmt::Write;
@@ -27,14 +27,6 @@ pub fn show(
     strict: bool,
 ) -> Result<(), Failure> {
     write(&contact_list(model, conditions, damping)?, format, strict)
-}
-
-/// List of the contacts of a study with several contacts, with the damper of each.
-pub fn of_study(study: &StudyFile) -> Result<ContactListReport, Failure> {
-    let contacts: Vec<(String, MassQuestion)> =
-        study.contacts.iter().map(|contact| (contact.name.clone(), contact.question.clone())).collect();
-    let damping = study.damping.as_ref().map(|damping| &damping.question);
-    Ok(contact_list_of(&study.model, &contacts, damping)?)
 }
 
 /// Writes a list of contacts.

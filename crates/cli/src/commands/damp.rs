@@ -14,8 +14,7 @@ use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DampingQuestion, DampingReport, ExportRecord, StudyDamping, StudyFile, damp, damp_contact, damp_stop,
-    impact_history,
+    DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, damp_stop, impact_history,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -72,16 +71,6 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         write_history(&report, &question, path)?;
     }
     print(&report, args.format)
-}
-
-/// Report on the damper of a study: at the stop of a joint if `[damping]` names one, otherwise at the contact.
-pub fn study_report(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
-    let StudyDamping { question, stop, .. } = damping;
-    Ok(match (stop, &study.question) {
-        (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
-        (None, Some(contact)) => damp_contact(&study.model, contact, question)?,
-        (None, None) => return Err(Failure::bad_input("damping: a contact or a joint's stop is required")),
-    })
 }
 
 /// Writes a report.

@@ -10,10 +10,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
 use crate::terminal::wrap::{fact_line, wrap_hanging};
-use percuss_study::{
-    DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
-    map_point,
-};
+use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, MapResult, PointMapReport};
 use std::fmt::Write;
 
 /// Runs the command.
@@ -23,8 +20,12 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
+    model.inputs.iter().for_each(|input| record_input(&input.path));
+    // The check precedes the computation.
+    formats.iter().try_for_each(|(path, _)| check_writable(path))?;
     let table = TableStyle::from_study(&map.table);
-    show(&model, &map.question, &MapOutput { formats, table, format: args.format, strict })
+    let result = with_findings(map.question.answer(&model), &model)?;
+    write(&result, &MapOutput { formats, table, format: args.format, strict })
 }
 
 /// Output options of a map.
@@ -40,36 +41,23 @@ pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> 
     outputs.iter().map(|path| Ok((path.clone(), MapFormat::from_path(path)?))).collect()
 }
 
-/// Computes a map and writes it.
-pub fn show(model: &Model, question: &StudyMapQuestion, output: &MapOutput) -> Result<(), Failure> {
-    model.inputs.iter().for_each(|input| record_input(&input.path));
-    // The check precedes the computation.
-    output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
-    match question {
-        StudyMapQuestion::Surfaces(question) => {
-            surfaces(&with_findings(map(model, question), model)?, output)
-        }
-        StudyMapQuestion::Directions(question, count) => {
-            directions(&with_findings(map_point(model, question, *count), model)?, output)
-        }
+/// Writes a map with its findings and its files.
+pub fn write(result: &MapResult, output: &MapOutput) -> Result<(), Failure> {
+    match result {
+        MapResult::Surfaces(answer) => surfaces(answer, output),
+        MapResult::Directions(report) => directions(report, output),
     }
 }
 
-/// Computes a map and writes its files, without text and findings.
+/// Writes the files of a map, without text and findings.
 pub fn write_files(
-    model: &Model,
-    question: &StudyMapQuestion,
+    result: &MapResult,
     formats: &[(String, MapFormat)],
     table: TableStyle,
 ) -> Result<(), Failure> {
-    if formats.is_empty() {
-        return Ok(());
-    }
-    match question {
-        StudyMapQuestion::Surfaces(question) => write_surfaces(&map(model, question)?, formats, table),
-        StudyMapQuestion::Directions(question, count) => {
-            write_directions(&map_point(model, question, *count)?, formats, table)
-        }
+    match result {
+        MapResult::Surfaces(answer) => write_surfaces(answer, formats, table),
+        MapResult::Directions(report) => write_directions(report, formats, table),
     }
 }
 

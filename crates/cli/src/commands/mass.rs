@@ -14,9 +14,8 @@ use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, FrictionThresholdsRecord, MassQuestion, MassReport, Model, Sampling,
-    SheetPoint, Status, StudyAdditions, StudyMass, Tolerance, WithAdditions, contact_names, explain,
-    friction_thresholds, mass, mass_with_damper, tolerance_report,
+    DampingQuestion, EstimateRecord, FrictionThresholdsRecord, MassQuestion, MassReport, Model, SheetPoint,
+    Status, StudyAdditions, StudyMass, WithAdditions, contact_names, requested_mass,
 };
 use std::fmt::Write;
 
@@ -37,15 +36,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     if let Some(question) = &damping {
         args.damping.check_units(question, contact.is_moment(&model.mechanism))?;
     }
-    show(
-        &model,
-        &contact,
-        damping.as_ref(),
-        args.format,
-        &MassRequests::from_study(&requests),
-        &StudyAdditions::default(),
-        args.model.reading.strict,
-    )
+    show(&model, &contact, damping.as_ref(), args.format, &requests, args.model.reading.strict)
 }
 
 /// Value of --at for all named contacts of a model.
@@ -81,79 +72,27 @@ pub fn refuse_several_contacts(model: &Model, at: Option<&str>, command: &str) -
     }
 }
 
-/// Additional requests of a mass question: expected value, sensitivities, tolerances.
-#[derive(Clone, Copy, Default)]
-pub struct MassRequests {
-    expected: Option<Expected>,
-    explain: bool,
-    friction_thresholds: bool,
-    tolerance: Option<Tolerance>,
-    sampling: Option<Sampling>,
-}
-
-impl MassRequests {
-    /// Additional requests in the `[mass]` section of a study.
-    pub fn from_study(study: &StudyMass) -> Self {
-        let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
-        let expected = study.expect.map(|mass| Expected { mass, tolerance });
-        Self {
-            expected,
-            explain: study.explain,
-            friction_thresholds: study.friction_thresholds,
-            tolerance: study.tolerance,
-            sampling: study.sampling,
-        }
-    }
-
-    /// Adds the sensitivities, the thresholds of friction and the effects of tolerances to the report.
-    pub fn add_to(
-        &self,
-        report: &mut MassReport,
-        model: &Model,
-        question: &MassQuestion,
-    ) -> Result<(), Failure> {
-        if self.explain {
-            report.explanation = explain(model, question)?;
-        }
-        if self.friction_thresholds {
-            report.friction_thresholds = friction_thresholds(model, question)?;
-        }
-        if let Some(tolerance) = self.tolerance {
-            report.tolerance = tolerance_report(model, question, tolerance, self.sampling)?;
-        }
-        Ok(())
-    }
-
-    /// Compares the result with the expected value; a mismatch gives exit code 1.
-    pub fn check_expected(&self, report: &MassReport) -> Result<(), Failure> {
-        self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
-    }
-}
-
-/// Expected value, with its relative tolerance.
-#[derive(Clone, Copy)]
-pub struct Expected {
-    mass: f64,
-    tolerance: f64,
-}
-
-/// Computes a result and writes it. `additions`: further keys of the report in JSON.
-pub fn show(
+/// Computes a result and writes it.
+fn show(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
-    requested: &MassRequests,
-    additions: &StudyAdditions,
+    requested: &StudyMass,
     strict: bool,
 ) -> Result<(), Failure> {
-    let answer = match damping {
-        Some(damping) => mass_with_damper(model, question, damping),
-        None => mass(model, question),
-    };
-    let mut report = with_findings(answer, model)?;
-    report.point_in_sheet = model.contact_in_sheet(&report.contact.point_world, &report.contact.normal_world);
-    requested.add_to(&mut report, model, question)?;
+    let report = with_findings(requested_mass(model, question, damping, requested), model)?;
+    write(&report, requested, &StudyAdditions::default(), format, strict)
+}
+
+/// Writes a report with its findings, and compares it with the expected value. `additions`: further keys of the report in JSON.
+pub fn write(
+    report: &MassReport,
+    requested: &StudyMass,
+    additions: &StudyAdditions,
+    format: MassFormat,
+    strict: bool,
+) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
         || requested.tolerance.is_some() && report.tolerance.is_none();
@@ -163,17 +102,23 @@ pub fn show(
     if requested.friction_thresholds && report.friction_thresholds.is_none() {
         note("--friction-thresholds: the thresholds require a single finite effective mass as the result");
     }
-    let expected = requested.expected;
     match format {
-        MassFormat::Json => write_json(&WithAdditions { report: &report, additions })?,
-        MassFormat::Csv if report.damper.is_some() => {
-            note("CSV does not contain the damper; use --format text or json");
-            write_out(&csv::mass_row(&report, &report.assumptions.set))?;
+        MassFormat::Json => write_json(&WithAdditions { report, additions })?,
+        MassFormat::Csv => {
+            if report.damper.is_some() {
+                note("CSV does not contain the damper; use --format text or json");
+            }
+            write_out(&csv::mass_row(report, &report.assumptions.set))?;
         }
-        MassFormat::Csv => write_out(&csv::mass_row(&report, &report.assumptions.set))?,
-        MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
+        MassFormat::Text => write_out(&text(report, requested.expect))?,
     }
-    requested.check_expected(&report)
+    check_expected(report, requested)
+}
+
+/// Compares the result with the expected value, if there is one; a mismatch gives exit code 1.
+pub fn check_expected(report: &MassReport, requested: &StudyMass) -> Result<(), Failure> {
+    let tolerance = requested.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
+    requested.expect.map_or(Ok(()), |expected| compare(report, expected, tolerance))
 }
 
 /// Compares the result with an expected value; a mismatch gives exit code 1.

@@ -1,25 +1,25 @@
 //! Command `percuss run`.
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
-use crate::commands::compare;
+use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::contact_list;
 use crate::commands::damp;
 use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
 use crate::commands::map;
 use crate::commands::mass;
-use crate::commands::mass::MassRequests;
 use crate::commands::report;
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
-use crate::commands::sweep::SweepOutput;
+use crate::commands::sweep::{ReadySweep, SweepOutput};
 use crate::files::output::record_input;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, write_diagnostics, write_out};
+use crate::terminal::report::{note, with_findings, write_diagnostics, write_out};
 use crate::terminal::wrap::fact_line;
 use clap::ValueEnum;
 use percuss_study::{
-    DiagnosticRecord, MassQuestion, Names, RowSource, StudyAdditions, StudyFile, StudyMap, StudyMass,
+    Design, DiagnosticRecord, MassQuestion, MassReport, Names, RowSource, StudyAdditions, StudyFile,
+    StudyMap, StudyMass,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -91,46 +91,64 @@ fn output_files<'a>(
     Box::new(page.chain(explorer).chain(report::files_of(study)))
 }
 
-/// Runs the contact, then the stop, the map and the safe speed.
+/// Output of one table, after its computation.
+type Print<'a> = Box<dyn FnOnce() -> Result<(), Failure> + 'a>;
+
+/// Computes all tables of the study, then prints them in their order: an error of a table precedes the first result. The rows of a sweep
+/// are computed while they are printed, after their check.
 fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
-    if let Some(question) = &study.question {
-        run_contact(study, question, args)?;
+    let of_rows = study.question.as_ref().map(|question| study.question_of_rows(question));
+    let designs = study.designs(&compare::study_name(&args.study));
+    let mut prints: Vec<Print> = Vec::new();
+    if let (Some(question), Some(of_rows)) = (&study.question, &of_rows) {
+        prints.push(contact_print(study, question, of_rows, &designs, strict)?);
     }
-    if let Some(damping) = &study.damping {
-        let is_drawn = damping.output.is_some() && study.question.is_some();
-        if damping.stop.is_some() || is_drawn {
-            let report = damp::study_report(study, damping)?;
+    if let Some(damping) = &study.damping
+        && (damping.stop.is_some() || damping.output.is_some())
+        && let Some(report) = study.damper()?
+    {
+        prints.push(Box::new(move || {
             if damping.stop.is_some() {
-                crate::terminal::report::write_diagnostics(&report.diagnostics, strict)?;
+                write_diagnostics(&report.diagnostics, strict)?;
                 damp::print(&report, CheckFormat::Text)?;
             }
-            if let Some(path) = &damping.output {
-                damp::write_history(&report, &damping.question, path)?;
+            match &damping.output {
+                Some(path) => damp::write_history(&report, &damping.question, path),
+                None => Ok(()),
             }
-        }
+        }));
     }
-    if let (Some(question), Some(requested)) = (&study.question, &study.impact) {
-        rigid_impact::show(&study.model, question, requested, CheckFormat::Text, strict)?;
+    if let Some(report) = study.impact_report()? {
+        prints.push(Box::new(move || {
+            write_diagnostics(&report.diagnostics, strict)?;
+            rigid_impact::write(&report, CheckFormat::Text)
+        }));
     }
-    if let (Some(question), Some(requested)) = (&study.question, &study.extremes) {
-        extremes::show(&study.model, question, requested, CheckFormat::Text, strict)?;
+    if let Some(report) = study.extremes_report()? {
+        prints.push(Box::new(move || extremes::write(&report, CheckFormat::Text, strict)));
     }
-    if let Some(requested) = &study.kinematics {
-        kinematics::show_of_study(study, requested, strict)?;
+    if let (Some(requested), Some(report)) = (&study.kinematics, study.kinematics_report()?) {
+        prints.push(Box::new(move || kinematics::show_of_study(&report, requested, strict)));
     }
-    if let Some(requested) = &study.map {
-        map::show(&study.model, &requested.question, &map_output(requested, MassFormat::Text, strict)?)?;
+    if let (Some(requested), Some(result)) = (&study.map, study.map_result()?) {
+        let output = map_output(requested, MassFormat::Text, strict)?;
+        prints.push(Box::new(move || map::write(&result, &output)));
     }
-    if let Some(requested) = &study.safe_speed {
-        safe_speed::show(&requested.reports(&study.model)?, CheckFormat::Text, strict)?;
+    if let Some(reports) = study.safe_speeds()? {
+        prints.push(Box::new(move || safe_speed::show(&reports, CheckFormat::Text, strict)));
     }
-    Ok(())
+    prints.into_iter().try_for_each(|print| print())
 }
 
-/// Runs the contact: with its variants, over the rows of a sweep, or at its pose.
-fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
-    let strict = args.strict;
+/// Output of the contact: with its variants, over the rows of a sweep, or at its pose. `of_rows`: question of the rows.
+fn contact_print<'a>(
+    study: &'a StudyFile,
+    question: &'a MassQuestion,
+    of_rows: &'a MassQuestion,
+    designs: &'a [Design],
+    strict: bool,
+) -> Result<Print<'a>, Failure> {
     let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
     if !study.contacts.is_empty() {
         note_single_contact(study);
@@ -144,37 +162,48 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
     let table =
         study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table));
-    let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    if !study.contacts.is_empty() && study.sweep.is_none() && study.variants.is_empty() {
-        return contact_list::write(&contact_list::of_study(study)?, MassFormat::Text, strict);
+    if study.sweep.is_none()
+        && study.variants.is_empty()
+        && let Some(list) = study.contact_list()?
+    {
+        return Ok(Box::new(move || contact_list::write(&list, MassFormat::Text, strict)));
     }
     if !study.variants.is_empty() || !study.contacts.is_empty() {
-        let format = MassFormat::Text;
-        let written = compare::ComparisonOutput { output, table, figure: &figure, format, strict };
-        return compare::show(&study.designs(&compare::study_name(&args.study)), Names::Keys, &written);
+        let report =
+            percuss_study::compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
+        return Ok(Box::new(move || {
+            let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+            let format = MassFormat::Text;
+            let written = ComparisonOutput { output, table, figure: &figure, format, strict };
+            compare::write(&report, designs, &written)
+        }));
     }
-    match &study.sweep {
-        Some(sweep) => {
-            let written = SweepOutput { gradient: sweep.gradient, output, table, figure: &figure, strict };
-            let of_rows = study.question_of_rows(question);
-            if of_rows.travel.len() < question.travel.len() {
-                let left_out: Vec<String> = question
-                    .travel
-                    .iter()
-                    .filter(|travel| !of_rows.travel.contains(travel))
-                    .map(ToString::to_string)
-                    .collect();
-                let left_out = left_out.join(", ");
-                note(&format!(
-                    "[pose] travel = {left_out} applies to the contact at its pose; the rows vary the travel themselves"
-                ));
-            }
-            sweep::run_sweep(&study.model, &of_rows, &sweep.rows, &written)?;
-            // Without a file the rows are on the standard output, which is one table.
-            if output.is_some() { write_main_number(study, question) } else { Ok(()) }
-        }
-        None => run_mass(study, question, &StudyAdditions::default(), MassFormat::Text, strict),
+    let Some(sweep) = &study.sweep else {
+        let report = with_findings(study.mass_report(), &study.model)?;
+        return Ok(Box::new(move || {
+            write_mass(study, report, &StudyAdditions::default(), MassFormat::Text, strict)
+        }));
+    };
+    let left_out: Vec<String> = question
+        .travel
+        .iter()
+        .filter(|travel| !of_rows.travel.contains(travel))
+        .map(ToString::to_string)
+        .collect();
+    if !left_out.is_empty() {
+        note(&format!(
+            "[pose] travel = {} applies to the contact at its pose; the rows vary the travel themselves",
+            left_out.join(", ")
+        ));
     }
+    let destination = SweepOutput { output, table, figure: &sweep.figure, strict };
+    let prepared = study.prepared_sweep(sweep, of_rows);
+    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows, prepared, destination)?;
+    Ok(Box::new(move || {
+        ready.run()?;
+        // Without a file the rows are on the standard output, which is one table.
+        if output.is_some() { write_main_number(study, question) } else { Ok(()) }
+    }))
 }
 
 /// Reports the tables whose results are omitted: an output with `--format` contains only the contact at its pose, and in JSON also the
@@ -237,38 +266,37 @@ fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), F
             write_out(&fact_line("effective mass", &value))
         }
         Err(error) => {
-            note(&format!("no effective mass at the pose of the study: {}", error.message(Names::Keys)));
+            note(&format!("no effective mass at the pose of the study: {}", error.message(Names::KEYS)));
             Ok(())
         }
     }
 }
 
-/// Runs the contact at the pose of the study.
-fn run_mass(
+/// Writes the contact at the pose of the study.
+fn write_mass(
     study: &StudyFile,
-    question: &MassQuestion,
+    report: Option<MassReport>,
     additions: &StudyAdditions,
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
-    let damping = study.damping.as_ref().map(|damping| &damping.question);
-    let requests = MassRequests::from_study(&study.mass);
-    mass::show(&study.model, question, damping, format, &requests, additions, strict)
+    report.map_or(Ok(()), |report| mass::write(&report, &study.mass, additions, format, strict))
 }
 
 /// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.
 fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
-    if !study.contacts.is_empty() {
-        return contact_list::write(&contact_list::of_study(study)?, format, strict);
+    if let Some(list) = study.contact_list()? {
+        return contact_list::write(&list, format, strict);
     }
-    if let Some(question) = &study.question {
+    if study.question.is_some() {
         note_left_out(study, format);
         let additions = match format {
             MassFormat::Json => study.additions()?,
             MassFormat::Text | MassFormat::Csv => StudyAdditions::default(),
         };
+        let report = with_findings(study.mass_report(), &study.model)?;
         write_additional_findings(study, &additions, strict)?;
-        return run_mass(study, question, &additions, format, strict);
+        return write_mass(study, report, &additions, format, strict);
     }
     let plain = match format {
         MassFormat::Text => Ok(CheckFormat::Text),
@@ -277,20 +305,17 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
             "--format csv: only a contact and a map have a table; the study contains neither",
         )),
     };
-    match (&study.damping, &study.map, &study.safe_speed) {
-        (Some(damping), ..) => {
-            let report = damp::study_report(study, damping)?;
-            crate::terminal::report::write_diagnostics(&report.diagnostics, strict)?;
-            damp::print(&report, plain?)
-        }
-        (None, Some(requested), _) => {
-            let written = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
-            map::show(&study.model, &requested.question, &written)
-        }
-        (None, None, Some(requested)) => safe_speed::show(&requested.reports(&study.model)?, plain?, strict),
-        // The parser of studies refuses a study without any question.
-        (None, None, None) => Ok(()),
+    if let Some(report) = study.damper()? {
+        let plain = plain?;
+        write_diagnostics(&report.diagnostics, strict)?;
+        return damp::print(&report, plain);
     }
+    if let (Some(requested), Some(result)) = (&study.map, study.map_result()?) {
+        let output = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
+        return map::write(&result, &output);
+    }
+    // The parser of studies refuses a study without any question.
+    study.safe_speeds()?.map_or(Ok(()), |reports| safe_speed::show(&reports, plain?, strict))
 }
 
 /// Output options of the map of a study.

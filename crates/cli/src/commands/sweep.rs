@@ -15,7 +15,7 @@ use crate::terminal::report::{warn, with_findings, write_diagnostics};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_mechanism::JointKind;
 use percuss_study::{
-    MassQuestion, Model, Quantity, RowSource, StudyFigure, Sweep, SweepEnd, TableUnit, Varied,
+    MassQuestion, Model, Quantity, RowSource, StudyError, StudyFigure, Sweep, SweepEnd, TableUnit, Varied,
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::cell::OnceCell;
@@ -33,18 +33,16 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "a sweep")?;
     warn_plain_angles(args, &model);
-    run_sweep(
-        &model,
-        &args.contact.question_of_rows()?,
-        &args.source()?,
-        &SweepOutput {
-            gradient: args.sweep.gradient,
-            output: args.sweep.output.as_deref(),
-            table: TableStyle::from_study(&args.table),
-            figure: &args.figure,
-            strict: args.model.reading.strict,
-        },
-    )
+    let (question, source) = (args.contact.question_of_rows()?, args.source()?);
+    let destination = SweepOutput {
+        output: args.sweep.output.as_deref(),
+        table: TableStyle::from_study(&args.table),
+        figure: &args.figure,
+        strict: args.model.reading.strict,
+    };
+    let sweep = Sweep::new(&model, &question, &source);
+    let sweep = sweep.map(|sweep| if args.sweep.gradient { sweep.with_gradient() } else { sweep });
+    ReadySweep::new(&model, &question, &source, sweep, destination)?.run()
 }
 
 /// Warns about ranges of turning joints without a unit beside `--unit deg`, which is the unit of the output only.
@@ -80,60 +78,66 @@ pub fn use_threads(count: Option<u16>) {
 
 /// Output options of a sweep.
 pub struct SweepOutput<'a> {
-    /// True if each row has the gradient of m̄.
-    pub gradient: bool,
     pub output: Option<&'a str>,
     pub table: TableStyle,
     pub figure: &'a StudyFigure,
     pub strict: bool,
 }
 
-/// Runs a sweep, with a progress bar, and writes each row when it is computed.
-pub fn run_sweep(
-    model: &Model,
-    question: &MassQuestion,
-    source: &RowSource,
-    destination: &SweepOutput,
-) -> Result<(), Failure> {
-    let SweepOutput { output, strict, .. } = *destination;
-    let format = Format::from_output(output)?;
-    model.inputs.iter().for_each(|input| record_input(&input.path));
-    if let RowSource::File(file) = source {
-        record_input(&file.path);
-    }
-    // The check precedes the computation.
-    output.map_or(Ok(()), check_writable)?;
-    let sweep = with_findings(Sweep::new(model, question, source), model)?;
-    let sweep = if destination.gradient { sweep.with_gradient() } else { sweep };
-    write_diagnostics(&model.diagnostics, strict)?;
-    let bar = match sweep.count() {
-        _ if !console::stderr().is_terminal() => ProgressBar::hidden(),
-        Some(count) => ProgressBar::new(count as u64).with_style(
-            ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
-                .unwrap_or_else(|_| ProgressStyle::default_bar()),
-        ),
-        None => ProgressBar::no_length().with_style(
-            ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
-        ),
-    };
-    let end = write(sweep, model, format, destination, question, &bar);
-    bar.finish_and_clear();
-    let end = end?;
-    write_diagnostics(&end.diagnostics, strict)?;
-    summary(&end)
+/// Sweep that is ready to run: format of its output, and its rows.
+pub struct ReadySweep<'a> {
+    format: Format,
+    sweep: Sweep<'a>,
+    model: &'a Model,
+    question: &'a MassQuestion,
+    destination: SweepOutput<'a>,
 }
 
-/// Writes the rows of a sweep to a file, without a progress bar and without findings.
-pub fn write_rows(
-    model: &Model,
-    question: &MassQuestion,
-    source: &RowSource,
-    destination: &SweepOutput,
-) -> Result<(), Failure> {
-    let sweep = Sweep::new(model, question, source)?;
-    let sweep = if destination.gradient { sweep.with_gradient() } else { sweep };
-    let format = Format::from_output(destination.output)?;
-    write(sweep, model, format, destination, question, &ProgressBar::hidden()).map(|_| ())
+impl<'a> ReadySweep<'a> {
+    /// Checks everything before the first row. `question`: that of the rows.
+    pub fn new(
+        model: &'a Model,
+        question: &'a MassQuestion,
+        source: &RowSource,
+        sweep: Result<Sweep<'a>, StudyError>,
+        destination: SweepOutput<'a>,
+    ) -> Result<Self, Failure> {
+        let format = Format::from_output(destination.output)?;
+        model.inputs.iter().for_each(|input| record_input(&input.path));
+        if let RowSource::File(file) = source {
+            record_input(&file.path);
+        }
+        destination.output.map_or(Ok(()), check_writable)?;
+        Ok(Self { format, sweep: with_findings(sweep, model)?, model, question, destination })
+    }
+
+    /// Runs the sweep, with a progress bar, and writes each row when it is computed.
+    pub fn run(self) -> Result<(), Failure> {
+        let Self { format, sweep, model, question, destination } = self;
+        let strict = destination.strict;
+        write_diagnostics(&model.diagnostics, strict)?;
+        let bar = match sweep.count() {
+            _ if !console::stderr().is_terminal() => ProgressBar::hidden(),
+            Some(count) => ProgressBar::new(count as u64).with_style(
+                ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
+                    .unwrap_or_else(|_| ProgressStyle::default_bar()),
+            ),
+            None => ProgressBar::no_length().with_style(
+                ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
+            ),
+        };
+        let end = write(sweep, model, format, &destination, question, &bar);
+        bar.finish_and_clear();
+        let end = end?;
+        write_diagnostics(&end.diagnostics, strict)?;
+        summary(&end)
+    }
+
+    /// Writes the rows to a file, without a progress bar and without findings.
+    pub fn write_rows(self) -> Result<(), Failure> {
+        let Self { format, sweep, model, question, destination } = self;
+        write(sweep, model, format, &destination, question, &ProgressBar::hidden()).map(|_| ())
+    }
 }
 
 /// Writes the rows in a format while the sweep runs.

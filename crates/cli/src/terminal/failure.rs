@@ -6,8 +6,6 @@ use crate::terminal::escape;
 use crate::terminal::wrap;
 use percuss_formats::LoadError;
 use percuss_render::RenderError;
-use percuss_study::contact::ContactLawError;
-use percuss_study::contact::exports::ExportError;
 use percuss_study::{
     DesignError, DiagnosticRecord, InvalidKey, Names, StudyError, StudyFileError, StudyKeys,
 };
@@ -55,14 +53,12 @@ impl Failure {
             }
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
             Failure::Question(error) if error.has_no_result() => {
-                Failure::NoAnswer(format!("{path}: {}", error.message(Names::Keys)))
+                Failure::NoAnswer(format!("{path}: {}", error.message(Names::KEYS)))
             }
             Failure::Question(error) => {
-                let key =
-                    error.field().map(|field| field.key()).or(missing_number(&error).map(|(_, key)| key));
-                let message = error.message(Names::Keys);
-                let key = key.unwrap_or_else(|| message.split(':').next().unwrap_or_default());
-                Failure::BadInput(vec![format!("{}: error: {message}{}", position(key), key_of(&error))])
+                let message = error.message(Names::KEYS);
+                let key = error.key().unwrap_or_else(|| message.split(':').next().unwrap_or_default());
+                Failure::BadInput(vec![format!("{}: error: {message}", position(key))])
             }
             Failure::ClosedPipe => Failure::ClosedPipe,
         }
@@ -75,7 +71,7 @@ impl Failure {
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
             Failure::Question(error) => {
                 let code = if error.has_no_result() { 1 } else { 2 };
-                (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
+                (vec![format!("error: {}", error.message(Names::Flags))], code)
             }
             Failure::ClosedPipe => return 0,
         };
@@ -126,60 +122,6 @@ impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
         Failure::Question(Box::new(error))
     }
-}
-
-/// Flag and key of the number that a contact law or a simulator needs, or that is out of range.
-fn missing_number(error: &StudyError) -> Option<(&'static str, &'static str)> {
-    match error {
-        StudyError::Damping(ContactLawError::SpeedNeeded { .. }) => Some(("--speed", "damping.speed")),
-        StudyError::Export(error) if matches!(**error, ExportError::Missing { .. }) => {
-            Some(("--own-mass", "damping.own_mass"))
-        }
-        StudyError::Export(error) => match &**error {
-            ExportError::Contact(ContactLawError::OutOfRange { what, .. }) => flag_and_key_of(what),
-            ExportError::StepTooLong { .. } => Some(("--time-step", "damping.time_step")),
-            ExportError::Exponent { .. } => Some(("--exponent", "damping.exponent")),
-            _ => None,
-        },
-        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => flag_and_key_of(what),
-        StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "safe_speed.region")),
-        _ => None,
-    }
-}
-
-/// Flag and key of a number by its description in an error.
-fn flag_and_key_of(what: &str) -> Option<(&'static str, &'static str)> {
-    NUMBERS.iter().find(|(number, ..)| *number == what).map(|(_, flag, key)| (*flag, *key))
-}
-
-/// Numbers of contact laws given by the user: description, flag, key.
-const NUMBERS: [(&str, &str, &str); 16] = [
-    ("time step, s", "--time-step", "damping.time_step"),
-    ("mass of the contact link alone, kg", "--own-mass", "damping.own_mass"),
-    ("mass of the other body alone, kg", "--other-own-mass", "damping.other_own_mass"),
-    ("MuJoCo's diagonal ratio", "--diagonal-ratio", "damping.diagonal_ratio"),
-    ("accuracy of the restitution", "--accuracy", "damping.accuracy"),
-    ("stiffness, N/m^p", "--stiffness", "damping.stiffness"),
-    ("restitution", "--restitution", "damping.restitution"),
-    ("exponent of the spring", "--exponent", "damping.exponent"),
-    ("approach speed, m/s", "--speed", "damping.speed"),
-    ("effective mass, kg", "--mass", "damping.mass"),
-    ("load, kg", "--load", "safe_speed.load"),
-    ("greatest force, N", "--force", "safe_speed.force"),
-    ("greatest pressure, Pa", "--pressure", "safe_speed.pressure"),
-    ("area of the contact, m^2", "--area", "safe_speed.area"),
-    ("greatest energy, J", "--energy", "safe_speed.energy"),
-    ("greatest momentum, N·s", "--momentum", "safe_speed.momentum"),
-];
-
-/// Suffix ` (--FLAG)` of a message: flag of the missing or invalid number; empty if unknown.
-fn flag_of(error: &StudyError) -> String {
-    missing_number(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))
-}
-
-/// Suffix ` (KEY)` of a message: study key of the missing or invalid number; empty if unknown.
-fn key_of(error: &StudyError) -> String {
-    missing_number(error).map_or_else(String::new, |(_, key)| format!(" ({key})"))
 }
 
 impl From<StudyFileError> for Failure {

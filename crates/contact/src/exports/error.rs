@@ -3,8 +3,8 @@
 use thiserror::Error;
 
 use super::Tool;
-use crate::ContactLawError;
 use crate::error::suggestion;
+use crate::{ContactLawError, Parameter};
 
 /// Reason for missing parameters of a tool.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -26,12 +26,12 @@ pub enum ExportError {
         remedy: &'static str,
     },
     /// Missing number that the parameters depend on.
-    #[error("{tool}: needs {what}; {why}")]
+    #[error("{tool}: needs the {what}; {why}")]
     Missing {
         /// Tool.
         tool: Tool,
-        /// Name of the number, with its unit.
-        what: &'static str,
+        /// The number.
+        what: Parameter,
         /// Purpose of the number.
         why: &'static str,
     },
@@ -118,4 +118,17 @@ pub enum ExportError {
         /// All names, separated by commas.
         known: String,
     },
+}
+
+impl ExportError {
+    /// Parameter that is missing or invalid.
+    pub fn parameter(&self) -> Option<Parameter> {
+        match self {
+            Self::Contact(error) => error.parameter(),
+            Self::Exponent { .. } => Some(Parameter::Exponent),
+            Self::Missing { what, .. } => Some(*what),
+            Self::StepTooLong { .. } | Self::StepTooCoarse { .. } => Some(Parameter::TimeStep),
+            _ => None,
+        }
+    }
 }

@@ -175,7 +175,7 @@ pub(super) fn check_single_precision(what: &'static str, value: f64) -> Result<(
         return Ok(());
     }
     let valid = "a size from 1.2e-38 to 3.4e38: the tool stores it in single precision";
-    Err(ContactLawError::OutOfRange { what, got: value, valid }.into())
+    Err(ContactLawError::OutOfRange { what: what.into(), got: value, valid }.into())
 }
 
 impl From<f64> for Value {

@@ -1,7 +1,7 @@
 //! Request for an export, and its options.
 
 use super::ExportError;
-use crate::error::{not_negative, positive, unit_interval};
+use crate::error::{Parameter, not_negative, positive, unit_interval};
 use crate::limits;
 use crate::{CompliantContact, ContactLawError};
 
@@ -100,11 +100,6 @@ impl StopMotion {
     }
 }
 
-impl Options {
-    /// Text of [`ExportError::Missing`] for the own mass.
-    pub const OWN_MASS: &str = "the mass of the contact link alone, kg";
-}
-
 impl Default for Options {
     fn default() -> Self {
         Self {
@@ -144,19 +139,19 @@ impl Request {
 
     /// Checks the range of every number.
     pub(super) fn check(&self) -> Result<(), ExportError> {
-        unit_interval("restitution", self.restitution)?;
+        unit_interval(Parameter::Restitution, self.restitution)?;
         let accuracy = self.options.accuracy;
         if !limits::ACCURACIES.contains(&accuracy) {
-            let (what, valid) = ("accuracy of the restitution", "a number from 1e-9 to 0.1");
+            let (what, valid) = (Parameter::Accuracy, "a number from 1e-9 to 0.1");
             return Err(ContactLawError::OutOfRange { what, got: accuracy, valid }.into());
         }
         let optional = [
-            ("approach speed, m/s", self.speed),
-            ("time step, s", self.options.time_step),
-            ("mass of the contact link alone, kg", self.options.own_mass),
-            ("mass of the other body alone, kg", self.options.other_own_mass),
-            ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
-            ("effective mass of the bodies without joints, kg", self.options.free_mass),
+            (Parameter::Speed, self.speed),
+            (Parameter::TimeStep, self.options.time_step),
+            (Parameter::OwnMass, self.options.own_mass),
+            (Parameter::OtherOwnMass, self.options.other_own_mass),
+            (Parameter::DiagonalRatio, self.options.diagonal_ratio),
+            ("effective mass of the bodies without joints, kg".into(), self.options.free_mass),
         ];
         for (what, value) in optional {
             value.map(|value| positive(what, value)).transpose()?;

@@ -133,7 +133,7 @@ pub fn load(error: Refused) -> PyErr {
 /// Error of a study function, also used by the command line.
 pub fn study(error: StudyError) -> PyErr {
     let message = error.message(Names::Fields);
-    match error {
+    match error.without_table() {
         StudyError::Assembly(_) => LoopsError::new_err(message),
         error if error.has_no_result() => no_answer(message),
         _ => input(message),

@@ -36,8 +36,14 @@ pub fn friction_thresholds(
     model: &Model,
     question: &MassQuestion,
 ) -> Result<Option<FrictionThresholdsRecord>, StudyError> {
-    let evaluated = EvaluatedQuestion::new(model, question)?;
-    require_contact_point(&evaluated, Field::FrictionThresholds, "threshold of friction")?;
+    thresholds_of(&EvaluatedQuestion::new(model, question)?)
+}
+
+/// Thresholds of friction at an evaluated contact.
+pub(crate) fn thresholds_of(
+    evaluated: &EvaluatedQuestion,
+) -> Result<Option<FrictionThresholdsRecord>, StudyError> {
+    require_contact_point(evaluated, Field::FrictionThresholds, "threshold of friction")?;
     let response = &evaluated.result.response;
     if response.singular_pose || !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
         return Ok(None);

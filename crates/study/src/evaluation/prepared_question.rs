@@ -228,7 +228,7 @@ impl<'a> PreparedQuestion<'a> {
         let given = match self.question.names {
             Names::Fields => frame.to_owned(),
             Names::Flags => format!("--frame {frame}"),
-            Names::Keys => format!("contact.frame = \"{frame}\""),
+            Names::Keys(_) => format!("contact.frame = \"{frame}\""),
         };
         let [x, y, z]: [f64; 3] = contact.point.into();
         let link = self.system.mechanism().link(contact.link).name();

@@ -1,6 +1,8 @@
 //! Parts of a question and their names: command-line flags, study keys, or field names in code.
 
+use crate::study_file::schema::study_keys;
 use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart, Frame};
+use std::sync::LazyLock;
 
 /// Set of names used in messages for the parts of a question.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,8 +12,33 @@ pub enum Names {
     Fields,
     /// Flags of the command line.
     Flags,
-    /// Keys of a study file.
-    Keys,
+    /// Keys of a study file; the name of the table of the question, or an empty text.
+    Keys(&'static str),
+}
+
+impl Names {
+    /// Keys of a study, for a question that no table determines.
+    pub const KEYS: Self = Names::Keys("");
+
+    /// Names of the keys of a table; flags and fields do not depend on the table.
+    pub(crate) fn in_table(self, table: &'static str) -> Self {
+        if matches!(self, Names::Keys(_)) { Names::Keys(table) } else { self }
+    }
+}
+
+/// Key in a table of a question: that of `table` if it has a key with the same last part, otherwise `key`. Keys of the model, the
+/// contact, the pose and the conditions belong to no question.
+pub(crate) fn key_in_table(key: &'static str, table: &str) -> &'static str {
+    match key.rsplit_once('.') {
+        Some(("model" | "contact" | "pose" | "conditions", _)) | None => key,
+        Some((_, last)) => key_of_table(table, last).unwrap_or(key),
+    }
+}
+
+/// Key of a table with a last part.
+pub(crate) fn key_of_table(table: &str, last: &str) -> Option<&'static str> {
+    static KEYS: LazyLock<Vec<String>> = LazyLock::new(study_keys);
+    KEYS.iter().find(|known| known.rsplit_once('.') == Some((table, last))).map(String::as_str)
 }
 
 /// Part of a question: a flag on the command line, a key in a study file.
@@ -214,7 +241,7 @@ impl Field {
     pub fn name_in(self, names: Names) -> &'static str {
         match names {
             Names::Flags => self.flag(),
-            Names::Keys => self.key(),
+            Names::Keys(table) => key_in_table(self.key(), table),
             Names::Fields => self.key().rsplit('.').next().unwrap_or_default(),
         }
     }
@@ -223,7 +250,7 @@ impl Field {
     pub(crate) fn hint(self, names: Names) -> String {
         match names {
             Names::Fields => String::new(),
-            Names::Flags | Names::Keys => format!(" ({})", self.name_in(names)),
+            Names::Flags | Names::Keys(_) => format!(" ({})", self.name_in(names)),
         }
     }
 
@@ -274,7 +301,7 @@ pub(crate) fn contact_error_message(error: &ContactError, names: Names) -> Strin
             let turning = if turns { "; --turning-normal: the line may turn" } else { "" };
             format!("{error}: --normal {x},{y},{z} --normal-frame {frame}{turning}")
         }
-        Names::Keys => {
+        Names::Keys(_) => {
             let turning = if turns { "; turning_normal = true: the line may turn" } else { "" };
             format!("{error}: normal = [{x}, {y}, {z}], normal_frame = \"{frame}\"{turning}")
         }
@@ -286,7 +313,7 @@ pub(crate) fn assembly_error_message(error: &AssemblyError, names: Names) -> Str
     let given_with = match (names, error) {
         (Names::Fields, _) => String::new(),
         (Names::Flags, AssemblyError::DoesNotClose { .. }) => " with --guess JOINT=VALUE".into(),
-        (Names::Flags | Names::Keys, _) => format!(" with {}", Field::Guess.name_in(names)),
+        (Names::Flags | Names::Keys(_), _) => format!(" with {}", Field::Guess.name_in(names)),
     };
     let given_with = if error.ends_in_another_start() { given_with } else { String::new() };
     format!("{error}{given_with}")

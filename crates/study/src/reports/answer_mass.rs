@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::damper::simulators::ExportRecord;
+use crate::evaluation::friction_thresholds::thresholds_of;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -12,8 +13,11 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
+use crate::reports::explain::explain_parts;
 use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
+use crate::reports::tolerance::tolerances_of;
+use crate::study_file::tables::mass::StudyMass;
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_dynamics::PointVelocity;
 
@@ -57,22 +61,56 @@ pub fn mass_with_damper(
     with_damper(&EvaluatedQuestion::new(model, question)?, damping)
 }
 
-/// Same as [`mass_with_damper`] (or [`mass()`] without `damping`), with the drawing of the mechanism at the
-/// pose.
+/// Effective mass with all results that a study requests for its contact: the damper, the sensitivities, the thresholds of friction and the
+/// effects of tolerances. The contact is evaluated once.
 ///
 /// # Errors
-/// As for [`mass_with_damper`].
+/// As for [`mass_with_damper`], [`friction_thresholds`](crate::friction_thresholds) and [`tolerance_report`](crate::tolerance_report).
+pub fn requested_mass(
+    model: &Model,
+    question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+    requested: &StudyMass,
+) -> Result<MassReport, StudyError> {
+    requested_report(&EvaluatedQuestion::new(model, question)?, question, damping, requested)
+}
+
+/// Same as [`requested_mass`], with the drawing of the mechanism at the pose.
+///
+/// # Errors
+/// As for [`requested_mass`].
 pub fn mass_with_drawing(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
+    requested: &StudyMass,
 ) -> Result<(MassReport, DrawnMechanism), StudyError> {
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let report = match damping {
-        Some(damping) => with_damper(&evaluated, damping)?,
-        None => build_mass_report(&evaluated)?,
-    };
+    let report = requested_report(&evaluated, question, damping, requested)?;
     Ok((report, draw_evaluated(&evaluated)))
+}
+
+/// Report with all requested results at the evaluated contact of `question`.
+fn requested_report(
+    evaluated: &EvaluatedQuestion,
+    question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+    requested: &StudyMass,
+) -> Result<MassReport, StudyError> {
+    let mut report = match damping {
+        Some(damping) => with_damper(evaluated, damping)?,
+        None => build_mass_report(evaluated)?,
+    };
+    if requested.explain {
+        report.explanation = explain_parts(evaluated, question, true)?;
+    }
+    if requested.friction_thresholds {
+        report.friction_thresholds = thresholds_of(evaluated)?;
+    }
+    if let Some(tolerance) = requested.tolerance {
+        report.tolerance = tolerances_of(evaluated, question, tolerance, requested.sampling)?;
+    }
+    Ok(report)
 }
 
 /// Report with a damper, or with the reason for a missing one.

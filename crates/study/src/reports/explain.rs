@@ -96,22 +96,23 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
-    explain_parts(model, question, true)
+    explain_parts(&EvaluatedQuestion::new(model, question)?, question, true)
 }
 
-/// Sensitivities as for [`explain`]; `with_points`: also those of the hardpoints, which take twelve evaluations each.
+/// Sensitivities as for [`explain`], at the evaluated contact of `question`; `with_points`: also those of the hardpoints, which take twelve
+/// evaluations each.
 pub(crate) fn explain_parts(
-    model: &Model,
+    evaluated: &EvaluatedQuestion,
     question: &MassQuestion,
     with_points: bool,
 ) -> Result<Option<Explanation>, StudyError> {
-    let evaluated = EvaluatedQuestion::new(model, question)?;
+    let model = evaluated.prepared.model;
     let response = &evaluated.result.response;
     let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
     if response.singular_pose {
         return Ok(None);
     }
-    let (links, rotors) = (links(&evaluated, mass), rotors(&evaluated));
+    let (links, rotors) = (links(evaluated, mass), rotors(evaluated));
     let points = if with_points { points(model, question) } else { Vec::new() };
     let mut by_mass: Vec<&LinkSensitivity> = links.iter().filter(|link| link.per_kilogram > 0.0).collect();
     by_mass.sort_by(|a, b| b.per_kilogram.total_cmp(&a.per_kilogram));

@@ -312,7 +312,10 @@ impl MassReport {
                 .question
                 .stop_of_joint(mechanism)
                 .map(|(joint, motion)| StopRecord { joint: joint_name(joint), motion }),
-            point_in_sheet: None,
+            point_in_sheet: model.contact_in_sheet(
+                &response.contact.point_world.into(),
+                &response.contact.normal_world.into(),
+            ),
             conditions: ConditionsRecord::of(&prepared.question),
             drivers: assumptions.drivers.clone(),
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),

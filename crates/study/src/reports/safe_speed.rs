@@ -12,7 +12,9 @@ use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
-use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
+use percuss_contact::{
+    BodyRegion, ContactLawError, Parameter, SafeSpeed, TransientContact, standard_robot_mass,
+};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
 use percuss_impact::reachable_closing_speed;
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
@@ -440,7 +442,7 @@ fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyEr
             JointDescription::new(format!("{name} on {contact_link}"), JointKind::Fixed, contact_link, &name),
         );
     let built = builder.build().map_err(|_| ContactLawError::OutOfRange {
-        what: "load, kg",
+        what: Parameter::Load,
         got: load,
         valid: "a finite number, 0 or above",
     })?;

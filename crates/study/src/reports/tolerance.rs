@@ -1,6 +1,7 @@
 //! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
 //! first order, and by random samples.
 
+use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::random_rows::RandomStream;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
@@ -178,6 +179,17 @@ pub fn tolerance_report(
     tolerance: Tolerance,
     sampling: Option<Sampling>,
 ) -> Result<Option<ToleranceReport>, StudyError> {
+    tolerances_of(&EvaluatedQuestion::new(model, question)?, question, tolerance, sampling)
+}
+
+/// Variation of m̄ as for [`tolerance_report`], at the evaluated contact of `question`.
+pub(crate) fn tolerances_of(
+    evaluated: &EvaluatedQuestion,
+    question: &MassQuestion,
+    tolerance: Tolerance,
+    sampling: Option<Sampling>,
+) -> Result<Option<ToleranceReport>, StudyError> {
+    let model = evaluated.prepared.model;
     if tolerance.point > 0.0 && model.hardpoints().is_empty() {
         let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
         return Err(StudyError::input(Field::Tolerance, Fault::NoSheet { path }));
@@ -186,7 +198,7 @@ pub fn tolerance_report(
         return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
     }
     let with_points = tolerance.point > 0.0;
-    let Some(explanation) = explain_parts(model, question, with_points)? else { return Ok(None) };
+    let Some(explanation) = explain_parts(evaluated, question, with_points)? else { return Ok(None) };
     let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
     let root = |all: &[ToleranceEffect]| all.iter().map(|e| e.change * e.change).sum::<f64>().sqrt();
     let all = rates.concatenated();

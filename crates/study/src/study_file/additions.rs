@@ -1,8 +1,8 @@
 //! Impact and extremes of a study, added to the report of the contact.
 
 use crate::question::errors::question_error::StudyError;
-use crate::reports::impact::extremes::{ExtremesReport, extremes};
-use crate::reports::impact::report::{ImpactReport, impact};
+use crate::reports::impact::extremes::ExtremesReport;
+use crate::reports::impact::report::ImpactReport;
 use crate::study_file::file::StudyFile;
 use serde::Serialize;
 
@@ -34,21 +34,6 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`], as for [`impact`](crate::impact) and [`extremes`](crate::extremes).
     pub fn additions(&self) -> Result<StudyAdditions, StudyError> {
-        let Some(question) = &self.question else { return Ok(StudyAdditions::default()) };
-        let of_impact = |requested| {
-            let mut report = impact(&self.model, question, requested)?;
-            let contact = &report.mass.contact;
-            report.mass.point_in_sheet =
-                self.model.contact_in_sheet(&contact.point_world, &contact.normal_world);
-            Ok::<_, StudyError>(report)
-        };
-        Ok(StudyAdditions {
-            impact: self.impact.as_ref().map(of_impact).transpose()?,
-            extremes: self
-                .extremes
-                .as_ref()
-                .map(|requested| extremes(&self.model, question, requested))
-                .transpose()?,
-        })
+        Ok(StudyAdditions { impact: self.impact_report()?, extremes: self.extremes_report()? })
     }
 }

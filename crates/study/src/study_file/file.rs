@@ -275,7 +275,7 @@ struct StudyReader<'a> {
 impl StudyReader<'_> {
     /// Error of the study file for an invalid key.
     fn invalid_key_error(&self, refusal: InvalidKey) -> StudyFileError {
-        self.value(refusal.key, refusal.key, refusal.reason(Names::Keys))
+        self.value(refusal.key, refusal.key, refusal.reason(Names::KEYS))
     }
 
     /// Error of an invalid value; `place`: path of the key that gives the line.
@@ -285,8 +285,8 @@ impl StudyReader<'_> {
 
     /// Error of an invalid query, with the key of the invalid field.
     fn study_error(&self, error: &StudyError) -> StudyFileError {
-        let key = error.field().map_or("model", |field| field.key());
-        let why = error.message(Names::Keys);
+        let key = error.key().unwrap_or("model");
+        let why = error.message(Names::KEYS);
         let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
         self.value(key, key, why)
     }
@@ -300,7 +300,7 @@ impl StudyReader<'_> {
         let why = match error {
             // One message for all findings about the model.
             DesignError::Load(error) => error.to_string().replace('\n', "; "),
-            DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
+            DesignError::Change(error) => error.message(Names::KEYS).replace("model.", ""),
         };
         self.value(key, &place, format!("{of}{why}"))
     }
@@ -447,7 +447,7 @@ impl StudyReader<'_> {
                 }
                 contact
                     .apply_to(&mut question)
-                    .map_err(|refusal| self.value(refusal.key, &place, refusal.reason(Names::Keys)))?;
+                    .map_err(|refusal| self.value(refusal.key, &place, refusal.reason(Names::KEYS)))?;
             }
             let variant = text
                 .apply(model, &question, folder, &mut loaded)

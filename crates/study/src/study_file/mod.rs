@@ -1,6 +1,7 @@
 //! Study files (TOML): keys, tables, schema.
 
 pub(crate) mod additions;
+pub(crate) mod answer;
 pub(crate) mod closure;
 pub(crate) mod contacts;
 pub(crate) mod file;

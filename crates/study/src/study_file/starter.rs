@@ -104,7 +104,7 @@ fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
         point,
         normal,
         base,
-        names: Names::Keys,
+        names: Names::KEYS,
         ..MassQuestion::without_contact()
     };
     let mut found = Vec::new();
@@ -116,7 +116,7 @@ fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
     found.extend(named.into_iter().map(|contact| MassQuestion {
         at: Some(contact.name().to_owned()),
         base,
-        names: Names::Keys,
+        names: Names::KEYS,
         ..MassQuestion::without_contact()
     }));
     for link in links_by_depth(mechanism) {

@@ -79,6 +79,6 @@ impl StudyText {
         max_size: u64,
     ) -> Result<MassQuestion, InvalidKey> {
         let Self { pose, conditions, hold, .. } = self;
-        QuestionTables { contact, pose, conditions, hold }.question(folder, max_size, Names::Keys)
+        QuestionTables { contact, pose, conditions, hold }.question(folder, max_size, Names::KEYS)
     }
 }

@@ -8,10 +8,7 @@ use crate::terminal::report::{with_findings, write_diagnostics, write_json, writ
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
-use percuss_study::{
-    ExtremeRecord, ExtremesQuestion, ExtremesReport, KeptRecord, MassQuestion, Model, RowSource, Status,
-    extremes,
-};
+use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, RowSource, Status, extremes};
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
 const RESTING_GAP: f64 = 1e-6;
@@ -21,25 +18,19 @@ pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
     let contact = args.contact.question_of_rows()?;
     let question = args.question()?;
     let model = args.model.load()?;
-    show(&model, &contact, &question, args.format, args.model.reading.strict)
-}
-
-/// Searches for extremes and writes them.
-pub fn show(
-    model: &Model,
-    contact: &MassQuestion,
-    question: &ExtremesQuestion,
-    format: CheckFormat,
-    strict: bool,
-) -> Result<(), Failure> {
     if let Some(RowSource::File(file)) = &question.path {
         record_input(&file.path);
     }
-    let report = with_findings(extremes(model, contact, question), model)?;
+    let report = with_findings(extremes(&model, &contact, &question), &model)?;
+    write(&report, args.format, args.model.reading.strict)
+}
+
+/// Writes extremes and their findings.
+pub fn write(report: &ExtremesReport, format: CheckFormat, strict: bool) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     match format {
-        CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&text(&report)),
+        CheckFormat::Json => write_json(report),
+        CheckFormat::Text => write_out(&text(report)),
     }
 }
 

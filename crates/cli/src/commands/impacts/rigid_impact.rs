@@ -10,10 +10,7 @@ use crate::terminal::report::{with_findings, write_diagnostics, write_json, writ
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::{fact_line, wrap_lines};
-use percuss_study::{
-    FrictionRecord, ImpactQuestion, ImpactReport, JointConstraintKind, MassQuestion, Model, ReactionRecord,
-    Status, impact,
-};
+use percuss_study::{FrictionRecord, ImpactReport, JointConstraintKind, ReactionRecord, Status, impact};
 
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
 const SMALL_MOTION_FORCE: f64 = 0.01;
@@ -27,7 +24,8 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     let contact = args.contact.question()?;
     let question = args.impact.question()?;
     let model = args.model.load()?;
-    let report = answer(&model, &contact, &question, args.model.reading.strict)?;
+    let report = with_findings(impact(&model, &contact, &question), &model)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     if let Some(path) = &args.output {
         write_output(&report, path)?;
     }
@@ -46,33 +44,8 @@ fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
     }
 }
 
-/// Computes an impact and writes it.
-pub fn show(
-    model: &Model,
-    contact: &MassQuestion,
-    question: &ImpactQuestion,
-    format: CheckFormat,
-    strict: bool,
-) -> Result<(), Failure> {
-    write(&answer(model, contact, question, strict)?, format)
-}
-
-/// Computes an impact and writes its findings.
-fn answer(
-    model: &Model,
-    contact: &MassQuestion,
-    question: &ImpactQuestion,
-    strict: bool,
-) -> Result<ImpactReport, Failure> {
-    let mut report = with_findings(impact(model, contact, question), model)?;
-    let contact = &report.mass.contact;
-    report.mass.point_in_sheet = model.contact_in_sheet(&contact.point_world, &contact.normal_world);
-    write_diagnostics(&report.diagnostics, strict)?;
-    Ok(report)
-}
-
 /// Writes a report.
-fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
+pub fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
     match format {
         CheckFormat::Json => write_json(report),
         CheckFormat::Text => write_out(&text(report)),

@@ -16,7 +16,7 @@ mod sweep;
 
 use crate::args::RunArgs;
 use crate::commands::exports::explore::study_page;
-use crate::commands::mass::{MassRequests, headline};
+use crate::commands::mass::{check_expected, headline};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
@@ -76,7 +76,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     if let Some(sweep) = &answers.sweep {
         write_file(&accompanying_file(path, "csv"), sweep.csv.as_bytes())?;
     }
-    outputs::write(study, &args.study)?;
+    outputs::write(study, &answers)?;
     if let (Some(path), Some(text)) = (&args.explorer, &explorer) {
         write_file(path, text.as_bytes())?;
     }
@@ -84,5 +84,5 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     let headline = answers.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
     let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));
     write_out(&(headline.unwrap_or_default() + &written))?;
-    answers.mass.map_or(Ok(()), |mass| MassRequests::from_study(&study.mass).check_expected(&mass))
+    answers.mass.map_or(Ok(()), |mass| check_expected(&mass, &study.mass))
 }

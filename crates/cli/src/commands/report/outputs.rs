@@ -1,12 +1,13 @@
 //! Files that the tables of a study name: `sweep.output`, `damping.output`, `map.output`, `kinematics.output`.
 
+use super::results::StudyResults;
 use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::suspension::kinematics;
-use crate::commands::sweep::{self, SweepOutput};
+use crate::commands::sweep::{ReadySweep, SweepOutput};
 use crate::commands::{damp, map};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
-use percuss_study::{Names, StudyFile};
+use percuss_study::StudyFile;
 
 /// Keys and paths of the files that a study names.
 pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String)> + '_ {
@@ -19,45 +20,36 @@ pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String
 }
 
 /// Writes these files and prints nothing: the report has the results and the findings.
-pub(super) fn write(study: &StudyFile, study_path: &str) -> Result<(), Failure> {
-    write_rows(study, study_path)?;
+pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Failure> {
+    write_rows(study, results)?;
     if let Some(damping) = &study.damping
         && let Some(path) = &damping.output
-        && (damping.stop.is_some() || study.question.is_some())
+        && let Some(report) = study.damper()?
     {
-        damp::write_history(&damp::study_report(study, damping)?, &damping.question, path)?;
+        damp::write_history(&report, &damping.question, path)?;
     }
-    if let Some(requested) = &study.kinematics
+    if let (Some(requested), Some(report)) = (&study.kinematics, &results.kinematics)
         && let Some(path) = &requested.output
     {
-        kinematics::write_output(&requested.report(&study.model)?, requested, path)?;
+        kinematics::write_output(report, requested, path)?;
     }
-    if let Some(requested) = &study.map {
+    if let (Some(requested), Some(result)) = (&study.map, &results.mapped) {
         let formats = map::formats(&requested.outputs)?;
-        map::write_files(
-            &study.model,
-            &requested.question,
-            &formats,
-            TableStyle::from_study(&requested.table),
-        )?;
+        map::write_files(result, &formats, TableStyle::from_study(&requested.table))?;
     }
     Ok(())
 }
 
 /// Writes the rows of a sweep, or the comparison of several contacts and variants over them.
-fn write_rows(study: &StudyFile, study_path: &str) -> Result<(), Failure> {
+fn write_rows(study: &StudyFile, results: &StudyResults) -> Result<(), Failure> {
     let Some(requested) = &study.sweep else { return Ok(()) };
     let (Some(path), Some(question)) = (requested.output.as_deref(), &study.question) else { return Ok(()) };
     let table = TableStyle::from_study(&requested.table);
     if study.variants.is_empty() && study.contacts.is_empty() {
-        let written = SweepOutput {
-            gradient: requested.gradient,
-            output: Some(path),
-            table,
-            figure: &requested.figure,
-            strict: false,
-        };
-        return sweep::write_rows(&study.model, &study.question_of_rows(question), &requested.rows, &written);
+        let destination = SweepOutput { output: Some(path), table, figure: &requested.figure, strict: false };
+        let question = study.question_of_rows(question);
+        let sweep = study.prepared_sweep(requested, &question);
+        return ReadySweep::new(&study.model, &question, &requested.rows, sweep, destination)?.write_rows();
     }
     let written = ComparisonOutput {
         output: Some(path),
@@ -66,5 +58,5 @@ fn write_rows(study: &StudyFile, study_path: &str) -> Result<(), Failure> {
         format: crate::args::MassFormat::Text,
         strict: false,
     };
-    compare::write_output(&study.designs(&compare::study_name(study_path)), Names::Keys, &written)
+    results.compared.as_ref().map_or(Ok(()), |report| compare::write_output(report, &written))
 }

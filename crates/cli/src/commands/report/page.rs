@@ -1,13 +1,13 @@
 //! Text of the report: head, result, sections.
 
-use super::results::{MapResult, StudyResults};
+use super::results::StudyResults;
 use super::{answers, contact, impact, mechanism, sensitivity};
 use crate::args::RunArgs;
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
 use crate::terminal::text::shell_quoted;
 use percuss_mechanism::Severity;
-use percuss_study::{DiagnosticRecord, Input, StudyFile};
+use percuss_study::{DiagnosticRecord, Input, MapResult, StudyFile};
 use std::path::Path;
 
 /// Text of the page of a study; `path` is the page's file.

@@ -4,24 +4,13 @@ use super::bands::{Tolerances, tolerances_of_contacts};
 use super::sweep::{SweepSection, run_sweep};
 use crate::args::RunArgs;
 use crate::commands::compare;
-use crate::commands::contact_list;
-use crate::commands::damp;
 use crate::commands::impacts::safe_speed;
-use crate::commands::mass::MassRequests;
 use crate::terminal::failure::Failure;
 use percuss_study::{
     CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
-    ExtremesReport, ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport,
-    SafeSpeedReport, StudyAdditions, StudyFile, StudyMapQuestion, WithAdditions, check as check_of,
-    draw_mechanism, extremes as extremes_of, impact as impact_of, map as map_of, map_point,
-    mass_with_drawing,
+    ExtremesReport, ImpactReport, Input, KinematicsReport, MapResult, MassReport, Names, SafeSpeedReport,
+    StudyAdditions, StudyFile, WithAdditions, check as check_of, draw_mechanism,
 };
-
-/// Result of a map.
-pub(super) enum MapResult {
-    Surfaces(Box<MapAnswer>),
-    Directions(Box<PointMapReport>),
-}
 
 /// Name of the first contact of a list with a result: the contact of the details of a report.
 pub(super) fn first_with_result(listed: &ContactListReport) -> Option<&str> {
@@ -53,74 +42,35 @@ pub(super) struct StudyResults {
 impl StudyResults {
     /// Computes the results of all questions of a study.
     pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
-        let damping = study.damping.as_ref();
-        let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
-        let detailed = listed.as_ref().and_then(first_with_result);
-        let detailed = detailed.and_then(|name| study.contacts.iter().find(|contact| contact.name == name));
-        let question = detailed.map(|contact| &contact.question).or(study.question.as_ref());
-        let (mass, mechanism, contents) = match question {
+        let listed = study.contact_list()?;
+        let (mass, mechanism, contents) = match study.detailed_question(listed.as_ref()) {
             Some(question) => {
-                let damping = damping.map(|damping| &damping.question);
-                let (mut mass, mechanism) = mass_with_drawing(&study.model, question, damping)?;
-                mass.point_in_sheet =
-                    study.model.contact_in_sheet(&mass.contact.point_world, &mass.contact.normal_world);
-                MassRequests::from_study(&study.mass).add_to(&mut mass, &study.model, question)?;
+                let (mass, mechanism) = study.mass_with_drawing(question)?;
                 (Some(mass), mechanism, None)
             }
             None => (None, draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
         };
-        let stop = damping.filter(|damping| damping.stop.is_some());
-        let stop = stop.map(|damping| damp::study_report(study, damping)).transpose()?;
-        let compared = if study.variants.is_empty() && study.contacts.is_empty() {
-            None
-        } else {
-            let compared = percuss_study::compare(&study.designs(&compare::study_name(&args.study)));
-            Some(compared.map_err(|error| compare::failure(&error, Names::Keys))?)
-        };
+        let compared = study.comparison(&compare::study_name(&args.study));
+        let compared = compared.map_err(|error| compare::failure(&error, Names::KEYS))?;
         let tolerances = match &compared {
             Some(compared) => tolerances_of_contacts(study, compared)?,
             None => Vec::new(),
         };
-        let mapped = match study.map.as_ref().map(|map| &map.question) {
-            None => None,
-            Some(StudyMapQuestion::Surfaces(requested)) => {
-                Some(MapResult::Surfaces(Box::new(map_of(&study.model, requested)?)))
-            }
-            Some(StudyMapQuestion::Directions(requested, count)) => {
-                Some(MapResult::Directions(Box::new(map_point(&study.model, requested, *count)?)))
-            }
-        };
-        let kinematics =
-            study.kinematics.as_ref().map(|requested| requested.report(&study.model)).transpose()?;
-        let speeds =
-            study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
-        let impact = question.zip(study.impact.as_ref());
-        let mut impact =
-            impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
-        if let Some(report) = &mut impact {
-            let contact = &report.mass.contact;
-            report.mass.point_in_sheet =
-                study.model.contact_in_sheet(&contact.point_world, &contact.normal_world);
-        }
-        let extremes = question.zip(study.extremes.as_ref());
-        let extremes = extremes
-            .map(|(question, requested)| extremes_of(&study.model, question, requested))
-            .transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
         Ok(Self {
             mass,
             listed,
             mechanism,
             contents,
-            stop,
-            impact,
-            extremes,
+            stop: study.stop_damper()?,
+            impact: study.impact_report()?,
+            extremes: study.extremes_report()?,
             sweep,
             compared,
             tolerances,
-            kinematics,
-            mapped,
-            speeds,
+            kinematics: study.kinematics_report()?,
+            mapped: study.map_result()?,
+            speeds: study.safe_speeds()?,
         })
     }
 
@@ -128,10 +78,7 @@ impl StudyResults {
     pub fn inputs(&self) -> Vec<Input> {
         let sweep = self.sweep.iter().flat_map(|sweep| &sweep.inputs);
         let compared = self.compared.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
-        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
-            MapResult::Surfaces(answer) => &answer.report.inputs,
-            MapResult::Directions(report) => &report.inputs,
-        });
+        let mapped = self.mapped.iter().flat_map(MapResult::inputs);
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.inputs);
         let own = self.mass.iter().flat_map(|mass| &mass.inputs);
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.inputs));
@@ -169,10 +116,7 @@ impl StudyResults {
         let sweep = self.sweep.iter().filter(|_| !self.has_several_contacts());
         let sweep = sweep.flat_map(|sweep| &sweep.end.diagnostics);
         let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
-        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
-            MapResult::Surfaces(answer) => &answer.report.diagnostics,
-            MapResult::Directions(report) => &report.diagnostics,
-        });
+        let mapped = self.mapped.iter().flat_map(MapResult::diagnostics);
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
         let own = self.mass.iter().flat_map(|mass| self.unlisted(mass));
         let own = own.chain(self.listed.iter().flat_map(|listed| &listed.diagnostics));
@@ -202,10 +146,7 @@ impl StudyResults {
                 serde_json::to_string_pretty(&WithAdditions { report: mass, additions: &additions })
             }
             (None, Some(stop), ..) => serde_json::to_string_pretty(stop),
-            (None, None, Some(MapResult::Surfaces(answer)), _) => {
-                serde_json::to_string_pretty(&answer.report)
-            }
-            (None, None, Some(MapResult::Directions(report)), _) => serde_json::to_string_pretty(report),
+            (None, None, Some(mapped), _) => serde_json::to_string_pretty(mapped),
             (None, None, None, Some(reports)) if reports.len() > 1 => serde_json::to_string_pretty(reports),
             (None, None, None, Some(reports)) => serde_json::to_string_pretty(safe_speed::slowest(reports)),
             // The parser of studies refuses a study without any question.

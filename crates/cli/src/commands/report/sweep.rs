@@ -36,8 +36,7 @@ pub(super) struct SweepSection {
 /// Runs the sweep of a study: its table, its end, and its picture.
 pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<SweepSection, Failure> {
     let question = &study.question_of_rows(study.question.as_ref().unwrap_or(&study.conditions));
-    let sweep = Sweep::new(&study.model, question, &requested.rows)?;
-    let sweep = if requested.gradient { sweep.with_gradient() } else { sweep };
+    let sweep = study.prepared_sweep(requested, question)?;
     let table =
         SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));
     let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));

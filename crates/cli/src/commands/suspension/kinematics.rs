@@ -11,7 +11,7 @@ use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, wr
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_study::{
-    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model, StudyFile,
+    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model,
     StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
@@ -61,16 +61,17 @@ fn write_picture(report: &KinematicsReport, selected: bool, path: &str) -> Resul
 }
 
 /// Shows the kinematics of a study: the table on stdout, or the file that the study names.
-pub fn show_of_study(study: &StudyFile, requested: &StudyKinematics, strict: bool) -> Result<(), Failure> {
-    let report = requested.report(&study.model)?;
+pub fn show_of_study(
+    report: &KinematicsReport,
+    requested: &StudyKinematics,
+    strict: bool,
+) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, strict)?;
     match &requested.output {
-        Some(path) => write_output(&report, requested, path)?,
-        None => {
-            write_diagnostics(&report.diagnostics, strict)?;
-            write_out(&tables(&report))?;
-        }
+        Some(path) => write_output(report, requested, path)?,
+        None => write_out(&tables(report))?,
     }
-    check_rows(&report)
+    check_rows(report)
 }
 
 /// Writes the file that a study names.

@@ -46,7 +46,7 @@ pub(super) fn no_reference_pose(source: &AssemblyError, names: Names) -> String 
     let how = match names {
         Names::Fields => "",
         Names::Flags => " (--frame link)",
-        Names::Keys => " (contact.frame = \"link\")",
+        Names::Keys(_) => " (contact.frame = \"link\")",
     };
     let why = assembly_error_message(source, names);
     format!(

@@ -1,9 +1,10 @@
 //! Errors of a question: the cause and the flag or key at fault.
 
 pub use crate::question::errors::fault::Fault;
-use crate::question::field::{Field, Names, assembly_error_message};
-use percuss_contact::ContactLawError;
+use crate::question::errors::refusal::flag;
+use crate::question::field::{Field, Names, assembly_error_message, key_in_table, key_of_table};
 use percuss_contact::exports::ExportError;
+use percuss_contact::{ContactLawError, Parameter};
 use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
 use percuss_impact::ImpactError;
 use percuss_units::LengthUnit;
@@ -13,6 +14,14 @@ use percuss_units::LengthUnit;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
+    /// Error in the evaluation of a table of a study.
+    #[error("{error}")]
+    InTable {
+        /// The table, such as `impact`.
+        table: &'static str,
+        /// The error.
+        error: Box<StudyError>,
+    },
     /// Invalid part of a question.
     #[error("{}: {fault}", field.name_in(Names::Fields))]
     Input {
@@ -141,10 +150,36 @@ impl StudyError {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
-    /// Invalid part of the question, if the error concerns one part.
-    pub fn field(&self) -> Option<Field> {
+    /// Same error in the evaluation of a table of a study.
+    pub(crate) fn in_table(self, table: &'static str) -> Self {
         match self {
-            StudyError::Input { field, .. } => Some(*field),
+            StudyError::InTable { .. } => self,
+            error => StudyError::InTable { table, error: Box::new(error) },
+        }
+    }
+
+    /// The error without its table.
+    pub fn without_table(&self) -> &Self {
+        match self {
+            StudyError::InTable { error, .. } => error,
+            error => error,
+        }
+    }
+
+    /// Key of the invalid or missing part of the question, with the name of its table; `None` if no part is at fault.
+    pub fn key(&self) -> Option<&'static str> {
+        let table = if let StudyError::InTable { table, .. } = self { table } else { "" };
+        match self.without_table() {
+            StudyError::Input { field, .. } => Some(key_in_table(field.key(), table)),
+            error => error.parameter().and_then(|parameter| parameter_key(parameter, table)),
+        }
+    }
+
+    /// Number of a contact law or a simulator that is missing or invalid.
+    fn parameter(&self) -> Option<Parameter> {
+        match self {
+            StudyError::Damping(error) => error.parameter(),
+            StudyError::Export(error) => error.parameter(),
             _ => None,
         }
     }
@@ -188,6 +223,7 @@ impl StudyError {
             | StudyError::JointStopNotReached { .. }
             | StudyError::Route(_) => true,
             StudyError::Assembly(error) => !error.is_bad_input(),
+            StudyError::InTable { error, .. } => error.has_no_result(),
             _ => false,
         }
     }
@@ -195,6 +231,7 @@ impl StudyError {
     /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
+            StudyError::InTable { table, error } => error.message(names.in_table(table)),
             StudyError::Input { field, fault } => {
                 format!("{}: {}", field.name_in(names), fault.message(names))
             }
@@ -212,9 +249,24 @@ impl StudyError {
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
             StudyError::NoRegion => missing_region_message(names),
-            other => other.to_string(),
+            other => {
+                let key = match names {
+                    Names::Fields => None,
+                    Names::Flags => other.parameter().and_then(|parameter| Some(flag(parameter.key()?))),
+                    Names::Keys(table) => {
+                        other.parameter().and_then(|found| parameter_key(found, table)).map(str::to_owned)
+                    }
+                };
+                format!("{other}{}", key.map_or_else(String::new, |key| format!(" ({key})")))
+            }
         }
     }
+}
+
+/// Key of a number in a table, or in the first table that has it.
+fn parameter_key(parameter: Parameter, table: &str) -> Option<&'static str> {
+    let last = parameter.key()?;
+    [table, "damping", "safe_speed"].into_iter().find_map(|table| key_of_table(table, last))
 }
 
 /// Message: the mechanism cannot reach a stop.
@@ -228,7 +280,7 @@ fn stop_not_reached(
     let travel = match names {
         Names::Fields => "",
         Names::Flags => " (--wheel-travel, --heave or --travel)",
-        Names::Keys => " (pose.travel)",
+        Names::Keys(_) => " (pose.travel)",
     };
     let why = match nearest {
         Some(nearest) => {
@@ -281,7 +333,7 @@ fn person_is_other_side_message(names: Names) -> String {
 fn missing_region_message(names: Names) -> String {
     let region = match names {
         Names::Flags => "--region",
-        Names::Fields | Names::Keys => "region",
+        Names::Fields | Names::Keys(_) => "region",
     };
     format!(
         "a limit of force or pressure requires a region of the body: give {region}; without a region, give an \
@@ -293,7 +345,7 @@ fn missing_region_message(names: Names) -> String {
 fn missing_mass_message(names: Names) -> String {
     let load = match names {
         Names::Flags => "--load",
-        Names::Fields | Names::Keys => "load",
+        Names::Fields | Names::Keys(_) => "load",
     };
     format!("the contact is massless: every speed is permitted; give the load, if any, by {load}")
 }

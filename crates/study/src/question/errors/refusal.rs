@@ -31,7 +31,7 @@ impl InvalidKey {
     pub fn message(&self, names: Names) -> String {
         let reason = self.reason(names);
         match (names, self.key.rsplit_once('.')) {
-            (Names::Keys, _) => format!("{}: {reason}", self.key),
+            (Names::Keys(_), _) => format!("{}: {reason}", self.key),
             (Names::Flags, Some((_, "file"))) => format!("--pose: {reason}"),
             (Names::Flags, Some((_, key))) => format!("{}: {reason}", flag(key)),
             (Names::Fields, Some((_, key))) => format!("{key}: {reason}"),
@@ -41,6 +41,6 @@ impl InvalidKey {
 }
 
 /// Flag of a key.
-fn flag(key: &str) -> String {
+pub(crate) fn flag(key: &str) -> String {
     format!("--{}", key.replace('_', "-"))
 }

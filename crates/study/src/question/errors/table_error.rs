@@ -221,7 +221,7 @@ impl TableError {
     fn remedy(&self, names: Names) -> String {
         let given = |field: Field, value: &str| match names {
             Names::Flags => format!(" ({} {value})", field.flag()),
-            Names::Keys => format!(" ({})", field.key()),
+            Names::Keys(_) => format!(" ({})", field.key()),
             Names::Fields => String::new(),
         };
         let name = self.column.as_ref().map_or("", |(_, name)| name.as_str());
