@@ -465,6 +465,32 @@ def test_other_threads_run_meanwhile() -> None:
     assert after - before > 2.5 * len(portions) > 0, (after - before, portions)
 
 
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_a_changed_array_has_no_influence(order: str) -> None:
+    """The array of the caller changes its values, shape and strides during the sweep: all results are of the values at the call."""
+    model, contact = percuss.load(ROOT / "models/planar_2r.urdf"), percuss.Contact("forearm", [0.3, 0, 0], [0, 1, 0])
+    count = 30_000
+    given = np.random.default_rng(2).uniform(-1, 1, (count, 2))
+    expected = percuss.sweep(model, contact, given.copy())
+    changes: list[Callable[[np.ndarray], object]] = [
+        lambda q: q.fill(np.nan),
+        lambda q: setattr(q, "strides", (8, 8)),
+        lambda q: q.resize((5, 2), refcheck=False),
+    ]
+    for change in changes:
+        q = np.array(given, order=order)  # type: ignore[call-overload]
+        portions = []
+
+        def report(rows: int, _: int) -> None:
+            if not portions:
+                change(q)
+            portions.append(rows)
+
+        found = percuss.sweep(model, contact, q, progress=report)
+        assert len(portions) > 1
+        np.testing.assert_array_equal(found.effective_mass, expected.effective_mass)
+
+
 @pytest.mark.parametrize("what", ["whole", "drivers", "report", "matrices"])
 def test_ctrl_c_stops_it(what: str) -> None:
     program = textwrap.dedent(f"""
