@@ -1,6 +1,6 @@
 //! m̄ from matrices M, j and A of the caller's own solver.
 
-use crate::analysis::response::{remark, status, value};
+use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{Numbers, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
@@ -79,7 +79,7 @@ impl MatrixResponse {
                  row_noise"
             )
         });
-        self.0.remarks.iter().map(remark).chain(small).collect()
+        self.0.remarks.iter().map(ToString::to_string).chain(small).collect()
     }
 
     fn __repr__(&self) -> String {
