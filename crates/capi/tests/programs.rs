@@ -101,6 +101,11 @@ fn built_models_agree() {
 }
 
 #[test]
+fn poses_at_stops_and_of_mujoco() {
+    assert!(program("tests/c/poses.c", Linked::Static).contains("every pose was reached"));
+}
+
+#[test]
 fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
 }
