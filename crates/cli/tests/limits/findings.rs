@@ -1,7 +1,7 @@
 //! Every finding × every output: each finding is raised by a small input and appears in the text and the JSON of a mass, beside the table
 //! and in the JSON of a sweep, and in the HTML report.
 
-use crate::support::{Scratch, done, percuss, root, run_in};
+use crate::support::{Scratch, done, percuss, root};
 use serde_json::Value;
 use std::fs;
 
@@ -110,9 +110,9 @@ fn message(report: &Value, code: &str) -> Option<String> {
     Some(found["message"].as_str()?.to_owned())
 }
 
-/// Longest part of a message without a quotation mark: HTML has an entity in its place.
+/// First long part of a message without a quotation mark: HTML has an entity in its place, and the end may name a flag or a key.
 fn part(message: &str) -> &str {
-    message.split(['"', '<', '>', '&']).max_by_key(|part| part.len()).unwrap_or_default()
+    message.split(['"', '<', '>', '&']).find(|part| part.len() > 20).unwrap_or(message)
 }
 
 #[test]
@@ -151,7 +151,5 @@ fn every_finding_is_in_every_output() {
         let page = fs::read_to_string(scratch.path("page.html")).expect("a report");
         expect("HTML", of_mass, &flat_text(&page));
     }
-    let none = run_in(&scratch, &["--notes", "mass", "model.urdf"]);
-    assert_eq!(none.code, 2, "no contact");
     assert!(missing.is_empty(), "{missing:#?}");
 }

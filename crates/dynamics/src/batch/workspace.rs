@@ -276,7 +276,17 @@ impl Workspace {
         };
         // Above 100 %, a relative error of 1/m̄ bounds no m̄.
         let error = error.filter(|error| matches!(mass, EffectiveMass::Finite(m) if *error < m));
-        Ok((mass, error.or(limit), flags | RemarkFlags::of_error(mass, error)))
+        Ok((mass, error.or(limit), flags | RemarkFlags::of_error(mass, error) | self.singular_flags()))
+    }
+
+    /// [`RemarkFlags::SINGULAR_POSE`] if branches cross at the current positions. Allocates only at a loss of rank.
+    fn singular_flags(&self) -> RemarkFlags {
+        let rank: usize = self.groups.iter().map(|group| group.rank.rank).sum();
+        let is_singular = rank < self.assembly.generic_rank() && {
+            let (assembly, kinematics) = (Arc::clone(&self.assembly), self.kinematics.clone());
+            Pose::new(assembly, kinematics, Transform::identity(), None).rank().singular
+        };
+        if is_singular { RemarkFlags::SINGULAR_POSE } else { RemarkFlags::NONE }
     }
 
     /// Error of a finite m̄ of a mechanism with loops at the current positions, kg, as a pose states it: the loops may close at nearby
@@ -325,7 +335,7 @@ impl Workspace {
         route_input.run_recursion(&mut self.recursion);
         let (effective_mass, error, own) =
             route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
-        self.remarks |= own | RemarkFlags::of_error(effective_mass, error);
+        self.remarks |= own | RemarkFlags::of_error(effective_mass, error) | self.singular_flags();
         let base_velocity = self.split_velocities(model, velocities);
         Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
     }
@@ -410,7 +420,7 @@ impl Workspace {
     pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let (mass, flags) =
             self.with_recursion(contact, |route_input, recursion| route_input.effective_mass(recursion))?;
-        self.remarks |= flags;
+        self.remarks |= flags | self.singular_flags();
         Ok(mass)
     }
 
