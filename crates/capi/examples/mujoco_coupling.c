@@ -128,7 +128,8 @@ int main(void)
   int failed = 0;
   for (size_t i = 0; i < 2; i++) {
     double q[3], velocities[3], speed_by_percuss = 0.0;
-    for (int k = 0; k < 3; k++) q[k] = states[i][k];
+    /* MuJoCo's positions include ref, and its free joints have poses in the world: positions of percuss are 0 as drawn. */
+    check(percuss_model_positions_of_qpos(model, states[i], 3, q, 3));
     percuss_workspace_response response;
     check(percuss_workspace_respond(workspace, q, 3, &contact, &response, velocities, 3));
     const double mass = response.effective_mass;

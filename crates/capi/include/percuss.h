@@ -151,6 +151,16 @@
 #define PERCUSS_REMARK_UNKNOWN_ERROR 2097152
 
 /*
+ The contact is a named contact whose gap is open at this pose: an impact occurs at the touch, with the m̄ there (percuss_pose_touch).
+ */
+#define PERCUSS_REMARK_OPEN_GAP 4194304
+
+/*
+ A joint outside its limits is more than a turn from 0: its position, in rad, is probably a number of degrees.
+ */
+#define PERCUSS_REMARK_MANY_TURNS 8388608
+
+/*
  F = k xᵖ + c x^((p−1)/2) ẋ.
  */
 #define PERCUSS_DAMPER_KELVIN_VOIGT 0
@@ -1348,6 +1358,23 @@ percuss_status percuss_model_pose_positions(const struct percuss_model *model,
                                             size_t count);
 
 /*
+ Positions of all joints, concatenated in joint order, for the positions qpos of MuJoCo of a model that was read from its MJCF:
+ minus ref for a hinge or a slide, relative to the drawing for a free joint. qpos_count: nq of MuJoCo; count: the positions of
+ percuss_model_counts; those of mimics are as drawn, and not read. Allocates nothing.
+
+ Errors: PERCUSS_ERROR_ARGUMENT: a model of another format, a free body whose frame MuJoCo moves (align), a number that is not finite, a
+ quaternion 0; PERCUSS_ERROR_LENGTH.
+
+ Pointers:
+ qpos has qpos_count numbers; positions has space for count numbers; they do not overlap.
+ */
+percuss_status percuss_model_positions_of_qpos(const struct percuss_model *model,
+                                               const double *qpos,
+                                               size_t qpos_count,
+                                               double *positions,
+                                               size_t count);
+
+/*
  Number of notes and warnings about the file.
 
  Pointers:
@@ -1793,6 +1820,24 @@ percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
                                         const struct percuss_contact *contact,
                                         double *values,
                                         size_t count);
+
+/*
+ The pose at which a stop touches, and its contact, as the command `percuss mass --at STOP`. stop: the name of a contact of the model,
+ or the stop of a joint, JOINT:lower or JOINT:upper. The mechanism moves from the pose of the configuration until the gap is closed; joints
+ that are set keep their positions, and if no other joint moves the stop, the gap stays open (PERCUSS_REMARK_OPEN_GAP). Free the
+ pose with percuss_pose_free.
+
+ Errors: PERCUSS_ERROR_NAME: an unknown stop. PERCUSS_ERROR_ASSEMBLY: a stop that is out of reach, with the smallest gap; loops that do not close.
+
+ Pointers:
+ system and configuration are handles; stop ends with a zero byte; pose is null or points to storage for a pointer; contact is null or
+ points to storage for a percuss_contact.
+ */
+percuss_status percuss_pose_touch(const struct percuss_system *system,
+                                  const struct percuss_configuration *configuration,
+                                  const char *stop,
+                                  struct percuss_pose **pose,
+                                  struct percuss_contact *contact);
 
 /*
  Frees a response and sets the handle to null; a null handle is ignored.
@@ -2298,14 +2343,13 @@ percuss_status percuss_suspension_load_memory(const char *name,
 percuss_status percuss_suspension_free(struct percuss_suspension **suspension);
 
 /*
- The mechanism of a suspension, for effective masses at its named contacts (percuss_model_find_contact). Its diagnostics are
+ The mechanism of a suspension, for effective masses at its named contacts (percuss_pose_touch). Its diagnostics are
  those of the sheet. Free the model with percuss_model_free.
 
  Pointers:
  suspension is a handle; model is null or points to storage for a pointer.
  */
-percuss_status percuss_suspension_model(const struct percuss_suspension *suspension,
-                                        struct percuss_model **model);
+percuss_status percuss_suspension_model(const struct percuss_suspension *suspension, struct percuss_model **model);
 
 /*
  Sets all travels to 0 and all data of the vehicle to unknown.

@@ -129,6 +129,12 @@ class Model {
     check(percuss_model_pose_positions(get(), name.c_str(), positions.data(), positions.size()));
     return positions;
   }
+  /// The positions of all joints for the positions qpos of MuJoCo, of a model that was read from its MJCF.
+  std::vector<double> positions_of_qpos(const std::vector<double> &qpos) const {
+    std::vector<double> positions(counts().positions);
+    check(percuss_model_positions_of_qpos(get(), qpos.data(), qpos.size(), positions.data(), positions.size()));
+    return positions;
+  }
   /// A contact of a point (m) of a link with the ground, along a normal out of the link, both in the link's frame.
   Contact contact(const std::string &link, const Vector3 &point, const Vector3 &normal) const {
     Contact contact;
@@ -769,6 +775,12 @@ class System {
   Pose pose(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
     check(percuss_pose_new(get(), configuration.get(), &handle));
+    return Pose(handle, counts_, coordinates_);
+  }
+  /// The pose at which a stop touches, with its contact in `contact`: the name of a contact, or JOINT:lower or JOINT:upper.
+  Pose touch(const Configuration &configuration, const std::string &stop, Contact &contact) const {
+    percuss_pose *handle = nullptr;
+    check(percuss_pose_touch(get(), configuration.get(), stop.c_str(), &handle, &contact));
     return Pose(handle, counts_, coordinates_);
   }
   const percuss_system *get() const noexcept { return handle_.get(); }

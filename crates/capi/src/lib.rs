@@ -28,6 +28,8 @@ pub use evaluation::contact_map::*;
 pub use evaluation::impact::*;
 pub use evaluation::pose::*;
 pub use evaluation::response::*;
+#[cfg(feature = "suspensions")]
+pub use evaluation::touch::*;
 pub use evaluation::workspace::*;
 pub use laws::*;
 pub use setup::builder::*;

@@ -43,7 +43,7 @@ impl Suspension {
             return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
         }
         let findings = model.diagnostics.iter().map(DiagnosticTexts::from_record).collect();
-        let mechanism = Model::new(Arc::clone(&model.mechanism), &model.poses, findings);
+        let mechanism = Model::new(Arc::clone(&model.mechanism), &model.poses, None, findings);
         Ok(Self { model, mechanism })
     }
 }
@@ -301,7 +301,7 @@ pub unsafe extern "C" fn percuss_suspension_free(suspension: *mut *mut percuss_s
     guard_call(|| free_handle(suspension))
 }
 
-/// The mechanism of a suspension, for effective masses at its named contacts (percuss_model_find_contact). Its diagnostics are
+/// The mechanism of a suspension, for effective masses at its named contacts (percuss_pose_touch). Its diagnostics are
 /// those of the sheet. Free the model with percuss_model_free.
 ///
 /// # Safety

@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 18] = [
+const FILES: [&str; 19] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -39,6 +39,7 @@ const FILES: [&str; 18] = [
     "setup/system",
     "evaluation/contact",
     "evaluation/pose",
+    "evaluation/touch",
     "evaluation/response",
     "evaluation/impact",
     "evaluation/workspace",

@@ -74,7 +74,9 @@ fn program(source: &str, linked: Linked) -> String {
         }
     }
     run(&mut compile);
-    String::from_utf8(run(&mut Command::new(&binary)).stdout).expect("text")
+    // The guide has paths of models from the root of the repository.
+    let mut start = Command::new(&binary);
+    String::from_utf8(run(start.current_dir(crate_folder().join("../.."))).stdout).expect("text")
 }
 
 #[test]
@@ -96,6 +98,11 @@ fn built_models_agree() {
     for linked in [Linked::Static, Linked::Shared] {
         assert!(program("tests/c/builder.c", linked).contains("every built model agrees"));
     }
+}
+
+#[test]
+fn poses_at_stops_and_of_mujoco() {
+    assert!(program("tests/c/poses.c", Linked::Static).contains("every pose was reached"));
 }
 
 #[test]
@@ -134,6 +141,25 @@ fn the_layer_for_cxx() {
     for linked in [Linked::Static, Linked::Shared] {
         assert!(program("tests/c/wrapper.cc", linked).contains("C++"));
     }
+}
+
+/// The examples in C of the guide, each as a function of one program.
+#[test]
+fn the_guide_computes_the_stated_masses() {
+    let guide = std::fs::read_to_string(crate_folder().join("../../docs/howto/C.md")).expect("the guide");
+    let examples: Vec<&str> =
+        guide.split("```c\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default()).collect();
+    let mut text = "#include <percuss.h>\n#include <stdio.h>\n#include <stdlib.h>\n".to_owned();
+    let mut calls = String::new();
+    for (number, example) in examples.iter().enumerate() {
+        text += &format!("static void example_{number}(void) {{\n{example}\n}}\n");
+        calls += &format!("example_{number}();\n");
+    }
+    text += &format!("int main(void) {{\n{calls}return 0; }}\n");
+    let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("guide.c");
+    std::fs::write(&source, text).expect("a file");
+    let printed = program(source.to_str().expect("UTF-8"), Linked::Shared);
+    assert!(examples.len() == 3 && printed.contains("151.081 kg"), "{printed}");
 }
 
 #[test]

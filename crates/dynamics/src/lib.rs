@@ -40,6 +40,7 @@ pub use dense::matrices::{
 };
 pub use error::budget::ErrorBudget;
 pub use kinematics::contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};
+pub use kinematics::gap::Gap;
 pub use kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
@@ -53,7 +54,6 @@ pub use model::interruption;
 pub use model::velocities::StateSizeError;
 pub use motion::constraint_action::{ConstraintAction, ConstraintGroup, ConstraintSource};
 pub use motion::forward_dynamics::{Accelerations, PointForce};
-pub use motion::gap::Gap;
 pub use motion::limits::BranchLimits;
 pub use motion::mass_gradient::MassGradient;
 pub use motion::operational_inertia::InverseOperationalInertia;

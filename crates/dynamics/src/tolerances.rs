@@ -16,6 +16,8 @@ pub const ROTATION_TOLERANCE: f64 = 1e-5;
 /// Largest accepted gap of the loops at given positions, relative to their size: positions in single precision, or
 /// with seven decimals. The gap changes m̄ by about the same fraction.
 pub const OPEN_ROW: f64 = 1e-6;
+/// Largest gap at which a contact touches, in characteristic lengths: positions in single precision, or with seven decimals.
+pub(crate) const OPEN_GAP: f64 = 1e-6;
 
 /// Relative closing speed |j restricted to ker A| / |j| below which a contact is immovable. Rounding of j and of ker
 /// A leaves at most 1e-13 on the reference files.

@@ -56,6 +56,7 @@ pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
 pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
+pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
 pub use question::damping_question::{DampingQuestion, check_units};
 pub use question::errors::question_error::{Fault, StudyError};

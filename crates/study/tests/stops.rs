@@ -2,6 +2,8 @@
 //! oracle.
 
 use nalgebra::Vector3;
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, RemarkFlags, System};
+use percuss_formats::{LoadOptions, Source};
 use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
 use percuss_oracle::alter::{build_with_loops, describe, describe_loops};
 use percuss_oracle::closed_form::{Crossing, FourBar, PlanarBody, SliderCrank};
@@ -9,8 +11,9 @@ use percuss_oracle::linkage::{Linkage, four_bar_of, slider_crank_of};
 use percuss_oracle::maximal::{self, Outcome, Question};
 use percuss_oracle::random;
 use percuss_study::{
-    DampingQuestion, GivenPosition, JointStop, MassQuestion, Model, StopEnd, damp_stop, mass,
+    DampingQuestion, GivenPosition, JointStop, MassQuestion, Model, StopEnd, damp_stop, mass, pose_at_stop,
 };
+use percuss_suspension::{TemplateOptions, template_sheet};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -204,4 +207,53 @@ fn four_bars_and_slider_cranks() {
         compared += stopped(&mut rng, &engine, "guide", &format!("slider-crank {number}"));
     }
     assert_eq!(compared, 6 * LINKAGES);
+}
+
+/// The pose at a stop has the mass of the command and a closed gap; as drawn the gap is open, in the response of the pose, in a workspace, in a
+/// batch and on a path of the drivers.
+#[test]
+fn the_pose_at_a_stop_is_that_of_the_question() {
+    let mut stops = 0;
+    for template in ["double-wishbone", "macpherson-strut", "semi-trailing-arm"] {
+        let sheet = template_sheet(template, &TemplateOptions::default()).expect("a template");
+        let model = Model::from_source(&Source::from_text("corner.toml", sheet), &LoadOptions::default());
+        let model = model.expect("a model");
+        let system = System::new(Arc::clone(&model.mechanism), &Conditions::default()).expect("a system");
+        for stop in
+            model.mechanism.contacts().iter().filter(|contact| contact.gap().is_some_and(|gap| gap > 0.0))
+        {
+            let question = MassQuestion { at: Some(stop.name().into()), ..MassQuestion::without_contact() };
+            let expected = mass(&model, &question).expect("a touch");
+            let (touch, contact) =
+                pose_at_stop(&system, &system.configuration(), stop.name()).expect("a touch");
+            let response = touch.respond(&contact).expect("a contact");
+            let EffectiveMass::Finite(found) = response.effective_mass else {
+                panic!("{template}: {response:?}")
+            };
+            assert_eq!(Some(found), expected.effective_mass, "{template}: {}", stop.name());
+            assert_eq!(contact, Contact::named(stop, model.mechanism.root()));
+            let drawn = system.pose(&system.configuration()).expect("a pose");
+            let drivers = drawn.loops().map_or_else(Vec::new, |loops| loops.drivers.clone());
+            for (pose, is_open) in [(&touch, false), (&drawn, true)] {
+                let expected = if is_open { RemarkFlags::OPEN_GAP } else { RemarkFlags::NONE };
+                let own =
+                    |flags: RemarkFlags| RemarkFlags::from_bits(flags.bits() & RemarkFlags::OPEN_GAP.bits());
+                assert_eq!(own(pose.respond(&contact).expect("a contact").remark_flags()), expected);
+                let mut workspace = pose.assembly().workspace();
+                workspace.set_positions(pose.positions()).expect("positions");
+                workspace.effective_mass(&contact).expect("a contact");
+                assert_eq!(own(workspace.remarks()), expected);
+                let mut batch = pose.assembly().batch(&contact).expect("a contact");
+                assert_eq!(own(batch.effective_mass(pose.positions()).expect("positions").remarks), expected);
+                if let Some(mut path) = pose.driven_path(&contact, &drivers).expect("a contact") {
+                    let values: Vec<f64> = drivers.iter().map(|joint| pose.joint(*joint)[0]).collect();
+                    let (mut answers, mut positions) = (Vec::new(), Vec::new());
+                    assert_eq!(path.follow(&values, &mut answers, &mut positions), 1);
+                    assert_eq!(own(answers[0].remarks), expected);
+                }
+            }
+            stops += 1;
+        }
+    }
+    assert!(stops >= 3, "{stops} stops");
 }

@@ -109,7 +109,7 @@ pub unsafe extern "C" fn percuss_model_find_contact(
 
 impl percuss_contact {
     /// Contact of the library with the numbers of its links.
-    fn of(contact: &Contact) -> Self {
+    pub(crate) fn of(contact: &Contact) -> Self {
         let (normal_given, toward, vector) = match contact.normal {
             Direction::Along(vector, Frame::Link) => (PERCUSS_NORMAL_LINK, None, vector),
             Direction::Along(vector, Frame::World) => (PERCUSS_NORMAL_WORLD, None, vector),
@@ -245,6 +245,10 @@ pub const PERCUSS_REMARK_NO_ANSWER: u32 = 524288;
 pub const PERCUSS_REMARK_UNCERTAIN_MASS: u32 = 1048576;
 /// The error of m̄ is unknown.
 pub const PERCUSS_REMARK_UNKNOWN_ERROR: u32 = 2097152;
+/// The contact is a named contact whose gap is open at this pose: an impact occurs at the touch, with the m̄ there (percuss_pose_touch).
+pub const PERCUSS_REMARK_OPEN_GAP: u32 = 4194304;
+/// A joint outside its limits is more than a turn from 0: its position, in rad, is probably a number of degrees.
+pub const PERCUSS_REMARK_MANY_TURNS: u32 = 8388608;
 
 /// Effective mass with its error and remarks. An unknown or inapplicable number is NaN.
 #[repr(C)]

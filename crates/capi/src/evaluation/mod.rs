@@ -8,4 +8,6 @@ pub(crate) mod impact;
 pub(crate) mod path;
 pub(crate) mod pose;
 pub(crate) mod response;
+#[cfg(feature = "suspensions")]
+pub(crate) mod touch;
 pub(crate) mod workspace;

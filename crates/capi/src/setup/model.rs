@@ -1,16 +1,19 @@
 //! Models: mechanisms read from files, the names of their links and joints, their named poses, and findings about the file.
 
-use crate::boundary::arrays::{copy_to_caller, input_slice, input_text};
+use crate::boundary::arrays::{
+    ByteRange, copy_to_caller, input_slice, input_text, output_slice, refuse_overlaps,
+};
 use crate::boundary::handle::{Handle, argument_mut, clear_handle, free_handle, object_of, write_handle};
 use crate::boundary::names::{c_string, element_at};
 use crate::boundary::status::{
-    Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guard_call, percuss_status,
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME,
+    PERCUSS_ERROR_TEXT, guard_call, percuss_status,
 };
 #[cfg(feature = "suspensions")]
 use percuss::study::DiagnosticRecord;
 use percuss::{
     DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, NamedPose, Problem,
-    Severity, Source, Subject, load,
+    QposError, QposLayout, Severity, Source, Subject, load,
 };
 use std::ffi::{CString, c_char};
 use std::ptr::null;
@@ -34,6 +37,8 @@ pub(crate) struct Model {
     joint_names: Vec<CString>,
     /// Named poses: name, and positions of all joints.
     poses: Vec<(CString, Vec<f64>)>,
+    /// Positions of MuJoCo, for a model in MJCF.
+    qpos: Option<QposLayout>,
     diagnostics: Vec<DiagnosticTexts>,
 }
 
@@ -176,13 +181,14 @@ impl Model {
         let loaded =
             load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
         let diagnostics = loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect();
-        Ok(Self::new(Arc::new(loaded.mechanism), &loaded.poses, diagnostics))
+        Ok(Self::new(Arc::new(loaded.mechanism), &loaded.poses, loaded.qpos, diagnostics))
     }
 
     /// A mechanism with its names for C.
     pub fn new(
         mechanism: Arc<Mechanism>,
         poses: &[NamedPose],
+        qpos: Option<QposLayout>,
         diagnostics: Vec<DiagnosticTexts>,
     ) -> Arc<Self> {
         let (mut first, mut at) = (Vec::new(), (0, 0));
@@ -199,6 +205,7 @@ impl Model {
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
             poses: poses.iter().map(|pose| (c_string(&pose.name), pose.all_positions(&mechanism))).collect(),
+            qpos,
             diagnostics,
             mechanism,
         })
@@ -460,6 +467,43 @@ pub unsafe extern "C" fn percuss_model_pose_positions(
                 Err(Failure::new(PERCUSS_ERROR_NAME, message))
             }
         }
+    })
+}
+
+/// Positions of all joints, concatenated in joint order, for the positions qpos of MuJoCo of a model that was read from its MJCF:
+/// minus ref for a hinge or a slide, relative to the drawing for a free joint. qpos_count: nq of MuJoCo; count: the positions of
+/// percuss_model_counts; those of mimics are as drawn, and not read. Allocates nothing.
+///
+/// Errors: PERCUSS_ERROR_ARGUMENT: a model of another format, a free body whose frame MuJoCo moves (align), a number that is not finite, a
+/// quaternion 0; PERCUSS_ERROR_LENGTH.
+///
+/// # Safety
+/// qpos has qpos_count numbers; positions has space for count numbers; they do not overlap.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_positions_of_qpos(
+    model: *const percuss_model,
+    qpos: *const f64,
+    qpos_count: usize,
+    positions: *mut f64,
+    count: usize,
+) -> percuss_status {
+    guard_call(|| {
+        let written = [ByteRange::of_array(positions, count, "positions")];
+        refuse_overlaps(&written, &[ByteRange::of_array(qpos, qpos_count, "qpos")])?;
+        let layout = object_of(model)?.qpos.as_ref().ok_or_else(|| {
+            let message =
+                format_args!("the model was not read from MJCF; expected the file that MuJoCo reads, as qpos has its joints");
+            Failure::new(PERCUSS_ERROR_ARGUMENT, message)
+        })?;
+        let given = input_slice(qpos, qpos_count, "qpos")?;
+        let to = output_slice(positions, count, "positions")?;
+        layout.convert(given, to).map_err(|error| {
+            let status = match error {
+                QposError::Count { .. } | QposError::PositionCount { .. } => PERCUSS_ERROR_LENGTH,
+                _ => PERCUSS_ERROR_ARGUMENT,
+            };
+            Failure::new(status, error)
+        })
     })
 }
 

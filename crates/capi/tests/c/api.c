@@ -30,8 +30,8 @@ static void the_model(void)
   /* Named contacts. */
   const char stopped[] = "<robot name=\"door\"><link name=\"wall\"/><link name=\"leaf\"><inertial><mass value=\"12\"/>"
                          "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
-                         "<joint name=\"hinge\" type=\"continuous\"><parent link=\"wall\"/><child link=\"leaf\"/>"
-                         "<axis xyz=\"0 0 1\"/></joint>"
+                         "<joint name=\"hinge\" type=\"revolute\"><parent link=\"wall\"/><child link=\"leaf\"/>"
+                         "<axis xyz=\"0 0 1\"/><limit lower=\"-0.5\" upper=\"1.5\" effort=\"0\" velocity=\"0\"/></joint>"
                          "<contact name=\"door_stop\" type=\"stop\"><body link=\"leaf\" xyz=\"0.7 0 0\"/>"
                          "<other link=\"wall\"/><normal xyz=\"0 1 0\"/><gap value=\"0.02\"/></contact></robot>";
   model = loaded(stopped);

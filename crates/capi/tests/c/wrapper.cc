@@ -187,7 +187,14 @@ static void suspensions() {
     CHECK(table.problem(row) == nullptr && std::abs(table(row, camber) + std::asin(travels[row] / 0.5)) < 1e-12);
   }
   CHECK(table.problem(3) != nullptr && std::isnan(table(3, camber)));
-  CHECK(suspension.model().gap_as_drawn("spring") == 0.0);
+  const Model model = suspension.model();
+  CHECK(model.gap_as_drawn("spring") == 0.0);
+  // The parts of a spring always touch.
+  Contact spring;
+  const System system(model);
+  const Pose touch = system.touch(Configuration(model), "spring", spring);
+  CHECK(touch.effective_mass(spring).outcome == PERCUSS_FINITE && spring.link == model.named_contact("spring").link);
+  throws(PERCUSS_ERROR_NAME, "spring", [&] { system.touch(Configuration(model), "sprng", spring); });
   throws(PERCUSS_ERROR_NAME, "chamber", [&] { table.find_column("chamber"); });
   throws(PERCUSS_ERROR_ASSEMBLY, "no tie rod", [&] { suspension.kinematics(PERCUSS_STEER, travels); });
   percuss_vehicle vehicle = Suspension::unknown_vehicle();

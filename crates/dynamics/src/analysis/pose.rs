@@ -10,8 +10,9 @@ use crate::loops::singular::Surroundings;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::tolerances::{CONDITION_LIMIT, LIMIT_SLACK, SAME_PIVOTS_DISTANCE};
 use nalgebra::{DMatrix, Vector3};
-use percuss_mechanism::{JointId, Limits, LinkId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Limits, LinkId, Mechanism};
 use percuss_spatial::Transform;
+use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
 /// All positions and frames at one configuration, with the assembly. A pose has no setters, so frames and positions
@@ -92,7 +93,10 @@ impl Pose {
             let off_target = loops.off_target.iter();
             remarks.extend(off_target.map(|&(joint, distance)| Remark::OffTarget { joint, distance }));
         }
-        remarks.extend(self.outside_limits().map(|(joint, value, _)| Remark::OutsideLimits { joint, value }));
+        remarks.extend(self.outside_limits().map(|(joint, value, _)| {
+            let many_turns = Self::is_many_turns(self.mechanism().joint(joint).kind(), value);
+            Remark::OutsideLimits { joint, value, many_turns }
+        }));
         remarks
     }
 
@@ -161,6 +165,12 @@ impl Pose {
     pub fn is_outside(value: f64, limits: Limits) -> bool {
         let slack = LIMIT_SLACK * (1.0 + value.abs());
         value < limits.lower - slack || value > limits.upper + slack
+    }
+
+    /// True if a position outside the limits of a joint is probably in degrees: a hinge more than a turn from 0, which no hinge with
+    /// limits turns.
+    pub fn is_many_turns(kind: JointKind, value: f64) -> bool {
+        matches!(kind, JointKind::Revolute | JointKind::Continuous) && value.abs() > TAU
     }
 
     /// Degrees of freedom at this pose: more than the generic number at a change point.

@@ -6,6 +6,7 @@ use crate::analysis::routes::{RecursionWorkspace, RouteInput, RouteResult};
 use crate::dense::direct::Minimum;
 use crate::error::budget::ErrorBudget;
 use crate::kinematics::contact::{Contact, ContactError, LocatedContact};
+use crate::kinematics::gap::Gap;
 use crate::kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
@@ -197,6 +198,8 @@ impl ContactQuery<'_> {
         let mut remarks = std::mem::take(&mut found.remarks);
         remarks.extend(pose.remarks());
         remarks.extend(pose.assembly.base_remark(self.contact, pose.base_is_given));
+        let gap = Gap::open_of(self.contact, model, &pose.kinematics);
+        remarks.extend(gap.map(|gap| Remark::OpenGap { gap }));
         let mut error = None;
         let mut contributions = None;
         if let EffectiveMass::Finite(m) = found.mass {

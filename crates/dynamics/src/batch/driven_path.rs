@@ -2,6 +2,7 @@
 //! freedom.
 
 use crate::analysis::pose::Pose;
+use crate::batch::row_remarks::{PositionLimits, RowGap};
 use crate::kernels::{kernel_contact, linkage};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
@@ -10,7 +11,7 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::loops::assembling::LoopState;
 use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_kernel::loops::LoopContinuation;
-use percuss_mechanism::{JointId, Limits};
+use percuss_mechanism::JointId;
 
 /// Result of one row of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,8 +42,9 @@ pub struct DrivenPath {
     contact: Contact,
     /// Findings that hold for every row of the branch.
     remarks: RemarkFlags,
-    /// Index of each limited position, with its limits.
-    limits: Vec<(usize, Limits)>,
+    limits: PositionLimits,
+    /// Gap of the contact, if it is a named contact with a gap.
+    gap: Option<RowGap>,
 }
 
 impl Pose {
@@ -73,18 +75,14 @@ impl Pose {
             LoopContinuation::of(&linkage, &on, self.positions(), &dependent, &given)
         });
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
-        let mechanism = self.mechanism();
-        let limit = |joint: JointId| {
-            let q = &model.joint_q[joint.index()];
-            mechanism.joint(joint).limits().filter(|_| q.len() == 1).map(|limits| (q.start, limits))
-        };
         Ok(driven.map(|driven| DrivenPath {
             from: self.clone(),
             continuation: driven,
             residual,
             contact: *contact,
             remarks: self.branch_remarks(contact),
-            limits: mechanism.joint_ids().filter_map(limit).collect(),
+            limits: PositionLimits::of(model, true),
+            gap: RowGap::of(model, contact),
         }))
     }
 
@@ -117,11 +115,14 @@ impl DrivenPath {
     /// `positions`.
     pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
         let width = self.continuation.positions().len();
-        let Self { continuation: driven, residual, remarks, limits, .. } = self;
+        let Self { from, continuation: driven, residual, remarks, limits, gap, .. } = self;
+        let model = from.assembly.model();
         driven.follow(rows, &mut |followed, at| {
             *residual = followed.residual;
-            let outside = limits.iter().any(|(q, limits)| Pose::is_outside(at.at(*q), *limits));
-            let own = if outside { RemarkFlags::OUTSIDE_LIMITS } else { RemarkFlags::NONE };
+            let mut own = limits.flags(|q| at.at(q));
+            if let Some(gap) = gap {
+                own |= gap.flags(model, |q| at.at(q));
+            }
             answers.push(PathAnswer {
                 mass: followed.mass.map(|clear| (clear.mass, clear.error)),
                 residual: followed.residual,

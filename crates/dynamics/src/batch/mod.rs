@@ -7,5 +7,6 @@ pub(crate) mod error;
 pub(crate) mod pool;
 pub(crate) mod row_contacts;
 pub(crate) mod row_path;
+mod row_remarks;
 pub(crate) mod rows;
 pub(crate) mod workspace;

@@ -6,10 +6,10 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
-use crate::analysis::pose::Pose;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
+use crate::batch::row_remarks::{PositionLimits, RowGap};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::Contact;
@@ -18,7 +18,6 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_kernel::{Aligned, CertifiedMass, Kernel, LaneContacts, MassColumns, PositionColumns};
-use percuss_mechanism::{JointId, Limits};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
@@ -57,7 +56,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for loops outside the SIMD lanes
+    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for a mechanism with loops without SIMD lanes for the contact
     /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
@@ -105,8 +104,9 @@ struct Worker {
     remarks: RemarkFlags,
     /// Pose of the root link in the world, for normals given in the world.
     base_of_normal: Option<Transform<f64>>,
-    /// Indices of the positions with limits, and the limits.
-    limits: Vec<(usize, Limits)>,
+    limits: PositionLimits,
+    /// Gap of the contact of the batch, if it is a named contact with a gap.
+    gap: Option<RowGap>,
 }
 
 impl Assembly {
@@ -130,6 +130,7 @@ impl Workspace {
         let model = assembly.model();
         model.check_contact(contact)?;
         let base_of_normal = self.base_of_normal(contact);
+        let gap = RowGap::of(model, contact);
         let (contact, remarks) = self.contact_in_root(contact);
         let contact = &contact;
         let mut workspace = self.clone();
@@ -148,7 +149,8 @@ impl Workspace {
             kernel: in_lanes,
             remarks,
             base_of_normal,
-            limits: position_limits(&assembly),
+            limits: PositionLimits::of(model, false),
+            gap,
         };
         let instructions = Instructions::best();
         Ok(Batch {
@@ -213,9 +215,15 @@ impl Batch {
         let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
         let mut answer = match clear {
             Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
-            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, remarks),
+            None => {
+                let in_doubt = self.worker.kernel.is_some();
+                evaluate_row(&mut self.worker.workspace, &self.contact, positions, in_doubt, remarks)
+            }
         };
-        answer.remarks |= limit_flags(&self.worker.limits, |q| positions[q]);
+        answer.remarks |= self.worker.limits.flags(|q| positions[q]);
+        if let Some(gap) = &mut self.worker.gap {
+            answer.remarks |= gap.flags(self.assembly.model(), |q| positions[q]);
+        }
         Ok(answer)
     }
 
@@ -424,7 +432,7 @@ impl Worker {
         first: usize,
         places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits } =
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits, gap } =
             self;
         let count = places.count();
         let of_rows = contacts.contacts;
@@ -472,63 +480,51 @@ impl Worker {
             places.store_lanes(block, masses, errors, *remarks);
             let clear =
                 |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
-            let outside = |lane: usize| limit_flags(limits, |q| positions.at(start + lane, q));
-            if (0..here).fold(true, |all, lane| all & clear(lane) & outside(lane).is_empty()) {
+            let mut own = [RemarkFlags::NONE; BLOCK];
+            let mut is_plain = true;
+            for (lane, own) in own[..here].iter_mut().enumerate() {
+                *own = limits.flags(|q| positions.at(start + lane, q));
+                if let (Some(gap), None) = (gap.as_mut(), of_rows) {
+                    *own |= gap.flags(workspace.assembly().model(), |q| positions.at(start + lane, q));
+                }
+                is_plain &= clear(lane) & own.is_empty();
+            }
+            if is_plain {
                 continue;
             }
-            for lane in 0..here {
-                let outside = outside(lane);
+            for (lane, own) in own[..here].iter().enumerate() {
                 let mut answer = match clear(lane) {
-                    true if outside.is_empty() => continue,
+                    true if own.is_empty() => continue,
                     true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = contacts.at(start + lane, base_of_normal.as_ref());
-                        evaluate_row(workspace, &contact, row, *remarks)
+                        evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
                     }
                 };
-                answer.remarks |= outside;
+                answer.remarks |= *own;
                 places.store_one(block + lane, answer);
             }
         }
     }
 }
 
-/// Computes one configuration by the workspace. `remarks`: findings that hold at every configuration.
+/// Computes one configuration by the workspace. `in_doubt`: the lanes did not certify this configuration; of a mechanism without lanes no
+/// configuration is in doubt. `remarks`: findings that hold at every configuration.
 fn evaluate_row(
     workspace: &mut Workspace,
     contact: &Contact,
     positions: &[f64],
+    in_doubt: bool,
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
         return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
     }
-    match workspace.evaluate(contact) {
+    match workspace.evaluate(contact, in_doubt) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }
-}
-
-/// Indices and limits of the positions of all joints with limits. Positions of mimics are not read.
-fn position_limits(assembly: &Assembly) -> Vec<(usize, Limits)> {
-    let model = assembly.model();
-    let with_limits = |id: JointId| {
-        let joint = model.mechanism.joint(id);
-        let limits = joint.limits().filter(|_| joint.mimic().is_none())?;
-        Some((model.joint_q[id.index()].start, limits))
-    };
-    model.mechanism.joint_ids().filter_map(with_limits).collect()
-}
-
-/// [`RemarkFlags::OUTSIDE_LIMITS`] if a position is outside its limits.
-#[inline]
-fn limit_flags(limits: &[(usize, Limits)], position: impl Fn(usize) -> f64) -> RemarkFlags {
-    let is_outside = |(q, limits): &(usize, Limits)| {
-        let value = position(*q);
-        (value < limits.lower || value > limits.upper) && Pose::is_outside(value, *limits)
-    };
-    if limits.iter().any(is_outside) { RemarkFlags::OUTSIDE_LIMITS } else { RemarkFlags::NONE }
 }
 
 impl BatchPositions<'_> {

@@ -8,8 +8,10 @@ use crate::analysis::system::System;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::{Contact, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
+use crate::kinematics::gap::Gap;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError, RouteError};
 use crate::kinematics::remarks::RemarkFlags;
+use crate::loops::assembling::LoopState;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
 use crate::model::input::{InputError, is_number, normalise_quaternion, quaternion_of, rigid_base_pose};
@@ -43,6 +45,8 @@ pub struct Workspace {
     quaternions: Vec<(JointId, Range<usize>)>,
     /// Residuals of a group of loops; a reusable buffer.
     residuals: Vec<f64>,
+    /// Gaps of the named contacts with a gap.
+    gaps: Vec<(Contact, Gap)>,
     /// Pose of the root link in the world, if given.
     base: Option<Transform<f64>>,
     /// Findings about the last result.
@@ -107,6 +111,7 @@ impl Assembly {
             is_allocated: false,
             quaternions: quaternions(model),
             residuals: Vec::new(),
+            gaps: Gap::all(model),
             base: None,
             remarks: RemarkFlags::NONE,
             velocities: vec![0.0; model.velocity_coordinates.len()],
@@ -167,6 +172,15 @@ impl Workspace {
         self.base.filter(|_| contact.has_world_normal())
     }
 
+    /// [`RemarkFlags::OPEN_GAP`] if the contact is a named contact that does not touch at the current positions.
+    fn touch_flags(&mut self, contact: &Contact) -> RemarkFlags {
+        let named = self.gaps.iter().find(|(named, _)| named == contact);
+        let Some((_, gap)) = named else { return RemarkFlags::NONE };
+        let model = self.assembly.model();
+        self.kinematics.refill(model);
+        gap.open_at(model, &self.kinematics).map_or(RemarkFlags::NONE, |_| RemarkFlags::OPEN_GAP)
+    }
+
     /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
     pub(crate) fn take_kernel(&mut self) -> Option<Kernel> {
         self.kernel_contact = None;
@@ -203,7 +217,9 @@ impl Workspace {
     /// or open loops, if m̄ depends on them; motions of negative mass without a positive effective mass; a cluster of
     /// bodies that is too large.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        let touch = self.touch_flags(contact);
         let (contact, flags) = self.contact_in_root(contact);
+        let flags = flags | touch;
         self.remarks = flags;
         let contact = &contact;
         if self.kernel_contact.as_ref() != Some(contact) {
@@ -241,24 +257,52 @@ impl Workspace {
     }
 
     /// m̄ at the current positions by the recursion, its error (kg), and the findings of the result. The error is `None` unless m̄ is
-    /// finite with an error below 100 %, and for loops, whose closing has an error that the positions alone do not tell. For a massless contact, it is the upper
-    /// limit of m̄, if massless only within rounding.
+    /// finite with an error below 100 %. For loops it contains the error of closing if `with_closing`, at the cost of a pose and with
+    /// allocations, and is `None` otherwise. For a massless contact, it is the upper limit of m̄, if massless only within rounding.
     pub(crate) fn evaluate(
         &mut self,
         contact: &Contact,
+        with_closing: bool,
     ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), ResponseError> {
         let (mass, rounding, limit, flags) = self.with_recursion(contact, |route_input, recursion| {
             let found = route_input.evaluate(recursion)?;
             let limit = route_input.massless_limit(recursion, found.mass);
             Ok((found.mass, found.error, limit, found.flags))
         })?;
+        let error = match self.assembly.model().groups.is_empty() || rounding.is_none() {
+            true => rounding,
+            false if with_closing => self.error_with_closing(contact),
+            false => None,
+        };
         // Above 100 %, a relative error of 1/m̄ bounds no m̄.
-        let rounding = rounding.filter(|error| matches!(mass, EffectiveMass::Finite(m) if *error < m));
-        let flags = flags | RemarkFlags::of_error(mass, rounding);
-        if rounding.is_some() && !self.assembly.model().groups.is_empty() {
-            return Ok((mass, None, flags | RemarkFlags::UNKNOWN_ERROR));
+        let error = error.filter(|error| matches!(mass, EffectiveMass::Finite(m) if *error < m));
+        Ok((mass, error.or(limit), flags | RemarkFlags::of_error(mass, error) | self.singular_flags()))
+    }
+
+    /// [`RemarkFlags::SINGULAR_POSE`] if branches cross at the current positions. Allocates only at a loss of rank.
+    fn singular_flags(&self) -> RemarkFlags {
+        let rank: usize = self.groups.iter().map(|group| group.rank.rank).sum();
+        let is_singular = rank < self.assembly.generic_rank() && {
+            let (assembly, kinematics) = (Arc::clone(&self.assembly), self.kinematics.clone());
+            Pose::new(assembly, kinematics, Transform::identity(), None).rank().singular
+        };
+        if is_singular { RemarkFlags::SINGULAR_POSE } else { RemarkFlags::NONE }
+    }
+
+    /// Error of a finite m̄ of a mechanism with loops at the current positions, kg, as a pose states it: the loops may close at nearby
+    /// positions of the dependent coordinates. `None` if locks or held contacts change the groups.
+    fn error_with_closing(&self, contact: &Contact) -> Option<f64> {
+        if !self.assembly.has_single_model() {
+            return None;
         }
-        Ok((mass, rounding.or(limit), flags))
+        let dependent = self.assembly.model().groups.iter().zip(&self.groups).map(|(group, decided)| {
+            let is_dependent = |at: &usize| !decided.independent.contains(at);
+            (0..group.coordinates.len()).filter(is_dependent).collect()
+        });
+        let loops = LoopState { dependent: dependent.collect(), ..LoopState::default() };
+        let (assembly, kinematics) = (Arc::clone(&self.assembly), self.kinematics.clone());
+        let pose = Pose::new(assembly, kinematics, Transform::identity(), Some(loops));
+        pose.respond(contact).ok()?.effective_mass_error()
     }
 
     /// m̄ of a contact at the current positions, its error by rounding, and v*: the velocities of all joints at unit closing speed
@@ -273,8 +317,9 @@ impl Workspace {
         velocities: &mut Vec<f64>,
     ) -> Result<WorkspaceResponse, ResponseError> {
         velocities.clear();
+        let touch = self.touch_flags(contact);
         let (contact, flags) = self.contact_in_root(contact);
-        self.remarks = flags;
+        self.remarks = flags | touch;
         self.prepare_recursion()?;
         let assembly = Arc::clone(&self.assembly);
         let model = assembly.model();
@@ -290,7 +335,7 @@ impl Workspace {
         route_input.run_recursion(&mut self.recursion);
         let (effective_mass, error, own) =
             route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
-        self.remarks |= own | RemarkFlags::of_error(effective_mass, error);
+        self.remarks |= own | RemarkFlags::of_error(effective_mass, error) | self.singular_flags();
         let base_velocity = self.split_velocities(model, velocities);
         Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
     }
@@ -316,6 +361,9 @@ impl Workspace {
         self.remarks = assembly.remarks().iter().collect();
         if let Some(remark) = assembly.base_remark(contact, pose.base_is_given) {
             self.remarks |= RemarkFlags::from(&remark);
+        }
+        if Gap::open_of(contact, model, &pose.kinematics).is_some() {
+            self.remarks |= RemarkFlags::OPEN_GAP;
         }
         let contact = pose.locate(contact)?;
         model.refuse_large_clusters(&pose.groups)?;
@@ -372,7 +420,7 @@ impl Workspace {
     pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let (mass, flags) =
             self.with_recursion(contact, |route_input, recursion| route_input.effective_mass(recursion))?;
-        self.remarks |= flags;
+        self.remarks |= flags | self.singular_flags();
         Ok(mass)
     }
 

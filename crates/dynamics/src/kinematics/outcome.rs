@@ -294,6 +294,13 @@ pub enum Remark {
         joint: JointId,
         /// Position of the joint, rad or m.
         value: f64,
+        /// True for a hinge more than a turn from 0: the number is probably in degrees.
+        many_turns: bool,
+    },
+    /// The contact has a gap in the model, which is open at the pose: an impact occurs at the touch, with the m̄ there.
+    OpenGap {
+        /// The gap, m.
+        gap: f64,
     },
     /// The mechanism is weakly constrained: a small error in the figures of a file can free one more motion.
     WeaklyConstrained {

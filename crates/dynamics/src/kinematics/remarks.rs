@@ -57,6 +57,10 @@ impl RemarkFlags {
     pub const UNCERTAIN_MASS: Self = Self(1 << 20);
     /// The error of a finite m̄ is unknown.
     pub const UNKNOWN_ERROR: Self = Self(1 << 21);
+    /// [`Remark::OpenGap`].
+    pub const OPEN_GAP: Self = Self(1 << 22);
+    /// [`Remark::OutsideLimits`] with `many_turns`.
+    pub const MANY_TURNS: Self = Self(1 << 23);
 
     /// Flags for the error of m̄, kg: [`UNCERTAIN_MASS`](Self::UNCERTAIN_MASS), [`UNKNOWN_ERROR`](Self::UNKNOWN_ERROR), or none.
     pub fn of_error(mass: EffectiveMass, error: Option<f64>) -> Self {
@@ -117,7 +121,9 @@ impl From<&Remark> for RemarkFlags {
             Remark::InexactLoops { .. } => Self::INEXACT_LOOPS,
             Remark::DriverOffZero { .. } => Self::DRIVER_OFF_ZERO,
             Remark::OffTarget { .. } => Self::OFF_TARGET,
-            Remark::OutsideLimits { .. } => Self::OUTSIDE_LIMITS,
+            Remark::OutsideLimits { many_turns: false, .. } => Self::OUTSIDE_LIMITS,
+            Remark::OutsideLimits { many_turns: true, .. } => Self::OUTSIDE_LIMITS | Self::MANY_TURNS,
+            Remark::OpenGap { .. } => Self::OPEN_GAP,
             Remark::WeaklyConstrained { .. } => Self::WEAKLY_CONSTRAINED,
             Remark::UnclearMobility { .. } => Self::UNCLEAR_MOBILITY,
             Remark::BaseNotGiven => Self::BASE_NOT_GIVEN,
@@ -187,8 +193,12 @@ impl fmt::Display for Remark {
                  reachable position is used, {distance:.6} away",
                 joint.index()
             ),
-            Self::OutsideLimits { joint, value } => {
-                write!(f, "joint number {} is at {value}, outside its limits", joint.index())
+            Self::OutsideLimits { joint, value, many_turns } => {
+                let hint = if *many_turns { "; it is in rad: were degrees given?" } else { "" };
+                write!(f, "joint number {} is at {value}, outside its limits{hint}", joint.index())
+            }
+            Self::OpenGap { gap } => {
+                write!(f, "the contact is {gap:.3e} m open at this pose; an impact occurs at the touch")
             }
             Self::WeaklyConstrained { least } => write!(
                 f,

@@ -158,6 +158,12 @@ impl Configuration {
         Ok(self)
     }
 
+    /// Iterates over the joints that were set, with their positions.
+    pub fn given(&self) -> impl Iterator<Item = (JointId, &[f64])> {
+        let is_given = |id: &JointId| self.given[id.index()];
+        self.mechanism.joint_ids().filter(is_given).map(|id| (id, &*self.values[id.index()]))
+    }
+
     /// Iterates over the given guesses.
     pub fn guesses(&self) -> impl Iterator<Item = (JointId, &[f64])> {
         self.mechanism.joint_ids().filter_map(|id| Some((id, self.guesses[id.index()].as_deref()?)))

@@ -2,6 +2,7 @@
 //! displacement.
 
 use crate::analysis::pose::Pose;
+use crate::kinematics::gap::Gap;
 use crate::kinematics::rows::GroupRows;
 use crate::loops::assembling::AssemblyError;
 use crate::loops::closing::Directions;
@@ -10,7 +11,7 @@ use crate::model::configuration::Configuration;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::joint_motion::turns;
 use crate::model::{Model, VelocityCoordinate};
-use crate::motion::gap::{Gap, speed_along};
+use crate::motion::gap::speed_along;
 use crate::motion::travel_search::{Scale, Search, SearchError, TravelPoint, VisitError};
 use crate::tolerances::{
     DISPLACEMENT_ACCURACY, FIRST_STEP, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER,
@@ -182,7 +183,7 @@ impl Travel {
     /// Travel towards a stop, relative to a pose. The stop touches at a displacement of the gap at this pose.
     pub fn toward_stop(pose: &Pose, gap: Gap) -> Self {
         let start = gap.at(pose);
-        Self { link: gap.link(), point: *gap.point(), measure: Measure::TowardStop { gap, start } }
+        Self { link: gap.link, point: gap.point, measure: Measure::TowardStop { gap, start } }
     }
 
     /// Travel of a joint with one position, relative to a pose: positive towards the upper limit if `is_upper`, otherwise towards the

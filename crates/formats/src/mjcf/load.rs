@@ -11,10 +11,11 @@ use crate::mjcf::document::check::check_grammar;
 use crate::mjcf::document::files::{AttachedModel, Files, read_files};
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
-use crate::mjcf::relations::keyframe::read_keyframes;
+use crate::mjcf::relations::keyframe::{qpos_layout, read_keyframes};
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
+use crate::qpos::QposLayout;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
@@ -57,10 +58,10 @@ pub(crate) fn load_text(
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
-        Some(Parts { mechanism, shapes, poses, opened }) if !failed => {
+        Some(Parts { mechanism, shapes, poses, qpos, opened }) if !failed => {
             let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
             let files = included.chain(opened).collect();
-            Ok(Loaded { mechanism, shapes, poses, diagnostics, files })
+            Ok(Loaded { mechanism, shapes, poses, qpos: Some(qpos), diagnostics, files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
@@ -73,6 +74,7 @@ struct Parts {
     shapes: Vec<Vec<Shape>>,
     /// Keyframes.
     poses: Vec<NamedPose>,
+    qpos: QposLayout,
     /// Mesh files that were opened.
     opened: Vec<PathBuf>,
 }
@@ -122,14 +124,15 @@ fn read_model(
     };
     let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
     let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
-    let poses = read_keyframes(tree, &bodies, &chains, findings);
+    let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
+    let poses = read_keyframes(tree, &qpos, findings);
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
     let of_links = chains
         .is_auxiliary
         .iter()
         .map(|is_auxiliary| if *is_auxiliary { Vec::new() } else { of_bodies.next().unwrap_or_default() });
-    Some(Parts { mechanism, shapes: of_links.collect(), poses, opened: meshes.opened })
+    Some(Parts { mechanism, shapes: of_links.collect(), poses, qpos, opened: meshes.opened })
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements.

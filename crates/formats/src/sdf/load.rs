@@ -37,7 +37,7 @@ pub(crate) fn load_text(
     match model {
         Some((mechanism, shapes)) if !failed => {
             let files = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name)).collect();
-            Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files })
+            Ok(Loaded { mechanism, shapes, poses: Vec::new(), qpos: None, diagnostics, files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -1,6 +1,7 @@
 //! Construction of a mechanism from a source in URDF.
 
 use crate::hull::inertias_beyond_shapes;
+use crate::qpos::QposLayout;
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::reading::xml;
@@ -41,6 +42,8 @@ pub struct Loaded {
     pub shapes: Vec<Vec<Shape>>,
     /// Poses that the file names: keyframes of MJCF.
     pub poses: Vec<NamedPose>,
+    /// Positions of MuJoCo as positions of the mechanism; `None` for other formats than MJCF.
+    pub qpos: Option<QposLayout>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
     /// Further files that were read: included files and meshes.
@@ -94,7 +97,7 @@ pub(crate) fn load_text(
     let diagnostics = report.finish(name, text);
     match mechanism {
         Some((mechanism, shapes)) if !failed => {
-            Ok(Loaded { mechanism, shapes, poses: Vec::new(), diagnostics, files: Vec::new() })
+            Ok(Loaded { mechanism, shapes, poses: Vec::new(), qpos: None, diagnostics, files: Vec::new() })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -735,7 +735,7 @@ def effective_mass(
 
     m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and A is None. M: (n, n), symmetric, positive
     semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the
-    constraints, each row in any unit. Arrays may be dense with any strides (one contiguous block is read in place) or
+    constraints, each row in any unit. Arrays may be dense with any strides or
     sparse (made dense: the cost is O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the
     coordinates: j, A and lengths are put in the order of M.
 
@@ -781,8 +781,8 @@ def sweep(
     """m̄ of a contact at the rows of q, on all processors. Results do not depend on the number of processors.
 
     model: a Model, System or Assembly. q: (N, p) float64, rad, m: the positions of all joints in the order of the file,
-    with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides: a C-ordered array is read in
-    place, and an F-ordered array is the fastest. Other numeric types are converted.
+    with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides; an F-ordered array is the fastest. Other numeric
+    types are converted. The sweep works on a copy of the values at the call.
 
     joints: names of the driving joints in the columns of q, with one position each: (N, len(joints)). Other joints are
     at 0 or follow; loops are closed, and each row continues from the row before, on one branch. Unreachable rows have

@@ -34,3 +34,5 @@ class RemarkFlags(enum.IntFlag):
     NO_ANSWER = 1 << 19
     UNCERTAIN_MASS = 1 << 20
     UNKNOWN_ERROR = 1 << 21
+    OPEN_GAP = 1 << 22
+    MANY_TURNS = 1 << 23

@@ -1,6 +1,6 @@
 //! m̄ from matrices M, j and A of the caller's own solver.
 
-use crate::analysis::response::{remark, status, value};
+use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{Numbers, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
@@ -79,7 +79,7 @@ impl MatrixResponse {
                  row_noise"
             )
         });
-        self.0.remarks.iter().map(remark).chain(small).collect()
+        self.0.remarks.iter().map(ToString::to_string).chain(small).collect()
     }
 
     fn __repr__(&self) -> String {
@@ -199,7 +199,7 @@ impl OwnedOptions {
     }
 }
 
-/// Values of an array with their layout. An array in one contiguous block is read in place; other arrays are copied.
+/// Values of an array with their layout. Only arrays that are not in one contiguous block are copied.
 struct Block<'a> {
     values: std::borrow::Cow<'a, [f64]>,
     shape: Vec<usize>,
@@ -253,7 +253,7 @@ impl<'a> Block<'a> {
 ///
 /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and A is None. M: (n, n), symmetric, positive
 /// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the
-/// constraints, each row in any unit. Arrays may be dense with any strides (one contiguous block is read in place) or
+/// constraints, each row in any unit. Arrays may be dense with any strides or
 /// sparse (made dense: the cost is O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the
 /// coordinates: j, A and lengths are put in the order of M.
 ///

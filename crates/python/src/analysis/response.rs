@@ -10,7 +10,7 @@ use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
 use percuss::study::response_findings;
-use percuss::{Contact, ContactResponse, EffectiveMass, PointVelocity, Remark, Route, RouteChoice};
+use percuss::{Contact, ContactResponse, EffectiveMass, PointVelocity, Route, RouteChoice};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -57,21 +57,6 @@ fn route_name(choice: RouteChoice) -> &'static str {
         RouteChoice::Auto => "auto",
         RouteChoice::Only(Route::Dense) => "dense",
         RouteChoice::Only(Route::Articulated) => "articulated",
-    }
-}
-
-/// Text of a remark, as in the reports of the command line.
-pub fn remark(remark: &Remark) -> String {
-    match *remark {
-        Remark::NearlyImmovable { uncertainty, .. } => {
-            format!("nearly immovable: relative uncertainty {uncertainty:.1e}")
-        }
-        Remark::MasslessMotions { directions } => format!("{directions} motions have no mass"),
-        Remark::MasslessToRounding { up_to } => format!("massless within rounding: up to {up_to:.1e} kg"),
-        Remark::UndeterminedMotion => "a motion without mass leaves the velocities undetermined".to_owned(),
-        Remark::UnclearRank { gap } => format!("the rank of the constraints is unclear: gap {gap:.1e}"),
-        Remark::IndefiniteMassMatrix => "the mass matrix is indefinite: a stationary value".to_owned(),
-        _ => remark.to_string(),
     }
 }
 
@@ -137,7 +122,7 @@ impl Response {
     /// Remarks about the result.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.response.remarks.iter().map(remark).collect()
+        self.response.remarks.iter().map(ToString::to_string).collect()
     }
 
     /// Findings about the pose and the result, as in reports of the command line. At a singular pose, its branches are

@@ -22,13 +22,16 @@ pub struct Numbers<'py> {
 }
 
 impl<'py> Numbers<'py> {
-    /// Array of float64 with a permitted number of dimensions. A float64 array is read in place; sparse matrices become
-    /// dense.
+    /// Copy of an array as float64, with a permitted number of dimensions; sparse matrices become dense. Calls release the interpreter: other
+    /// threads, and the callbacks of a call, may change the array of the caller.
     pub fn of(value: &Bound<'py, PyAny>, what: &str, dimensions: &[usize], expected: &str) -> PyResult<Self> {
         refuse_masked(value, what)?;
         let labels = Labels::of(value, what)?;
         let (found, accuracy) = match value.cast::<PyArrayDyn<f64>>() {
-            Ok(array) => (array.clone(), f64::EPSILON),
+            Ok(array) => {
+                let own = array.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))?;
+                (PyArrayDyn::from_owned_array(value.py(), own.as_array().to_owned()), f64::EPSILON)
+            }
             Err(_) => to_float64(value, what)?,
         };
         if !dimensions.contains(&found.ndim()) {

@@ -100,8 +100,8 @@ fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, 
 /// m̄ of a contact at the rows of q, on all processors. Results do not depend on the number of processors.
 ///
 /// model: a Model, System or Assembly. q: (N, p) float64, rad, m: the positions of all joints in the order of the file,
-/// with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides: a C-ordered array is read in
-/// place, and an F-ordered array is the fastest. Other numeric types are converted.
+/// with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides; an F-ordered array is the fastest. Other numeric
+/// types are converted. The sweep works on a copy of the values at the call.
 ///
 /// joints: names of the driving joints in the columns of q, with one position each: (N, len(joints)). Other joints are
 /// at 0 or follow; loops are closed, and each row continues from the row before, on one branch. Unreachable rows have

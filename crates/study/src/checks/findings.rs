@@ -377,6 +377,8 @@ fn remark(remark: &Remark) -> Option<Finding> {
         | Remark::DriverOffZero { .. }
         | Remark::OffTarget { .. }
         | Remark::OutsideLimits { .. }
+        // The report of a named contact has its gap.
+        | Remark::OpenGap { .. }
         | Remark::WeaklyConstrained { .. }
         | Remark::UnclearMobility { .. }
         // The world of a question is the frame of its root link.

@@ -72,9 +72,7 @@ pub(crate) fn joint_limit_finding(
     value: f64,
     limits: Limits,
 ) -> Finding {
-    let turns = matches!(mechanism.joint(joint).kind(), JointKind::Revolute | JointKind::Continuous);
-    // No joint with limits turns more than once: the number is probably in degrees.
-    let hint = if turns && value.abs() > TAU {
+    let hint = if Pose::is_many_turns(mechanism.joint(joint).kind(), value) {
         format!("; the position is in rad: for degrees write {}deg", (value * 1e9).round() / 1e9)
     } else {
         String::new()

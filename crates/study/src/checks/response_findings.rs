@@ -6,7 +6,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::{collect_pose_findings, collect_response_findings, singular_pose_finding};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
-use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
+use percuss_dynamics::{Contact, ContactResponse, Pose, Remark, RemarkFlags, System};
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
@@ -23,6 +23,8 @@ pub fn response_findings(
 ) -> Vec<DiagnosticRecord> {
     let mut findings = collect_pose_findings(system, pose, Names::Fields);
     findings.extend(collect_response_findings(system, contact, response, Names::Fields));
+    let open = response.remarks.iter().filter(|remark| matches!(remark, Remark::OpenGap { .. }));
+    findings.extend(open.map(|remark| Finding::about_result(FindingKind::OpenGap, remark.to_string())));
     if response.singular_pose {
         findings.extend(singular_pose_finding(pose, response, &pose.branch_limits(contact)));
     }
@@ -30,7 +32,7 @@ pub fn response_findings(
 }
 
 /// Kind of the finding and text for every kind of remark about a row.
-const REMARKS: [(RemarkFlags, FindingKind, &str); 22] = {
+const REMARKS: [(RemarkFlags, FindingKind, &str); 24] = {
     use FindingKind as Kind;
     use RemarkFlags as Flags;
     [
@@ -133,6 +135,16 @@ const REMARKS: [(RemarkFlags, FindingKind, &str); 22] = {
             Flags::UNKNOWN_ERROR,
             Kind::UnknownError,
             "the error of the effective mass is not computed for this row; the result at a pose states it",
+        ),
+        (
+            Flags::OPEN_GAP,
+            Kind::OpenGap,
+            "the contact does not touch at this pose: an impact occurs at the touch, where the effective mass may differ",
+        ),
+        (
+            Flags::MANY_TURNS,
+            Kind::ManyTurns,
+            "a joint outside its limits is more than a turn from 0; positions are in rad: are these numbers degrees?",
         ),
     ]
 };

@@ -1,16 +1,15 @@
-//! Keyframes as named poses.
+//! Positions of MuJoCo: their layout, and keyframes as named poses.
 
 use crate::NamedPose;
-use crate::mjcf::bodies::body::{Bodies, BodyJoint, JointType};
+use crate::mjcf::bodies::body::{Bodies, JointType};
 use crate::mjcf::chain::Chains;
+use crate::qpos::{LengthJoint, QposError, QposJoint, QposLayout};
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{MAX_ELEMENTS_PER_KIND, MAX_POSITIONS};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::numbers::parse_numbers;
-use nalgebra::{Quaternion, Rotation3, UnitQuaternion};
-use percuss_mechanism::{JointDescription, JointKind, Severity};
-use percuss_spatial::{Transform, Vector3};
+use percuss_mechanism::{JointKind, Mechanism, Severity};
 use std::collections::HashMap;
 
 /// Reads the keyframes of the main model. The position of a joint is `qpos` minus the attribute `ref`; the pose of a free joint is relative
@@ -18,24 +17,15 @@ use std::collections::HashMap;
 /// MuJoCo refuses it.
 pub(crate) fn read_keyframes(
     tree: &ElementTree,
-    bodies: &Bodies,
-    chains: &Chains,
+    layout: &QposLayout,
     findings: &mut Findings<'_>,
 ) -> Vec<NamedPose> {
     let keys: Vec<ElementId> = tree.in_sections("keyframe").take(MAX_ELEMENTS_PER_KIND).collect();
-    // MuJoCo moves the frame of an aligned free body to its centre of mass; qpos refers to the moved frame.
-    let is_true = |element: ElementId, name| tree.attribute(element, name) == Some("true");
-    let is_aligned = tree
-        .children_named(tree.root(), "compiler")
-        .any(|element| is_true(element, "alignfree"))
-        || bodies.bodies.iter().flat_map(|body| &body.joints).any(|joint| is_true(joint.element, "align"));
     let mut names = UniqueNames::default();
     names.reserve(keys.iter().filter_map(|key| tree.attribute(*key, "name")));
     let mut poses = Vec::new();
-    let joints: usize = bodies.bodies.iter().map(|body| body.joints.len()).sum();
+    let joints = layout.joints.len();
     let most = MAX_POSITIONS / joints.max(1);
-    let count = bodies.bodies.iter().flat_map(|body| &body.joints).map(|joint| size(joint.kind)).sum();
-    let own = chains.joints.iter().map(|joint| (joint.name.as_str(), joint)).collect();
     for (number, key) in keys.into_iter().enumerate() {
         if poses.len() >= most {
             findings.add_once(Severity::Warning, "too-complex", "keyframe", key, || {
@@ -45,15 +35,10 @@ pub(crate) fn read_keyframes(
         }
         let name = tree.attribute(key, "name").map(str::to_owned);
         let name = name.unwrap_or_else(|| names.take(format!("keyframe{number}")));
-        let qpos = tree.attribute(key, "qpos");
-        if is_aligned && qpos.is_some() {
-            findings.warning("keyframe", key, || {
-                "the keyframe is left out: MuJoCo moves the frame of an aligned free body (alignfree, align), and qpos refers to that frame"
-                    .to_owned()
-            });
-            continue;
-        }
-        match positions(qpos, bodies, chains, &own, count) {
+        let values = tree.attribute(key, "qpos").map(|text| numbers(text, layout.qpos_count())).transpose();
+        let positions =
+            values.and_then(|values| layout.by_name(values.as_deref()).map_err(|error| error.to_string()));
+        match positions {
             Ok(positions) => poses.push(NamedPose { name, positions }),
             Err(reason) => {
                 findings.warning("keyframe", key, || format!("the keyframe is left out: {reason}"))
@@ -63,106 +48,80 @@ pub(crate) fn read_keyframes(
     poses
 }
 
-/// Positions of the joints of the mechanism, by name; without `qpos`, the positions as drawn. `own`: joints of the mechanism by name;
-/// `count`: number of positions of the model.
-fn positions(
-    qpos: Option<&str>,
+/// Numbers of a text. Of a text with more than `count` words, the others are not parsed.
+fn numbers(text: &str, count: usize) -> Result<Vec<f64>, String> {
+    let words = text.split_ascii_whitespace();
+    let given = words.clone().count();
+    if given != count {
+        return Err(QposError::Count { got: given, expected: count }.to_string());
+    }
+    words.map(|word| parse_numbers::<1>(word).map(|[value]| value)).collect()
+}
+
+/// Layout of `qpos` of the main model.
+pub(crate) fn qpos_layout(
+    tree: &ElementTree,
     bodies: &Bodies,
     chains: &Chains,
-    own: &HashMap<&str, &JointDescription>,
-    count: usize,
-) -> Result<Vec<(String, Vec<f64>)>, String> {
-    let joints = || {
-        bodies.bodies.iter().enumerate().flat_map(|(index, body)| {
-            body.joints.iter().enumerate().map(move |(position, joint)| ((index, position), body, joint))
-        })
-    };
-    let values = match qpos {
-        None => None,
-        Some(text) => {
-            let words = text.split_ascii_whitespace().take(count + 1);
-            let values: Vec<f64> =
-                words.map(|word| parse_numbers::<1>(word).map(|[value]| value)).collect::<Result<_, _>>()?;
-            if values.len() != count {
-                return Err(format!(
-                    "qpos has {} numbers, and the joints of the model have {count} positions",
-                    text.split_ascii_whitespace().count()
-                ));
-            }
-            Some(values)
-        }
-    };
-    let mut found = Vec::new();
-    let mut known: HashMap<&str, f64> = HashMap::new();
+    mechanism: &Mechanism,
+) -> QposLayout {
     let mut next = 0;
-    for (key, body, joint) in joints() {
-        let range = next..next + size(joint.kind);
+    let mut places = HashMap::new();
+    for joint in mechanism.joints() {
+        let range = next..next + joint.kind().positions();
         next = range.end;
-        let Some(name) = chains.joint_names.get(&key) else { continue };
-        let position = match &values {
-            Some(values) => position(joint, &body.pose, &values[range])?,
-            None => drawn(joint.kind),
-        };
-        if let [value] = position[..] {
-            known.insert(name, value);
-        }
-        let is_free = |joint: &&JointDescription| joint.kind != JointKind::Fixed && joint.mimic.is_none();
-        if own.get(name.as_str()).is_some_and(is_free) {
-            found.push((name.clone(), position));
+        let is_written = joint.kind() != JointKind::Fixed && joint.mimic().is_none();
+        places.insert(joint.name(), is_written.then_some(range));
+    }
+    let place = |name: &str| places.get(name).cloned().flatten();
+    let mut joints = Vec::new();
+    let mut count = 0;
+    for (index, body) in bodies.bodies.iter().enumerate() {
+        for (position, joint) in body.joints.iter().enumerate() {
+            let qpos = count..count + size(joint.kind);
+            count = qpos.end;
+            let name = chains.joint_names.get(&(index, position)).cloned().unwrap_or_default();
+            let own = place(&name);
+            joints.push(QposJoint { name, qpos, own, reference: joint.reference, pose: body.pose });
         }
     }
-    // The length joint of a tendon with an armature follows the joints of the tendon.
+    let single: HashMap<&str, (usize, f64)> = joints
+        .iter()
+        .filter(|joint| joint.qpos.len() == 1)
+        .map(|joint| (joint.name.as_str(), (joint.qpos.start, joint.reference)))
+        .collect();
+    let mut lengths = Vec::new();
     for (_, relation) in &chains.relations {
         if let [(length, factor), terms @ ..] = &relation.terms[..]
             && relation.curve.is_none()
-            && own.contains_key(length.as_str())
-            && !known.contains_key(length.as_str())
+            && !single.contains_key(length.as_str())
+            && let Some(own) = place(length)
         {
-            let sum: f64 =
-                terms.iter().map(|(joint, factor)| factor * known.get(joint.as_str()).unwrap_or(&0.0)).sum();
-            found.push((length.clone(), vec![(relation.constant - sum) / factor]));
+            let term = |(joint, factor): &(String, f64)| {
+                single.get(joint.as_str()).map(|(index, drawn)| (*index, *drawn, *factor))
+            };
+            let (name, constant) = (length.clone(), relation.constant);
+            let terms = terms.iter().filter_map(term).collect();
+            lengths.push(LengthJoint { name, own: own.start, factor: *factor, constant, terms });
         }
     }
-    Ok(found)
+    let drawn = NamedPose { name: String::new(), positions: Vec::new() }.all_positions(mechanism);
+    QposLayout { count, joints, lengths, drawn, is_aligned: is_aligned(tree, bodies) }
 }
 
-/// Number of positions of a joint.
+/// True if MuJoCo moves the frame of a free body to its centre of mass.
+fn is_aligned(tree: &ElementTree, bodies: &Bodies) -> bool {
+    let is_true = |element, name| tree.attribute(element, name) == Some("true");
+    let joints = bodies.bodies.iter().flat_map(|body| &body.joints);
+    tree.children_named(tree.root(), "compiler").any(|element| is_true(element, "alignfree"))
+        || joints.into_iter().any(|joint| is_true(joint.element, "align"))
+}
+
+/// Number of positions of a joint of MuJoCo.
 fn size(kind: JointType) -> usize {
     match kind {
         JointType::Free => 7,
         JointType::Ball => 4,
         JointType::Slide | JointType::Hinge => 1,
     }
-}
-
-/// Position as drawn.
-fn drawn(kind: JointType) -> Vec<f64> {
-    match kind {
-        JointType::Free => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-        JointType::Ball => vec![1.0, 0.0, 0.0, 0.0],
-        JointType::Slide | JointType::Hinge => vec![0.0],
-    }
-}
-
-/// Position of a joint of the mechanism. `pose`: pose of the body as drawn (in the world for a free joint).
-fn position(joint: &BodyJoint, pose: &Transform<f64>, qpos: &[f64]) -> Result<Vec<f64>, String> {
-    let unit = |w: f64, x: f64, y: f64, z: f64| {
-        UnitQuaternion::try_new(Quaternion::new(w, x, y, z), f64::MIN_POSITIVE)
-            .ok_or_else(|| format!("the quaternion of joint \"{}\" is 0", joint.name))
-    };
-    Ok(match *qpos {
-        [value] => vec![value - joint.reference],
-        [w, x, y, z] => {
-            let q = unit(w, x, y, z)?;
-            vec![q.w, q.i, q.j, q.k]
-        }
-        [px, py, pz, w, x, y, z] => {
-            let at = pose.inverse_vector(&(Vector3::new(px, py, pz) - pose.translation));
-            let drawn =
-                UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
-            let q = drawn.inverse() * unit(w, x, y, z)?;
-            vec![at.x, at.y, at.z, q.w, q.i, q.j, q.k]
-        }
-        _ => Vec::new(),
-    })
 }
