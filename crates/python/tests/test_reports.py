@@ -129,11 +129,12 @@ def test_a_pose_or_a_system_replaces_the_model() -> None:
         assert call(system, percuss.Conditions(set=set)) == call(system.assemble(), percuss.Conditions(pose=pose)) == pytest.approx(expected), number
     swept = percuss.sweep_report(system, contact, vary=("crank_hinge", 0.4, 0.4, 1))
     assert swept.rows[0].effective_mass == pytest.approx(calls[0](bar, given), rel=1e-11)
-    for of, conditions in [
+    refused: list[tuple[Any, percuss.Conditions | None]] = [
         (system, percuss.Conditions(armature={"crank_hinge": 0.1})),
         (pose, percuss.Conditions(pose=pose)),
         (system.pose(base_pose=[0, 0, 1, 1, 0, 0, 0]), None),
-    ]:
+    ]
+    for of, conditions in refused:
         with pytest.raises(percuss.InputError):
             percuss.mass(of, contact, conditions)
 

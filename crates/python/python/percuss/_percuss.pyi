@@ -335,7 +335,8 @@ class System:
     def model(self) -> Model:
         """The model."""
     @property
-    def _conditions(self) -> dict[str, Any]: ...
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions as given: the arguments of Model.system."""
     @property
     def coordinates(self) -> int:
         """n: independent velocities of the tree, without locked joints and mimics; a floating base counts 6."""
@@ -369,7 +370,8 @@ class Assembly:
     def model(self) -> Model:
         """The model."""
     @property
-    def _conditions(self) -> dict[str, Any]: ...
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions of the system, and the guess."""
     @property
     def degrees_of_freedom(self) -> int:
         """Degrees of freedom at a generic pose; a floating base counts 6."""
@@ -430,7 +432,8 @@ class Pose:
     def model(self) -> Model:
         """The model."""
     @property
-    def _conditions(self) -> dict[str, Any]: ...
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions of the system, and the pose."""
     @property
     def positions(self) -> _Array:
         """Positions of all joints, concatenated in the order of the file; (p,)."""
