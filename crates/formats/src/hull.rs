@@ -1,8 +1,10 @@
 //! Inertias that no mass inside the shapes of a link has.
 
+use crate::meshes::files::MeshFolders;
+use crate::meshes::surface::bounding_box;
 use crate::shape::{Purpose, Shape, Solid};
 use nalgebra::Vector3;
-use percuss_mechanism::{Mechanism, Problem, Subject};
+use percuss_mechanism::{Inertial, Mechanism, Problem, Subject};
 
 /// Factor on the largest half trace, dimensionless: shapes for collisions are simplified, and may be 1.4 times too small.
 const HULL_SLACK: f64 = 2.0;
@@ -10,44 +12,82 @@ const HULL_SLACK: f64 = 2.0;
 /// Distance of a centre of mass outside the shapes, relative to their size, for the same reason.
 const COM_SLACK: f64 = 0.5;
 
+/// As [`COM_SLACK`] for the box of a mesh, which may show the cover of a link without its motor.
+const MESH_COM_SLACK: f64 = 1.0;
+
 /// Number of steps of the search for a separating plane; each brings the point of the hull nearer to the centre of mass.
 const HULL_STEPS: usize = 100;
 
-/// Warnings for inertias that no mass in the convex hull of the collision shapes (visual shapes if there is none) has: with the centre of
-/// mass c, tr(I)/2 = ∫ |x − c|² dm ≤ m·max |x − c|², and c is in the hull. Links with a mesh among these shapes are left out: meshes are not
-/// opened. `shapes`: shapes of every link.
-pub(crate) fn inertias_beyond_shapes(
+/// Warnings for inertias that no mass in the convex hull of some shapes of a link has: with the centre of mass c,
+/// tr(I)/2 = ∫ |x − c|² dm ≤ m·max |x − c|², and c is in the hull. `shapes`: shapes of every link. `hull_of`: the shapes of the hull of a
+/// link; without shapes, or with a mesh among them, the link is left out.
+pub(crate) fn inertias_beyond_shapes<'s>(
+    mechanism: &Mechanism,
+    shapes: &'s [Vec<Shape>],
+    hull_of: impl Fn(usize, &'s [Shape]) -> Vec<&'s Shape>,
+) -> Vec<(Subject, Problem)> {
+    beyond_hulls(mechanism, shapes, hull_of, COM_SLACK)
+}
+
+/// As [`inertias_beyond_shapes`], with the distance of a centre of mass outside the hull that is accepted.
+fn beyond_hulls<'s>(
+    mechanism: &Mechanism,
+    shapes: &'s [Vec<Shape>],
+    hull_of: impl Fn(usize, &'s [Shape]) -> Vec<&'s Shape>,
+    com_slack: f64,
+) -> Vec<(Subject, Problem)> {
+    let found = mechanism.links().iter().zip(shapes).enumerate().filter_map(|(index, (link, shapes))| {
+        let problem = beyond_hull(link.inertial()?, &hull_of(index, shapes), com_slack)?;
+        Some((Subject::Link { index, name: link.name().to_owned() }, problem))
+    });
+    found.collect()
+}
+
+/// Collision shapes; visual shapes if there is none.
+pub(crate) fn collision_shapes(shapes: &[Shape]) -> Vec<&Shape> {
+    let has = |purpose: &Purpose| shapes.iter().any(|shape| shape.purpose == *purpose);
+    let purpose = [Purpose::Collision, Purpose::Visual].into_iter().find(has);
+    shapes.iter().filter(|shape| Some(shape.purpose) == purpose).collect()
+}
+
+/// Warnings of the same kind for links with meshes among their collision shapes; the hull is the bounding box of all shapes. Reads meshes of
+/// at most `max_size` bytes in total, and leaves out links with further or unreadable meshes.
+pub fn inertias_beyond_meshes(
     mechanism: &Mechanism,
     shapes: &[Vec<Shape>],
+    folders: &MeshFolders,
+    mut max_size: u64,
 ) -> Vec<(Subject, Problem)> {
-    let mut found = Vec::new();
-    for (index, (link, shapes)) in mechanism.links().iter().zip(shapes).enumerate() {
-        let Some(inertial) = link.inertial().filter(|inertial| inertial.mass > 0.0) else { continue };
-        let has = |purpose: &Purpose| shapes.iter().any(|shape| shape.purpose == *purpose);
-        let purpose = [Purpose::Collision, Purpose::Visual].into_iter().find(has);
-        let hull: Vec<&Shape> = shapes.iter().filter(|shape| Some(shape.purpose) == purpose).collect();
-        let is_unknown = |shape: &&Shape| {
-            matches!(shape.solid, Solid::Mesh { .. }) || farthest(shape, &inertial.com) == 0.0
-        };
-        if hull.is_empty() || hull.iter().any(is_unknown) {
-            continue;
-        }
-        let (mass, half_trace) = (inertial.mass, inertial.about_com.trace() / 2.0);
-        let bound = mass * largest(&hull, &inertial.com).powi(2);
-        let middle =
-            hull.iter().map(|shape| shape.frame.translation).sum::<Vector3<f64>>() / hull.len() as f64;
-        let size = largest(&hull, &middle);
-        let distance = distance_from_hull(&hull, &inertial.com, &middle);
-        let problem = if distance > COM_SLACK * size {
-            Problem::ComBeyondShape { distance, size }
-        } else if half_trace > HULL_SLACK * bound {
-            Problem::InertiaBeyondShape { mass, half_trace, bound }
-        } else {
-            continue;
-        };
-        found.push((Subject::Link { index, name: link.name().to_owned() }, problem));
+    let is_mesh = |shape: &&Shape| matches!(shape.solid, Solid::Mesh { .. });
+    let boxes = mechanism.links().iter().zip(shapes).map(|(link, shapes)| {
+        let has_meshes = link.inertial().is_some() && collision_shapes(shapes).iter().any(is_mesh);
+        let read =
+            if has_meshes { bounding_box(shapes, folders, &mut max_size).ok().flatten() } else { None };
+        Vec::from_iter(read)
+    });
+    let boxes: Vec<Vec<Shape>> = boxes.collect();
+    beyond_hulls(mechanism, &boxes, |_, shapes| shapes.iter().collect(), MESH_COM_SLACK)
+}
+
+/// Problem of a link whose inertia no mass in the hull of shapes has.
+fn beyond_hull(inertial: &Inertial, hull: &[&Shape], com_slack: f64) -> Option<Problem> {
+    let is_unknown =
+        |shape: &&Shape| matches!(shape.solid, Solid::Mesh { .. }) || farthest(shape, &inertial.com) == 0.0;
+    if inertial.mass <= 0.0 || hull.is_empty() || hull.iter().any(is_unknown) {
+        return None;
     }
-    found
+    let (mass, half_trace) = (inertial.mass, inertial.about_com.trace() / 2.0);
+    let bound = mass * largest(hull, &inertial.com).powi(2);
+    let middle = hull.iter().map(|shape| shape.frame.translation).sum::<Vector3<f64>>() / hull.len() as f64;
+    let size = largest(hull, &middle);
+    let distance = distance_from_hull(hull, &inertial.com, &middle);
+    if distance > com_slack * size {
+        Some(Problem::ComBeyondShape { distance, size })
+    } else if half_trace > HULL_SLACK * bound {
+        Some(Problem::InertiaBeyondShape { mass, half_trace, bound })
+    } else {
+        None
+    }
 }
 
 /// Largest distance of a point of the shapes from x, m.

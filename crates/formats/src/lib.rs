@@ -40,6 +40,7 @@ mod sdf;
 mod shape;
 mod urdf;
 mod writing;
+pub use hull::inertias_beyond_meshes;
 pub use load::{foreign_format, load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};

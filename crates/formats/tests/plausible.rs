@@ -1,7 +1,7 @@
 //! Inertias that are impossible for the size of the link are found; inertias of real models are accepted.
 
 use crate::support::{load_text, told};
-use percuss_formats::{LoadOptions, Source, load};
+use percuss_formats::{LoadOptions, MeshFolders, Source, inertias_beyond_meshes, load};
 use percuss_mechanism::{Accept, Severity};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::path::Path;
@@ -171,6 +171,54 @@ fn inertias_are_compared_with_the_shapes_of_the_link() {
         let mesh = shape("collision", "<mesh filename=\"x.stl\"/>") + &shape("visual", &solid);
         assert!(!warned(wheel(&mesh, at, mass, [3.0 * a * a * mass; 3])));
     }
+}
+
+/// Meshes are compared by their bounding box where a caller opens them, geoms of MJCF by the hull of all.
+#[test]
+fn inertias_are_compared_with_meshes_and_geoms() {
+    let rng = &mut StdRng::seed_from_u64(12);
+    let folder = std::env::temp_dir().join(format!("percuss-plausible-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    // A tetrahedron with the bounding box −1 … 1.
+    let corners = ["1 1 1", "1 -1 -1", "-1 1 -1", "-1 -1 1"].map(|corner| format!("v {corner}\n")).concat();
+    std::fs::write(folder.join("t.obj"), corners + "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n").expect("written");
+    let folders = MeshFolders { model: folder.clone(), ..MeshFolders::default() };
+    for _ in 0..50 {
+        let half: [f64; 3] = [0; 3].map(|_| rng.random_range(0.02..0.3));
+        let at: [f64; 3] = [0; 3].map(|_| rng.random_range(-0.2..0.2));
+        let [u, v, w] = half.map(|x| x * x);
+        let (mass, [x, y, z], [a, b, c]) = (rng.random_range(0.1..10.0), at, half);
+        // Two masses at opposite corners of the box, and an inertia of twice the radius.
+        let corner = [v + w, u + w, u + v].map(|square| mass * square);
+        let far = corner.map(|moment| 2.5 * moment);
+        let beside = [x + 2.5 * a, y + 2.5 * b, z + 2.5 * c];
+        for (com, moments, expected) in [(at, corner, 0), (at, far, 1), (beside, corner, 1)] {
+            let mesh = format!(
+                "<collision><origin xyz=\"{x} {y} {z}\"/><geometry><mesh filename=\"t.obj\" scale=\"{a} {b} {c}\"/></geometry></collision>"
+            );
+            let urdf = load_text(&wheel(&mesh, com, mass, moments)).expect("a model");
+            assert!(urdf.diagnostics.iter().all(|d| !d.message.contains("shapes")), "meshes are not opened");
+            let found = |size| inertias_beyond_meshes(&urdf.mechanism, &urdf.shapes, &folders, size).len();
+            assert_eq!((found(1 << 20), found(50)), (expected, 0), "{half:?} {com:?} {moments:?}");
+            let [xx, yy, zz] = moments;
+            let mjcf = |geoms: &str| {
+                let text = format!(
+                    "<mujoco><worldbody><body><joint/><inertial pos=\"{} {} {}\" mass=\"{mass}\" diaginertia=\"{xx} {yy} {zz}\"/>\
+                     <geom type=\"box\" pos=\"{x} {y} {z}\" size=\"{a} {b} {c}\"/>{geoms}</body></worldbody></mujoco>",
+                    com[0], com[1], com[2]
+                );
+                told(&load_text(&text)).iter().filter(|d| d.message.contains("shapes")).count()
+            };
+            assert_eq!(mjcf(""), expected, "{half:?} {com:?} {moments:?}");
+            assert_eq!(mjcf("<geom type=\"sphere\" size=\"3\" contype=\"0\" conaffinity=\"0\"/>"), 0);
+            assert_eq!(
+                mjcf("<geom type=\"ellipsoid\" size=\".1 .1 .1\"/>"),
+                0,
+                "no counterpart among the shapes"
+            );
+        }
+    }
+    std::fs::remove_dir_all(&folder).expect("removed");
 }
 
 /// A centre of mass alone is no size of a link: it may be rounding.

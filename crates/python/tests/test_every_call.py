@@ -136,6 +136,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "Contact.normal_frame": lambda: TOOL.normal_frame,
     "Contact.turning": lambda: TOOL.turning,
     "Contact.cable": lambda: TOOL.cable,
+    "Model.contact": lambda: CORNER.contact("spring").point,
     "Model.changed": lambda: ARM.changed(link_mass={"tool": 1.0}).total_mass,
     "Model.to_urdf": ARM.to_urdf,
     "Model.to_mjcf": ARM.to_mjcf,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import warnings
+from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -103,6 +105,60 @@ def test_named_contacts() -> None:
     assert named is not None and named.brought_to_touch
     with pytest.raises(percuss.InputError, match="did you mean"):
         percuss.mass(model, "bumpstop")
+
+
+def test_a_pose_or_a_system_replaces_the_model() -> None:
+    bar = percuss.load(ROOT / "models/four_bar.urdf")
+    system = bar.system(armature={"crank_hinge": 0.2})
+    pose, set = system.pose({"crank_hinge": 0.4}), {"crank_hinge": 0.4}
+    given = percuss.Conditions(set=set, armature={"crank_hinge": 0.2})
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    damping = percuss.Damping(0.5, 2e5, speed=1.0)
+    calls: list[Callable[[Any, Any], Any]] = [
+        lambda of, conditions: percuss.mass(of, contact, conditions).effective_mass,
+        lambda of, conditions: percuss.impact(of, contact, 0.3, conditions, speed=1.0).impulse,
+        lambda of, conditions: percuss.damp_contact(of, contact, damping, conditions).effective_mass,
+        lambda of, conditions: percuss.safe_speed(of, contact, None, conditions, energy=1.0).reflected.speed,
+        lambda of, conditions: percuss.map_point(of, contact, 20, conditions).principal[0].effective_mass,
+        lambda of, conditions: percuss.reflected_inertias(of, ["crank_hinge"], conditions).reflected_inertia[0].free,
+        lambda of, conditions: percuss.compare([percuss.Design(n, of, contact, conditions) for n in "ab"]).designs[0].effective_mass,
+    ]
+    for number, call in enumerate(calls):
+        expected = call(bar, given)
+        assert call(pose, None) == pytest.approx(expected, rel=1e-11), number
+        assert call(system, percuss.Conditions(set=set)) == call(system.assemble(), percuss.Conditions(pose=pose)) == pytest.approx(expected), number
+    swept = percuss.sweep_report(system, contact, vary=("crank_hinge", 0.4, 0.4, 1))
+    assert swept.rows[0].effective_mass == pytest.approx(calls[0](bar, given), rel=1e-11)
+    refused: list[tuple[Any, percuss.Conditions | None]] = [
+        (system, percuss.Conditions(armature={"crank_hinge": 0.1})),
+        (pose, percuss.Conditions(pose=pose)),
+        (system.pose(base_pose=[0, 0, 1, 1, 0, 0, 0]), None),
+    ]
+    for of, conditions in refused:
+        with pytest.raises(percuss.InputError):
+            percuss.mass(of, contact, conditions)
+
+
+def test_names_of_contacts_in_arrays() -> None:
+    car = percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml")
+    pose = car.pose()
+    for name in car.contacts:
+        contact = car.contact(name)
+        mass = pose.respond(contact).effective_mass
+        assert pose.respond(name).effective_mass == mass
+        assert percuss.sweep(car, name, pose.positions[None, :]).effective_mass[0] == pytest.approx(mass, rel=1e-9)
+        assert car.assemble().workspace(name).effective_mass(pose.positions) == pytest.approx(mass, rel=1e-9)
+        assert np.array_equal(pose.contact_row(name), pose.contact_row(contact))
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    stop = arm.pose().respond("elbow:upper")
+    assert stop.unit == "kg·m²" and stop.effective_mass == arm.pose().respond(arm.contact("elbow:upper")).effective_mass
+    first, second = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0], normal_frame="world"), "tool:0,0.05,0:0,0,1"
+    further = percuss.Contact("tool", [0, 0.05, 0], [0, 0, 1], normal_frame="world")
+    hits = [percuss.impact(arm, first, 0.3, speed=1.0, also=[also]).to_dict() for also in (second, further)]
+    assert hits[0] == hits[1]
+    for wrong, words in [("bumpstop", "bump_stop"), (7, "a Contact")]:
+        with pytest.raises(percuss.InputError, match=words):
+            pose.respond(wrong)  # type: ignore[arg-type]
 
 
 def test_travels_poses_and_motion_ratios(tmp_path: Path) -> None:
@@ -398,6 +454,20 @@ def test_kinematics_are_those_of_the_command_and_of_the_motion_ratio() -> None:
         found["cambre"]
     with pytest.raises(percuss.PercussError):
         percuss.kinematics(percuss.load(ROOT / "models/four_bar.urdf"))
+
+
+def test_kinematics_need_no_masses(tmp_path: Path) -> None:
+    text = (ROOT / "models/suspensions/double-wishbone.toml").read_text()
+    sheet = tmp_path / "light.toml"
+    sheet.write_text("\n".join(line for line in text.splitlines() if not line.startswith(("mass", "com", "inertia"))))
+    whole = percuss.kinematics(percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml"), heave=[-0.02, 0.03])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", percuss.ModelWarning)
+        light = percuss.kinematics(sheet, heave=[-0.02, 0.03])
+    assert "unsprung_mass" in light.missing
+    for name, values in whole.values.items():
+        if name not in light.missing:
+            assert light[name] == pytest.approx(values, rel=1e-9, abs=1e-9, nan_ok=True), name
 
 
 def test_gradients_of_sweeps() -> None:

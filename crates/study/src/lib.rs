@@ -67,7 +67,7 @@ pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
-pub use question::spelled_contact::{FurtherContact, StopRecord};
+pub use question::spelled_contact::{FurtherContact, StopRecord, contact_of_text};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};

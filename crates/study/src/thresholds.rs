@@ -216,6 +216,8 @@ pub(crate) const RANGE_END_TOLERANCE: f64 = 1e-9;
 pub(crate) const EDGES_ACROSS: f64 = 60.0;
 /// Largest number of facets of a map: 2 GB.
 pub(crate) const FACETS: usize = 8_000_000;
+/// Largest size of all meshes that `check` reads, bytes: seconds.
+pub(crate) const CHECKED_MESHES: u64 = 64 << 20;
 /// Shortest valid edge, m.
 pub(crate) const LEAST_EDGE: f64 = 1e-6;
 /// Number of directions at a point.

@@ -84,7 +84,15 @@ fn named_files_are_no_pipes() {
         "<sdf version=\"1.9\"><model name=\"m\"><include><uri>library</uri></include></model></sdf>";
     let study =
         "[model]\npath = \"r.urdf\"\n[contact]\nlink = \"a\"\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\n";
+    let whole = format!(
+        "[model]\npath = \"{}\"\n[contact]\nlink = \"rod\"\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\n",
+        root().join(MODEL).display()
+    );
+    let rows = format!("{whole}[sweep]\ninput = \"m.obj\"\n");
+    let positions = format!("{whole}[pose]\nfile = \"m.obj\"\n");
     for (command, name, text, words) in [
+        ("run", "rows.toml", rows.as_str(), "sweep.input"),
+        ("run", "pose.toml", &positions, "pose"),
         ("check", "mesh.xml", mesh, "this is no file"),
         ("check", "include.sdf", include, "has no model.config"),
         ("run", "study.toml", study, "this is no file"),
@@ -92,6 +100,16 @@ fn named_files_are_no_pipes() {
         let outcome = ended(started(&format!("{command} {}", folder.write(name, text))));
         let message = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(outcome.code == 2 && message.contains(words), "{name}: {message}");
+    }
+    // A study from a stream that is open is read; a named pipe is refused, whether or not somebody writes to it.
+    let named = fifo(&folder, "pipe.toml");
+    for command in ["run", "compare"] {
+        let outcome = ended(started(&format!("{command} {named}")));
+        assert!(outcome.code == 2, "{command}: {}", outcome.stderr);
+    }
+    for stream in ["-", "/dev/stdin"] {
+        let outcome = percuss_with_stdin(&format!("run {stream}"), whole.as_bytes());
+        assert_eq!(outcome.code, 0, "{stream}: {}", outcome.stderr);
     }
 }
 

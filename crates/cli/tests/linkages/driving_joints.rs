@@ -414,3 +414,42 @@ fn a_wrong_axis_that_makes_loops_rigid_is_named() {
     let report = json("check models/four_bar.urdf --format json");
     assert!(report["diagnostics"].as_array().expect("a list").iter().all(|d| d["code"] != "rigid-loops"));
 }
+
+/// A screw of Gazebo moves m + I·p² along its axis, with p rad/m of the nut. Between one slide and one hinge it is a relation; with a second
+/// slide it is a loop, which holds this slide.
+#[test]
+fn screws_of_gazebo_carry_the_inertia_of_the_nut() {
+    let folder = Scratch::new("gazebo-screw");
+    let inertial = |mass: f64| {
+        format!(
+            "<inertial><mass value=\"{mass}\"/><inertia ixx=\".02\" iyy=\".03\" izz=\".04\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        )
+    };
+    let joint = |name: &str, kind: &str, parent: &str, child: &str, axis: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"{axis}\"/>\
+             <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>"
+        )
+    };
+    let side = format!("<link name=\"mid\"/>{}", joint("side", "prismatic", "base", "mid", "1 0 0"));
+    for (below, side) in [("base", String::new()), ("mid", side)] {
+        let model = folder.write(
+            "screw.urdf",
+            &format!(
+                "<robot name=\"r\"><link name=\"base\"/>{side}<link name=\"torso\">{}</link><link name=\"nut\">{}</link>{}{}\
+                 <gazebo><joint name=\"screw\" type=\"screw\"><parent>torso</parent><child>nut</child><axis><xyz>0 0 1</xyz></axis>\
+                 <thread_pitch>7.5</thread_pitch></joint></gazebo></robot>",
+                inertial(3.0),
+                inertial(1.0),
+                joint("lift", "prismatic", below, "torso", "0 0 1"),
+                joint("spin", "continuous", "base", "nut", "0 0 1"),
+            ),
+        );
+        let at = format!("mass {model} --link torso --point 0,0,0 --format json --set spin=0.5 --normal");
+        let report = json(&format!("{at} 0,0,1"));
+        assert_close(report["effective_mass"].as_f64().expect("a mass"), 3.0 + 0.04 * 7.5 * 7.5, 1e-12);
+        // Left-handed: the nut, which stays at its height, sinks against the torso.
+        assert_close(report["pose"]["lift"][0].as_f64().expect("a position"), 0.5 / 7.5, 1e-12);
+        assert_eq!(json(&format!("{at} 1,0,0"))["status"], "immovable", "{below}");
+    }
+}

@@ -26,6 +26,13 @@ fn kinematics_need_no_masses() {
     assert!(told.contains("masses are missing in the sheet: lower_arm.mass"), "{told}");
     let outcome = run(&folder, &["mass", "points.toml", "--at", "bump_stop"]);
     assert!(outcome.code == 2 && outcome.stderr.contains("lower_arm.mass"), "{}", outcome.stderr);
+    let study = "[model]\npath = \"points.toml\"\n[kinematics]\nvary = \"wheel-travel=-40mm:40mm:3\"\ncolumns = [\"camber\"]\n";
+    folder.write("study.toml", study);
+    folder.write("both.toml", &format!("{study}[contact]\nat = \"bump_stop\"\n"));
+    let of_command = done(&folder, &["kinematics", "points.toml", "--columns", "camber", range[0], range[1]]);
+    assert_eq!(done(&folder, &["run", "study.toml"]), of_command);
+    let outcome = run(&folder, &["run", "both.toml"]);
+    assert!(outcome.code == 2 && outcome.stderr.contains("lower_arm.mass"), "{}", outcome.stderr);
     folder.write(
         "cut.toml",
         &text.lines().filter(|line| !line.starts_with("spring_")).collect::<Vec<_>>().join("\n"),

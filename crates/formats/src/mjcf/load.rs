@@ -1,5 +1,6 @@
 //! Construction of a mechanism from a model in MJCF.
 
+use crate::hull::inertias_beyond_shapes;
 use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
@@ -110,8 +111,15 @@ fn read_model(
     if findings.has_errors() {
         return None;
     }
-    let body_shapes: Vec<Vec<Shape>> =
-        bodies.bodies.iter().map(|body| shapes(body, &meshes, findings)).collect();
+    let body_shapes: Vec<(Vec<Shape>, bool)> = bodies
+        .bodies
+        .iter()
+        .map(|body| {
+            let own = shapes(body, &meshes, findings);
+            let is_whole = own.len() == body.geoms.len();
+            (own, is_whole)
+        })
+        .collect();
     let extents = bodies.bodies.iter().map(extent).collect();
     let sums = match relations.sums() {
         Ok(sums) => sums,
@@ -123,24 +131,27 @@ fn read_model(
         }
     };
     let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
-    let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
-    let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
-    let poses = read_keyframes(tree, &qpos, findings);
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
     let of_links = chains
         .is_auxiliary
         .iter()
-        .map(|is_auxiliary| if *is_auxiliary { Vec::new() } else { of_bodies.next().unwrap_or_default() });
-    Some(Parts { mechanism, shapes: of_links.collect(), poses, qpos, opened: meshes.opened })
+        .map(|is_auxiliary| if *is_auxiliary { None } else { of_bodies.next() }.unwrap_or_default());
+    let (shapes, is_whole): (Vec<Vec<Shape>>, Vec<bool>) = of_links.unzip();
+    let hulls = (&shapes[..], &is_whole[..]);
+    let mechanism = build_mechanism(tree, &bodies, (&chains, &closures), hulls, options, findings)?;
+    let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
+    let poses = read_keyframes(tree, &qpos, findings);
+    Some(Parts { mechanism, shapes, poses, qpos, opened: meshes.opened })
 }
 
-/// Builds the mechanism; findings of the builder get the positions of their elements.
+/// Builds the mechanism; findings of the builder get the positions of their elements. `is_whole`: true for a link
+/// all of whose geoms are among its shapes.
 fn build_mechanism(
     tree: &ElementTree,
     bodies: &Bodies,
-    chains: &Chains,
-    closures: &[BodyClosure],
+    (chains, closures): (&Chains, &[BodyClosure]),
+    (shapes, is_whole): (&[Vec<Shape>], &[bool]),
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Mechanism> {
@@ -177,6 +188,10 @@ fn build_mechanism(
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
+            // A geom without a counterpart among the shapes may contain the mass.
+            findings.extend(inertias_beyond_shapes(&mechanism, shapes, |link, own| {
+                own.iter().filter(|_| is_whole[link]).collect()
+            }));
             (Some(mechanism), findings)
         }
         Err(error) => (None, error.findings),
@@ -246,6 +261,8 @@ fn locate(
             | Problem::TriangleInequality { .. }
             | Problem::WideInertia { .. }
             | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. }
+            | Problem::ComBeyondShape { .. }
             | Problem::InertiaWithoutMass { .. }
     );
     let found = match subject {

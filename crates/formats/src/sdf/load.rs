@@ -1,6 +1,6 @@
 //! Construction of a mechanism from a model in SDFormat.
 
-use crate::hull::inertias_beyond_shapes;
+use crate::hull::{collision_shapes, inertias_beyond_shapes};
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
@@ -93,7 +93,7 @@ fn build_mechanism(
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, findings: mut found }) => {
             found.extend(mechanism.implausible_inertias(options.accept));
-            found.extend(inertias_beyond_shapes(&mechanism, shapes));
+            found.extend(inertias_beyond_shapes(&mechanism, shapes, |_, own| collision_shapes(own)));
             (Some(mechanism), found)
         }
         Err(error) => (None, error.findings),

@@ -32,7 +32,7 @@ pub(crate) fn resolve_references<'a, 'i: 'a>(
         transmission::drop_fixed_joint_armature(joint, *node, report);
     }
     let closes_loop = find_loop_closing_joints(joints);
-    let has_loops = !texts.closures.is_empty() || closes_loop.contains(&true);
+    let has_loops = texts.has_closures() || closes_loop.contains(&true);
     simulator_couplings::read_couplings(robot, texts, &joint_index, has_loops, report);
     references::check_joint_references(
         &texts.links,
@@ -43,7 +43,7 @@ pub(crate) fn resolve_references<'a, 'i: 'a>(
         report,
     );
     LoopChecks { texts, nodes, closes_loop: &closes_loop }.check_all(&mut suggestions, report);
-    if texts.closures.is_empty()
+    if !texts.has_closures()
         && texts.couplings.is_empty()
         && texts.relations.is_empty()
         && !closes_loop.contains(&true)

@@ -1,6 +1,6 @@
 //! Construction of a mechanism from a source in URDF.
 
-use crate::hull::inertias_beyond_shapes;
+use crate::hull::{collision_shapes, inertias_beyond_shapes};
 use crate::qpos::QposLayout;
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
@@ -10,6 +10,7 @@ use crate::urdf::closing_pairs::close_pairs;
 use crate::urdf::consistency;
 use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
+use crate::urdf::elements::joints::gazebo_joint::ScrewLoop;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::shapes::shape::link_shapes;
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
@@ -141,11 +142,16 @@ fn build_mechanism(
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let builder = texts.relations.into_iter().fold(builder, MechanismBuilder::relation);
     let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
-    let shapes: Vec<Vec<Shape>> = nodes.links.iter().map(|link| link_shapes(*link)).collect();
+    let builder = texts.screws.into_iter().fold(builder, |builder, ScrewLoop { links, joints, closure }| {
+        let builder = links.into_iter().fold(builder, MechanismBuilder::link);
+        joints.into_iter().fold(builder, MechanismBuilder::joint).closure(closure)
+    });
+    let mut shapes: Vec<Vec<Shape>> = nodes.links.iter().map(|link| link_shapes(*link)).collect();
     let (mechanism, findings) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
+            shapes.resize_with(mechanism.links().len(), Vec::new);
             findings.extend(mechanism.implausible_inertias(options.accept));
-            findings.extend(inertias_beyond_shapes(&mechanism, &shapes));
+            findings.extend(inertias_beyond_shapes(&mechanism, &shapes, |_, own| collision_shapes(own)));
             (Some(mechanism), findings)
         }
         Err(error) => (None, error.findings),

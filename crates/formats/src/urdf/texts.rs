@@ -3,7 +3,7 @@
 use crate::reading::report::Report;
 use crate::urdf::elements::closure;
 use crate::urdf::elements::contact;
-use crate::urdf::elements::joints::gazebo_joint::{GazeboJointReader, ZeroPoseFrames};
+use crate::urdf::elements::joints::gazebo_joint::{GazeboJointReader, ScrewLoop, ZeroPoseFrames};
 use crate::urdf::elements::joints::joint;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link;
@@ -24,9 +24,16 @@ pub(crate) struct Texts<'a> {
     pub couplings: Vec<CouplingDescription>,
     pub relations: Vec<RelationDescription>,
     pub contacts: Vec<ContactDescription>,
+    /// Screws that close loops; their parts follow those of the file.
+    pub screws: Vec<ScrewLoop>,
 }
 
 impl<'a> Texts<'a> {
+    /// True if an element closes a loop.
+    pub fn has_closures(&self) -> bool {
+        !self.closures.is_empty() || !self.screws.is_empty()
+    }
+
     /// Reads all elements. Relations that cannot be read are removed from `nodes`.
     pub fn read_elements<'i: 'a>(nodes: &mut Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
@@ -43,10 +50,10 @@ impl<'a> Texts<'a> {
             }
         };
         let closures = nodes.closures.iter().map(closure).collect();
-        let mut relations = Vec::new();
+        let (mut relations, mut screws) = (Vec::new(), Vec::new());
         nodes.relations.retain(|node| {
             let read = if is_gazebo_joint(*node) {
-                reader.read_relation(*node, report)
+                reader.read_relation(*node, &mut screws, report)
             } else {
                 Some(relation::read_relation(*node, report))
             };
@@ -57,6 +64,7 @@ impl<'a> Texts<'a> {
         Texts {
             closures,
             relations,
+            screws,
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),

@@ -296,19 +296,19 @@ fn tolerated_notations_are_read_with_a_note() {
 
 #[test]
 fn faults_without_effect_are_warnings() {
-    let fixed = |inside: &str| {
+    let with = |in_link: &str, in_joint: &str| {
         format!(
-            "<link name=\"c\"/><joint name=\"f\" type=\"fixed\"><parent link=\"palm\"/><child \
-             link=\"c\"/>{inside}</joint>"
+            "<link name=\"c\">{in_link}</link><joint name=\"f\" type=\"fixed\"><parent link=\"palm\"/><child \
+             link=\"c\"/>{in_joint}</joint>"
         )
     };
-    let macros = "<link name=\"c\"><visual><geometry><box size=\"1 1 1\"/></geometry><x:grey xmlns:x=\"http://www.ros.org/wiki/xacro\"/></visual>\
-        </link><joint name=\"f\" type=\"fixed\"><parent link=\"palm\"/><child link=\"c\"/></joint>";
+    let fixed = |in_joint| with("", in_joint);
+    let macros = "<visual><geometry><box size=\"1 1 1\"/></geometry><x:grey xmlns:x=\"http://www.ros.org/wiki/xacro\"/></visual>";
     for faulty in [
         fixed("<axis xzy=\"1 0 0\"/>"),
         fixed("<axis xyz=\"0 0\"/>"),
         fixed("<axis xyz=\"1 0 0\"/><axis xyz=\"0 1 0\"/>"),
-        macros.to_owned(),
+        with(macros, ""),
     ] {
         assert!(!warnings(&faulty).is_empty(), "{faulty}");
     }
@@ -361,13 +361,18 @@ fn screws_and_gearboxes_are_relations() {
         // The nut sinks against the torso by `lift`, and turns by −`spin`: −lift = −advance·spin.
         assert!((about / along + advance).abs() < 1e-15, "{along} {about}");
     }
+    // Without a slide with its axis, the screw is a loop through a nut that turns on the torso and advances by 1/9 m/rad, left-handed.
     let other = lift.replace("PITCH", "<thread_pitch>9</thread_pitch>").replace("prismatic", "continuous");
-    let unread = load_text(&other).unwrap_or_else(|error| panic!("{error}"));
-    let warning =
-        unread.diagnostics.iter().find(|d| d.severity == Severity::Warning && d.code == "gazebo-joint");
-    assert!(
-        warning.is_some_and(|d| d.message.contains("<relation>")) && unread.mechanism.couplings().is_empty()
-    );
+    let screw = load_text(&other).unwrap_or_else(|error| panic!("{error}")).mechanism;
+    let [turn, advance] =
+        ["screw", "screw/advance"].map(|name| screw.joint(screw.find_joint(name).expect(name)));
+    let ([loop_], Some(mimic)) = (screw.closures(), advance.mimic()) else { panic!("a loop and a mimic") };
+    assert_eq!(screw.joint(mimic.master).name(), turn.name());
+    assert!((mimic.multiplier + 1.0 / 9.0).abs() < 1e-15 && (turn.axis() - advance.axis()).norm() < 1e-15);
+    let ends = [loop_.predecessor(), loop_.successor()].map(|end| end.link.expect("no end is the world"));
+    let names = [turn.parent(), turn.child(), advance.parent(), ends[0], ends[1]];
+    let names = names.map(|link| screw.link(link).name());
+    assert_eq!(names, ["torso", "screw/nut", "screw/nut", "screw/advance", "nut"]);
     let gear = "<gazebo><joint name=\"g\" type=\"gearbox\"><parent>a</parent><child>b</child><gearbox_ratio>4</gearbox_ratio>\
         <gearbox_reference_body>palm</gearbox_reference_body><axis><xyz>0 1 0</xyz></axis><axis2><xyz>0 \
         1 0</xyz></axis2></joint></gazebo>";

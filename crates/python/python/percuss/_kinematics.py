@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Union
@@ -78,7 +79,7 @@ def _variable(value: ArrayLike | None, name: str) -> _Variable:
 
 @checked
 def kinematics(
-    model: Model,
+    model: Model | str | os.PathLike[str],
     *,
     wheel_travel: ArrayLike | None = None,
     heave: ArrayLike | None = None,
@@ -100,7 +101,7 @@ def kinematics(
     travel z of the own wheel centre, the rate k and the force F of the spring. The loops are closed, and the derivatives
     are those of the closed linkage: no quantity is a difference of positions.
 
-    model: of ``load_suspension``, or of ``load`` for a sheet. wheel_travel, heave, roll: travel of the wheel centres
+    model: of ``load_suspension``, or of ``load`` for a sheet; or the path of a file, whose masses may be missing. wheel_travel, heave, roll: travel of the wheel centres
     upward, m, from the design position (roll: left up, right down); steer: travel of the rack to the left, m. One of the
     four may have several values, one for each row.
     axle: "front" or "rear"; brake_bias: share of the front axle in the braking force; drive_share: share of this axle in the

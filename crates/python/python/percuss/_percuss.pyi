@@ -258,6 +258,9 @@ class Model:
     @property
     def contacts(self) -> list[str]:
         """Names of the contacts."""
+    def contact(self, name: str) -> Contact:
+        """The contact of a name (Model.contacts), or of a text as for impact(also=…), such as "JOINT:upper". Its point, normal and links are
+        those of the model; a gap is not part of it."""
     @property
     def position_count(self) -> int:
         """Number of positions of a configuration: the positions of all joints together."""
@@ -332,6 +335,9 @@ class System:
     def model(self) -> Model:
         """The model."""
     @property
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions as given: the arguments of Model.system."""
+    @property
     def coordinates(self) -> int:
         """n: independent velocities of the tree, without locked joints and mimics; a floating base counts 6."""
     @property
@@ -364,6 +370,9 @@ class Assembly:
     def model(self) -> Model:
         """The model."""
     @property
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions of the system, and the guess."""
+    @property
     def degrees_of_freedom(self) -> int:
         """Degrees of freedom at a generic pose; a floating base counts 6."""
     @property
@@ -394,7 +403,7 @@ class Assembly:
         other_assembly: bool = False,
     ) -> Pose:
         """The pose at a configuration of this assembly; parameters as for System.pose."""
-    def workspace(self, contact: Contact, *, base_pose: ArrayLike | None = None) -> Workspace:
+    def workspace(self, contact: Contact | str, *, base_pose: ArrayLike | None = None) -> Workspace:
         """Workspace of a contact, for one configuration after another. base_pose: pose of the root link in the world, for
         normals in the world; as for pose."""
     def __reduce__(self) -> tuple[Any, ...]: ...
@@ -423,6 +432,9 @@ class Pose:
     def model(self) -> Model:
         """The model."""
     @property
+    def _conditions(self) -> dict[str, Any]:
+        """Conditions of the system, and the pose."""
+    @property
     def positions(self) -> _Array:
         """Positions of all joints, concatenated in the order of the file; (p,)."""
     @property
@@ -448,7 +460,7 @@ class Pose:
         """M over the coordinates, kg, kg·m, kg·m²; (n, n), armatures included."""
     def constraint_matrix(self) -> _Array:
         """A: Jacobian of closures, couplings and held points over the coordinates; (m, n)."""
-    def contact_row(self, contact: Contact) -> _Array:
+    def contact_row(self, contact: Contact | str) -> _Array:
         """j: closing speed of the gap at unit rates, m, 1; (n,)."""
     def point_jacobian(
         self, link: str, point: ArrayLike, *, frame: _Frame | None = None
@@ -456,7 +468,7 @@ class Pose:
         """Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
         link_frame."""
     def inverse_operational_inertia(
-        self, contact: Contact, *, frame: _Frame | None = None
+        self, contact: Contact | str, *, frame: _Frame | None = None
     ) -> _Array:
         """Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
         for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
@@ -474,12 +486,12 @@ class Pose:
         """The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, lightest
         first, as dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit
         vector, link's frame, (3,)). None if a mass has no answer."""
-    def effective_mass_gradient(self, contact: Contact) -> dict[str, _Array] | None:
+    def effective_mass_gradient(self, contact: Contact | str) -> dict[str, _Array] | None:
         """Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
         (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
         motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
         None unless m̄ is finite with an error of at most 1e-6 m̄."""
-    def effective_mass_rate(self, contact: Contact, velocities: _Positions) -> float | None:
+    def effective_mass_rate(self, contact: Contact | str, velocities: _Positions) -> float | None:
         """dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
         are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
         Velocities of a Response are admissible. None unless m̄ is finite with an error of at most 1e-6 m̄."""
@@ -505,7 +517,7 @@ class Pose:
     def rank(self) -> _PoseRank:
         """Rank report of A at this pose: "rank"; "gap", the least gap between counted singular values and those taken as
         zero (None without rows); "is_clear"; "is_singular"."""
-    def respond(self, contact: Contact, *, route: _Route = "auto") -> Response:
+    def respond(self, contact: Contact | str, *, route: _Route = "auto") -> Response:
         """m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n))."""
     def __reduce__(self) -> tuple[Any, ...]: ...
 
@@ -765,7 +777,7 @@ def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> l
     """Findings about a batch, from the remarks of each problem and the numbers of the problems with small rows."""
 def sweep(
     model: Model | System | Assembly,
-    contact: Contact,
+    contact: Contact | str,
     q: ArrayLike,
     *,
     joints: Sequence[str] | None = None,
@@ -834,7 +846,7 @@ def run_command(arguments: Sequence[str]) -> NoReturn:
     """Runs the command and ends the process with its exit code. The first argument is the program name."""
 
 # JSON reports; _reports and _kinematics convert them.
-def kinematics(model: Model, question: _Question) -> str:
+def kinematics(model: Model | str | os.PathLike[str], question: _Question) -> str:
     """Report on the kinematics of a suspension."""
 def check(model: Model) -> str:
     """Summary of a model."""

@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 from . import _percuss, records
 from ._arguments import check_fields, checked
 from ._errors import InputError
-from ._percuss import Contact, Model
+from ._percuss import Assembly, Contact, Model, Pose, System
 
 #: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
 Position = Union[float, Sequence[float], str]
+#: Mechanism of a report: a model, a system or an assembly with its conditions, or a pose with those and its positions.
+_Of = Union[Model, System, Assembly, Pose]
 #: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
 Range = Union[str, tuple[str, float, float, int]]
 #: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
@@ -33,7 +35,7 @@ class Conditions:
     set: driving joints and their positions. guess: initial positions in the search for dependent joints.
     travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
     distance): point in m in the link's frame, direction in world axes, distance in m.
-    pose: JSON file with the positions of all joints, such as a saved report; set and guess take precedence.
+    pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence.
     lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
@@ -50,7 +52,7 @@ class Conditions:
     base: Literal["fixed", "floating"] = "fixed"
     estimate: Sequence[Any] | None = None
     travel: Sequence[Travel] = ()
-    pose: str | os.PathLike[str] | None = None
+    pose: str | os.PathLike[str] | Pose | None = None
     ratio_at: Sequence[Sequence[Any]] = ()
 
     def __post_init__(self) -> None:
@@ -93,7 +95,7 @@ class Design:
     """Design for ``compare``: a model, a contact and conditions, under a name."""
 
     name: str
-    model: Model
+    model: _Of
     contact: Contact | str
     conditions: Conditions | None = None
 
@@ -109,7 +111,7 @@ class _Impact:
     speed: float | None
     friction: float | None
     restitution_law: str | None
-    also: Sequence[str]
+    also: Sequence[Contact | str]
     also_restitution: Sequence[float]
     sticking: bool
     stiffness_ratios: Sequence[float]
@@ -192,15 +194,22 @@ class MapReport(records.MapRecord):
         return f"<div>{super()._repr_html_()}{self._svg}</div>"
 
 
-def _asked(conditions: Conditions | None) -> Conditions:
-    """Conditions with plain dicts and lists, as the extension requires."""
+def _asked(of: _Of, conditions: Conditions | None) -> tuple[Model, Conditions]:
+    """Model of a report, and the conditions with plain dicts and lists, as the extension requires. Those of a System, Assembly or Pose are
+    added."""
     given = Conditions() if conditions is None else conditions
-    return replace(
+    if not isinstance(of, Model):
+        own = of._conditions
+        for name in own:
+            if getattr(given, name) != getattr(Conditions(), name):
+                raise InputError(f"conditions.{name}: the {type(of).__name__} has its own; expected the model, or conditions without {name}")
+        given = replace(given, **own)
+    return of if isinstance(of, Model) else of.model, replace(
         given,
         set=dict(given.set),
         guess=dict(given.guess),
         travel=list(given.travel),
-        pose=None if given.pose is None else os.fspath(given.pose),
+        pose=given.pose if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
         lock=list(given.lock),
         hold=list(given.hold),
         armature=dict(given.armature),
@@ -224,16 +233,17 @@ def check(model: Model) -> records.CheckReport:
 
 @checked
 def mass(
-    model: Model, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
+    model: _Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> records.MassReport:
     """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
     contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``."""
-    return records.MassReport.of(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
+    model, conditions = _asked(model, conditions)
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, contact, conditions, damping)))
 
 
 @checked
 def sweep_report(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     conditions: Conditions | None = None,
     *,
@@ -252,13 +262,14 @@ def sweep_report(
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
     Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
     """
+    model, conditions = _asked(model, conditions)
     rows = _rows(vary, input, ignore, random, seed)
-    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows, gradient)))
+    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, conditions, *rows, gradient)))
 
 
 @checked
 def map(
-    model: Model,
+    model: _Of,
     conditions: Conditions | None = None,
     *,
     against: str | None = None,
@@ -273,21 +284,23 @@ def map(
     "visual".
     edge: longest edge of a facet, m. packages: folders of ``package://`` names.
     """
+    model, conditions = _asked(model, conditions)
     folders = [(name, os.fspath(path)) for name, path in (packages or {}).items()]
     named = None if links is None else list(links)
     if named == []:
         raise InputError("links is empty; expected names of links, or None for all links with a shape")
-    report, facets, svg = _percuss.map_report(model, _asked(conditions), against, named, shapes, edge, folders)
+    report, facets, svg = _percuss.map_report(model, conditions, against, named, shapes, edge, folders)
     return MapReport(json.loads(report), facets, svg)
 
 
 @checked
 def map_point(
-    model: Model, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
+    model: _Of, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> records.PointMapReport:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
     not used."""
-    return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
+    model, conditions = _asked(model, conditions)
+    return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, contact, conditions, directions)))
 
 
 @checked
@@ -298,15 +311,16 @@ def damp(mass: float, damping: Damping) -> records.DampingReport:
 
 @checked
 def damp_contact(
-    model: Model, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
+    model: _Of, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
 ) -> records.DampingReport:
     """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
-    return records.DampingReport.of(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
+    model, conditions = _asked(model, conditions)
+    return records.DampingReport.of(json.loads(_percuss.damp(model, contact, None, conditions, damping)))
 
 
 @checked
 def damp_stop(
-    model: Model,
+    model: _Of,
     joint: str,
     damping: Damping,
     conditions: Conditions | None = None,
@@ -315,7 +329,8 @@ def damp_stop(
 ) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
     damp --limit``."""
-    return records.DampingReport.of(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
+    model, conditions = _asked(model, conditions)
+    return records.DampingReport.of(json.loads(_percuss.damp(model, None, (joint, end), conditions, damping)))
 
 
 @checked
@@ -326,37 +341,40 @@ def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray
 
 
 @checked
-def explain(model: Model, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
+def explain(model: _Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``."""
-    found = json.loads(_percuss.explain(model, contact, _asked(conditions)))
+    model, conditions = _asked(model, conditions)
+    found = json.loads(_percuss.explain(model, contact, conditions))
     return None if found is None else records.Explanation.of(found)
 
 
 @checked
 def friction_thresholds(
-    model: Model, contact: Contact | str, conditions: Conditions | None = None
+    model: _Of, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
     has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``."""
-    found = json.loads(_percuss.friction_thresholds(model, contact, _asked(conditions)))
+    model, conditions = _asked(model, conditions)
+    found = json.loads(_percuss.friction_thresholds(model, contact, conditions))
     return None if found is None else records.FrictionThresholdsRecord.of(found)
 
 
 @checked
 def reflected_inertias(
-    model: Model, joints: Sequence[str], conditions: Conditions | None = None
+    model: _Of, joints: Sequence[str], conditions: Conditions | None = None
 ) -> records.ReflectedReport:
     """Inertias reflected to joints: with all other joints free, and with the other driving joints at rest. joints: "JOINT" for the
     inertia at the pose; "JOINT=FROM:TO:COUNT" for the inertia over a range of positions, with two substitutes for simulators without
     loops. As ``percuss impact --reflected`` without a contact."""
-    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), _asked(conditions))))
+    model, conditions = _asked(model, conditions)
+    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), conditions)))
 
 
 @checked
 def tolerate(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     tolerance: str,
     conditions: Conditions | None = None,
@@ -367,8 +385,9 @@ def tolerate(
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
     --tolerance``."""
+    model, conditions = _asked(model, conditions)
     drawn = None if samples is None else (samples, seed)
-    found = json.loads(_percuss.tolerate(model, contact, _asked(conditions), tolerance, drawn))
+    found = json.loads(_percuss.tolerate(model, contact, conditions, tolerance, drawn))
     return None if found is None else records.ToleranceReport.of(found)
 
 
@@ -386,7 +405,7 @@ def compare(
     random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
     if len(designs) < 2:
         raise InputError(f"designs has {len(designs)} entries; expected two at least")
-    asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
+    asked = [Design(d.name, model, d.contact, given) for d in designs for model, given in [_asked(d.model, d.conditions)]]
     return records.ComparisonReport.of(_with_rows(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
 
 
@@ -398,7 +417,7 @@ def compare_study(path: str | os.PathLike[str], name: str = "as given") -> recor
 
 @checked
 def impact(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     restitution: float,
     conditions: Conditions | None = None,
@@ -414,7 +433,7 @@ def impact(
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
     restitution_law: Literal["energetic", "poisson", "newton", "algebraic"] | None = None,
-    also: Sequence[str] = (),
+    also: Sequence[Contact | str] = (),
     sticking: bool = False,
     stiffness_ratio: Sequence[float] = (),
     contact_exponent: float | None = None,
@@ -433,7 +452,7 @@ def impact(
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
     joints whose reflected inertia is added. percussion: joints, loop closures or "ground" whose centre of percussion is added,
     "JOINT" in the tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
-    contacts that touch at the same time: the name of a contact, a point "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal
+    contacts that touch at the same time: a Contact, the name of a contact, a point "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal
     in world axes), a moment "LINK:about:X,Y,Z" (axis in the link's frame), a cable "LINK:X,Y,Z=LINK:X,Y,Z", or a stop
     "JOINT:upper"; "=OTHER" after a point or a moment gives another link on the other side. stiffness_ratio and contact_exponent:
     their stiffnesses relative to the first, and the exponent of their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
@@ -441,22 +460,23 @@ def impact(
     gears (N·m·s or N·s) or, as text with a unit, largest torques ("80N·m"; requires stiffness), for the greatest closing speed.
     point_error: largest displacement of the contact point (m), for the worst impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
+    model, conditions = _asked(model, conditions)
     if in_time and stiffness is None:
         raise InputError("in_time: the impact in time requires stiffness, that of the contact")
     if in_time and friction is not None:
         raise InputError("in_time: the impact in time has no friction; expected friction=None")
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
     asked = _Impact(
-        restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
+        restitution, speed, friction, restitution_law, list(also), also_restitution, sticking, stiffness_ratio, contact_exponent,
         rates or {}, base_twist, damping, in_time, gravity, joint_spring or {}, rate_limit or {}, gear_limit or {}, point_error, reflected,
         percussion,
     )
-    return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
+    return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, conditions, asked)))
 
 
 @checked
 def extremes(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     conditions: Conditions | None = None,
     *,
@@ -481,15 +501,16 @@ def extremes(
     keep: links or points that stay in place, "LINK", "LINK:X,Y,Z" or "LINK:X,Y,Z:NX,NY,NZ" (m, link's frame; direction in world axes): the
     search covers the self-motion. A path replaces the ranges. vary: one range of a joint or of a travel. input: a file of positions,
     without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``."""
+    model, conditions = _asked(model, conditions)
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
     return records.ExtremesReport.of(json.loads(_percuss.extremes(
-        model, contact, _asked(conditions), given, quantity, normals, starts, list(keep), contact_law, _rows(vary, input, ignore, None, 0)
+        model, contact, conditions, given, quantity, normals, starts, list(keep), contact_law, _rows(vary, input, ignore, None, 0)
     )))
 
 
 @checked
 def safe_speed(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     region: str | None,
     conditions: Conditions | None = None,
@@ -510,14 +531,15 @@ def safe_speed(
     with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
     pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
     ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
+    model, conditions = _asked(model, conditions)
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load)
     rows = _rows(vary, input, ignore, random, seed)
-    return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
+    return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, contact, conditions, speed, *rows))[0])
 
 
 @checked
 def safe_speed_directions(
-    model: Model,
+    model: _Of,
     contact: Contact | str,
     region: str | None,
     directions: Sequence[Sequence[float]],
@@ -533,6 +555,7 @@ def safe_speed_directions(
 ) -> list[records.SafeSpeedReport]:
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
     direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
+    model, conditions = _asked(model, conditions)
     along = [[float(x) for x in direction] for direction in directions]
     for number, direction in enumerate(along):
         if len(direction) != 3 or not np.isfinite(direction).all():
@@ -540,7 +563,7 @@ def safe_speed_directions(
     if not along and not worst:
         raise InputError("directions: none is given; give at least one, or worst=True")
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load, along, worst)
-    found = _percuss.safe_speed(model, contact, _asked(conditions), speed, None, None, None)
+    found = _percuss.safe_speed(model, contact, conditions, speed, None, None, None)
     return [records.SafeSpeedReport.of(report) for report in json.loads(found)]
 
 

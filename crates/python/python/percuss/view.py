@@ -54,7 +54,7 @@ def _line(colour: int, width: int) -> Any:
 
 def show(
     pose: Pose,
-    contact: Contact | None = None,
+    contact: Contact | str | None = None,
     *,
     report: MapReport | None = None,
     scale: float | None = None,
@@ -85,6 +85,7 @@ def show(
         ball.set_object(shapes.Sphere(0.01 * size), shapes.MeshLambertMaterial(color=_LINKS))
         ball.set_transform(_place(np.eye(3), origin))
     if contact is not None:
+        contact = pose.model.contact(contact) if isinstance(contact, str) else contact
         response = pose.respond(contact)
         frame = pose.link_frame(contact.link, frame="root")
         point = frame[:3, :3] @ np.asarray(contact.point) + frame[:3, 3]

@@ -1,9 +1,11 @@
 //! Contacts, with links given by name.
 
 use crate::conversion::arrays::triple;
-use crate::conversion::errors::{extract, input, of_argument};
+use crate::conversion::errors::{self, extract, input, of_argument};
 use percuss::nalgebra::Vector3;
+use percuss::study::contact_of_text;
 use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 
@@ -241,6 +243,44 @@ impl Contact {
             }
         };
         format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
+    }
+}
+
+/// Contact of a question: a `percuss.Contact`, or the name of a contact of the model.
+pub enum GivenContact<'py> {
+    /// Name of a contact of the model, or a contact as text.
+    Named(String),
+    /// Contact by link, point and normal.
+    Contact(Bound<'py, Contact>),
+}
+
+impl<'py> FromPyObject<'_, 'py> for GivenContact<'py> {
+    type Error = PyErr;
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(contact) = given.cast::<Contact>() {
+            return Ok(Self::Contact(contact.to_owned()));
+        }
+        given.extract().map(Self::Named).map_err(|_: PyErr| {
+            let kind = given.get_type().name();
+            PyTypeError::new_err(match kind {
+                Ok(kind) => format!(
+                    "{kind} is no contact; expected a Contact, or the name of a contact (Model.contacts)"
+                ),
+                Err(error) => error.to_string(),
+            })
+        })
+    }
+}
+
+impl GivenContact<'_> {
+    /// Resolves the names of links, or of the contact, in a mechanism.
+    pub fn resolve(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
+        match self {
+            Self::Contact(contact) => contact.get().resolve(mechanism),
+            Self::Named(name) => {
+                contact_of_text(mechanism, name).map_err(|error| of_argument("contact")(errors::study(error)))
+            }
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! Python methods of a model: names, and construction of systems, assemblies and poses.
 
+use crate::analysis::contact::Contact;
 use crate::analysis::model::{Joint, Model};
 use crate::analysis::pose::Pose;
 use crate::analysis::system::{Assembly, System, position_names, velocity_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
 use crate::conversion::threads::abandonable;
-use percuss::study::Changes;
+use percuss::study::{Changes, contact_of_text};
 use percuss::{JointKind, write_mjcf, write_sdf, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -69,6 +70,14 @@ impl Model {
     #[getter]
     fn contacts(&self) -> Vec<&str> {
         self.read.mechanism.contacts().iter().map(|contact| contact.name()).collect()
+    }
+
+    /// The contact of a name (Model.contacts), or of a text as for impact(also=…), such as "JOINT:upper". Its point, normal and links are
+    /// those of the model; a gap is not part of it.
+    fn contact(&self, name: &str) -> PyResult<Contact> {
+        let found = contact_of_text(&self.read.mechanism, name);
+        let found = found.map_err(|error| errors::of_argument("name")(errors::study(error)))?;
+        Ok(Contact::of_resolved(&self.read.mechanism, &found))
     }
 
     /// Number of positions of a configuration: the positions of all joints together.

@@ -1,6 +1,6 @@
 //! Motions of a mechanism at a pose: the travel of a point, accelerations under forces, the rate of m̄.
 
-use crate::analysis::contact::Contact;
+use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::analysis::pose::Pose;
 use crate::analysis::system::{configuration, numbers};
@@ -225,7 +225,7 @@ fn twist(given: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Twist<f64>> {
 pub fn effective_mass_rate(
     py: Python<'_>,
     pose: &Pose,
-    contact: &Contact,
+    contact: &GivenContact<'_>,
     given: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Option<f64>> {
     let velocities = velocities(&pose.model.read.mechanism, given).map_err(of_argument("velocities"))?;
@@ -238,7 +238,7 @@ pub fn effective_mass_rate(
 pub fn effective_mass_gradient(
     py: Python<'_>,
     pose: &Pose,
-    contact: &Contact,
+    contact: &GivenContact<'_>,
 ) -> PyResult<Option<MassGradient>> {
     let contact = contact.resolve(&pose.model.read.mechanism)?;
     let coordinates = pose.pose.positions().len();

@@ -1,6 +1,6 @@
 //! Python methods of a pose.
 
-use crate::analysis::contact::Contact;
+use crate::analysis::contact::GivenContact;
 use crate::analysis::maps::{Answers, contact_map, principal_masses};
 use crate::analysis::model::Model;
 use crate::analysis::motion::{
@@ -20,13 +20,13 @@ use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
 use percuss::spatial::Transform;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyAny, PyDict};
+use pyo3::types::{IntoPyDict, PyAny, PyDict};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 impl Pose {
     /// The contact resolved at this pose.
-    fn located(&self, contact: &Contact) -> PyResult<LocatedContact> {
+    fn located(&self, contact: &GivenContact<'_>) -> PyResult<LocatedContact> {
         self.pose.locate(&contact.resolve(&self.model.read.mechanism)?).map_err(input)
     }
 }
@@ -119,8 +119,12 @@ impl Pose {
     }
 
     /// j: closing speed of the gap at unit rates, m, 1; (n,).
-    fn contact_row<'py>(&self, py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_vec(py, self.pose.contact_row(&self.located(contact)?)))
+    fn contact_row<'py>(
+        &self,
+        py: Python<'py>,
+        contact: GivenContact<'_>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.pose.contact_row(&self.located(&contact)?)))
     }
 
     /// Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
@@ -146,10 +150,10 @@ impl Pose {
     fn inverse_operational_inertia<'py>(
         &self,
         py: Python<'py>,
-        contact: &Contact,
+        contact: GivenContact<'_>,
         frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (located, axes) = (self.located(contact)?, self.axes(frame)?);
+        let (located, axes) = (self.located(&contact)?, self.axes(frame)?);
         let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
         let mut turned = phi.matrix().clone_owned();
         for (row, column) in (0..12).step_by(3).flat_map(|row| (0..12).step_by(3).map(move |c| (row, c))) {
@@ -196,10 +200,10 @@ impl Pose {
     fn effective_mass_rate(
         &self,
         py: Python<'_>,
-        contact: &Contact,
+        contact: GivenContact<'_>,
         velocities: &Bound<'_, PyDict>,
     ) -> PyResult<Option<f64>> {
-        effective_mass_rate(py, self, contact, Some(velocities))
+        effective_mass_rate(py, self, &contact, Some(velocities))
     }
 
     /// Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
@@ -209,9 +213,9 @@ impl Pose {
     fn effective_mass_gradient<'py>(
         &self,
         py: Python<'py>,
-        contact: &Contact,
+        contact: GivenContact<'_>,
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(gradient) = effective_mass_gradient(py, self, contact)? else { return Ok(None) };
+        let Some(gradient) = effective_mass_gradient(py, self, &contact)? else { return Ok(None) };
         by_joint(py, &self.model.read.mechanism, &gradient.joints).map(Some)
     }
 
@@ -272,7 +276,7 @@ impl Pose {
 
     /// m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
     #[pyo3(signature = (contact, *, route="auto"))]
-    fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
+    fn respond(&self, py: Python<'_>, contact: GivenContact<'_>, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.resolve(&self.model.read.mechanism)?, route_choice(route)?);
         let coordinates = self.pose.positions().len();
         let response =
@@ -280,6 +284,14 @@ impl Pose {
                 .map_err(errors::response)?;
         let own = self.clone();
         Ok(Response { pose: own, contact, route, masses: Vec::new(), response })
+    }
+
+    /// Conditions of the system, and the pose.
+    #[getter]
+    fn _conditions<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        let conditions = slf.get().system.keywords(slf.py())?.into_py_dict(slf.py())?;
+        conditions.set_item("pose", slf)?;
+        Ok(conditions)
     }
 
     /// Pickles a pose as its system or assembly, and all positions. The loops are closed again: to rounding.

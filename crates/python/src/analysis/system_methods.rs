@@ -1,6 +1,6 @@
 //! Python methods of systems and assemblies, and workspaces for one configuration after another.
 
-use crate::analysis::contact::Contact;
+use crate::analysis::contact::{Contact, GivenContact};
 use crate::analysis::model::Model;
 use crate::analysis::pose::Pose;
 use crate::analysis::response::status;
@@ -23,7 +23,7 @@ use percuss::{
 };
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyAny, PyDict, PyTuple};
+use pyo3::types::{IntoPyDict, PyAny, PyDict, PyTuple};
 use std::sync::Arc;
 
 #[pymethods]
@@ -85,18 +85,20 @@ impl System {
         Ok(Pose { model: self.model.clone(), system: self.clone(), guess: Arc::default(), pose })
     }
 
+    /// Conditions as given: the arguments of Model.system.
+    #[getter]
+    fn _conditions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.keywords(py)?.into_py_dict(py)
+    }
+
     /// Pickles a system as its model and the conditions as given.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
-        let GivenConditions { base, lock, armature, hold } = &*self.conditions;
-        let holds =
-            hold.iter().cloned().map(|hold| hold.into_bound_py_any(py)).collect::<PyResult<Vec<_>>>()?;
-        let keywords = [
-            ("base", base_name(*base).into_bound_py_any(py)?),
-            ("lock", lock.into_bound_py_any(py)?),
-            ("armature", by_name(py, armature)?.into_any()),
-            ("hold", holds.into_bound_py_any(py)?),
-        ];
-        result_of(self.model.clone().into_bound_py_any(py)?, "system", PyTuple::empty(py), &keywords)
+        result_of(
+            self.model.clone().into_bound_py_any(py)?,
+            "system",
+            PyTuple::empty(py),
+            &self.keywords(py)?,
+        )
     }
 
     fn __repr__(&self) -> String {
@@ -106,6 +108,21 @@ impl System {
             self.model.read.mechanism.name(),
             self.system.coordinates()
         )
+    }
+}
+
+impl System {
+    /// Conditions as given: names and values of the arguments of Model.system.
+    pub fn keywords<'py>(&self, py: Python<'py>) -> PyResult<[(&'static str, Bound<'py, PyAny>); 4]> {
+        let GivenConditions { base, lock, armature, hold } = &*self.conditions;
+        let holds =
+            hold.iter().cloned().map(|hold| hold.into_bound_py_any(py)).collect::<PyResult<Vec<_>>>()?;
+        Ok([
+            ("base", base_name(*base).into_bound_py_any(py)?),
+            ("lock", lock.into_bound_py_any(py)?),
+            ("armature", by_name(py, armature)?.into_any()),
+            ("hold", holds.into_bound_py_any(py)?),
+        ])
     }
 }
 
@@ -207,11 +224,23 @@ impl Assembly {
     /// Workspace of a contact, for one configuration after another. base_pose: pose of the root link in the world, for
     /// normals in the world; as for pose.
     #[pyo3(signature = (contact, *, base_pose=None))]
-    fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
+    fn workspace(
+        &self,
+        contact: GivenContact<'_>,
+        base_pose: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Workspace> {
         let base = base_pose.map(root_frame).transpose()?;
         let contact = contact.resolve(&self.model.read.mechanism)?;
         let batch = self.assembly.batch(&in_root_axes(contact, base.as_ref())).map_err(errors::response)?;
         Ok(Workspace { of: self.clone(), contact, base, batch, last: None, positions: Vec::new() })
+    }
+
+    /// Conditions of the system, and the guess.
+    #[getter]
+    fn _conditions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let conditions = self.system.keywords(py)?.into_py_dict(py)?;
+        conditions.set_item("guess", by_name(py, &self.guess)?)?;
+        Ok(conditions)
     }
 
     /// Pickles an assembly as its system and the guess.

@@ -1,9 +1,10 @@
 //! Dampers for a given restitution, simulator parameters, and the available laws, simulators and body regions.
 
+use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
 use crate::conversion::threads::{abandonable, interruptible};
-use crate::questions::question::{Conditions, Damping, GivenContact};
+use crate::questions::question::{Conditions, Damping};
 use crate::questions::reports::json;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::contact::exports::Tool;

@@ -1,10 +1,12 @@
 //! Rigid impact of a contact.
 
+use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::conversion::arrays::list;
-use crate::conversion::errors::input;
-use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows};
+use crate::conversion::errors::{input, of_argument};
+use crate::questions::question::{Conditions, Damping, optional_rows};
 use crate::questions::reports::contact_report;
+use percuss::Mechanism;
 use percuss::impact::RestitutionLaw;
 use percuss::study::{
     self, ExtremesQuestion, FurtherContact, GivenGearLimits, GivenRange, GivenRates, GivenSpring,
@@ -21,7 +23,7 @@ pub struct Impact<'py> {
     speed: Option<f64>,
     friction: Option<f64>,
     restitution_law: Option<String>,
-    also: Vec<String>,
+    also: Vec<GivenContact<'py>>,
     also_restitution: Vec<f64>,
     sticking: bool,
     stiffness_ratios: Vec<f64>,
@@ -70,13 +72,16 @@ fn law(name: &str) -> PyResult<RestitutionLaw> {
 
 impl Impact<'_> {
     /// Converts the fields to a question of the study crate.
-    fn question(&self) -> PyResult<ImpactQuestion> {
+    fn question(&self, mechanism: &Mechanism) -> PyResult<ImpactQuestion> {
         let percussion = |text: &String| {
             text.parse::<PercussionRequest>()
                 .map_err(|error| input(format_args!("percussion: \"{text}\": {error}")))
         };
-        let further = |text: &String| {
-            text.parse::<FurtherContact>().map_err(|error| input(format_args!("also: \"{text}\": {error}")))
+        let further = |given: &GivenContact<'_>| match given {
+            GivenContact::Named(text) => text
+                .parse::<FurtherContact>()
+                .map_err(|error| input(format_args!("also: \"{text}\": {error}"))),
+            contact => contact.resolve(mechanism).map(FurtherContact::Resolved).map_err(of_argument("also")),
         };
         if self.restitution_law.is_some() && self.friction.is_none() {
             return Err(input("restitution_law: without friction it has no effect; give friction too"));
@@ -154,7 +159,7 @@ pub fn impact(
     conditions: Conditions<'_>,
     impact: Impact<'_>,
 ) -> PyResult<String> {
-    let requested = impact.question()?;
+    let requested = impact.question(&model.read.mechanism)?;
     contact_report(py, model, contact, &conditions, |model, question| {
         study::impact(model, question, &requested)
     })

@@ -2,12 +2,15 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::interruptible;
+use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::reports::json;
 use percuss::study::{
     self, AxlePosition, KinematicVariable, KinematicsQuestion, TorqueReaction, VehicleData, WheelMotion,
 };
+use percuss::{DEFAULT_MAX_SIZE, LoadOptions};
 use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Value of a variable, m: one number, or one number for each row.
 #[derive(FromPyObject)]
@@ -120,11 +123,29 @@ impl Question {
     }
 }
 
+/// Suspension: a model, or the path of a file, whose masses may be missing.
+#[derive(FromPyObject)]
+pub enum Suspension<'py> {
+    Read(Bound<'py, Model>),
+    File(PathBuf),
+}
+
 /// Report on the kinematics of a suspension.
 #[pyfunction]
-pub fn kinematics(py: Python<'_>, model: &Model, question: Question) -> PyResult<String> {
+pub fn kinematics(py: Python<'_>, model: Suspension<'_>, question: Question) -> PyResult<String> {
     let question = question.question()?;
-    let report = interruptible(py, || study::kinematics(&model.read, &question))?;
+    let read = match model {
+        Suspension::Read(model) => Arc::clone(&model.get().read),
+        Suspension::File(path) => {
+            let path = path.to_string_lossy().into_owned();
+            let options = LoadOptions::default();
+            let read = move || study::Model::load_for_kinematics(&path, DEFAULT_MAX_SIZE, &options, None);
+            let read = abandonable(py, true, read)?.map_err(errors::load)?;
+            errors::warn(py, &read.diagnostics)?;
+            Arc::new(read)
+        }
+    };
+    let report = interruptible(py, || study::kinematics(&read, &question))?;
     json(&report.map_err(|error| match error {
         study::KinematicsError::Study(error) => errors::study(error),
         error => input(error),

@@ -1,11 +1,13 @@
 //! Questions of the study crate, from the package's dataclasses.
 
-use crate::analysis::contact::{Contact, frame};
+use crate::analysis::contact::{GivenContact, frame};
+use crate::analysis::pose::Pose;
 use crate::analysis::system::{base, link_point_vector, numbers};
 use crate::conversion::arrays::{list, triple};
 use crate::conversion::errors::{input, of_argument};
 use percuss::contact::Separation;
 use percuss::contact::exports::Tool;
+use percuss::spatial::Transform;
 use percuss::study::{
     DampingQuestion, EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Moved,
     Normal, Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
@@ -22,7 +24,7 @@ pub struct Conditions<'py> {
     set: Option<Bound<'py, PyDict>>,
     guess: Option<Bound<'py, PyDict>>,
     travel: Vec<Bound<'py, PyAny>>,
-    pose: Option<String>,
+    pose: Option<PositionsOf<'py>>,
     lock: Vec<String>,
     hold: Vec<Bound<'py, PyAny>>,
     armature: Option<Bound<'py, PyDict>>,
@@ -81,9 +83,26 @@ fn travel(given: &Bound<'_, PyAny>) -> PyResult<GivenTravel> {
     Ok(GivenTravel { moved: Moved::Point { link, point, direction }, distance: distance.value })
 }
 
-/// Reads the file of joint positions.
-fn pose(path: &str) -> PyResult<GivenPose> {
-    GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|error| input(format_args!("pose: {error}")))
+/// Positions of all joints: a file, or a pose of the model.
+#[derive(FromPyObject)]
+enum PositionsOf<'py> {
+    Pose(Bound<'py, Pose>),
+    File(String),
+}
+
+impl PositionsOf<'_> {
+    /// Reads the positions.
+    fn read(&self) -> PyResult<GivenPose> {
+        let read = match self {
+            Self::File(path) => GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(input),
+            Self::Pose(pose) if *pose.get().pose.base() != Transform::identity() => Err(input(
+                "the pose has a base_pose, and a report has the root link at the world's origin; expected a pose without \
+                 base_pose, and vectors in the axes of the root link",
+            )),
+            Self::Pose(pose) => GivenPose::from_pose(&pose.get().pose).map_err(input),
+        };
+        read.map_err(of_argument("pose"))
+    }
 }
 
 /// Point of a motion ratio from (link, point) or (link, point, direction).
@@ -107,7 +126,7 @@ impl Conditions<'_> {
             set: positions(self.set.as_ref(), "set").map_err(of_argument("set"))?,
             guess: positions(self.guess.as_ref(), "guess").map_err(of_argument("guess"))?,
             travel: self.travel.iter().map(travel).collect::<PyResult<_>>().map_err(of_argument("travel"))?,
-            pose: self.pose.as_deref().map(pose).transpose()?,
+            pose: self.pose.as_ref().map(PositionsOf::read).transpose()?,
             lock: self.lock.clone(),
             hold: self.hold.iter().map(hold).collect::<PyResult<_>>().map_err(of_argument("hold"))?,
             armature: numbers(self.armature.as_ref(), "armature").map_err(of_argument("armature"))?,
@@ -145,15 +164,6 @@ impl Conditions<'_> {
             ..question
         })
     }
-}
-
-/// Contact of a question: a `percuss.Contact`, or the name of a contact of the model.
-#[derive(FromPyObject)]
-pub enum GivenContact<'py> {
-    /// Name of a contact of the model.
-    Named(String),
-    /// Contact by link, point and normal.
-    Contact(Bound<'py, Contact>),
 }
 
 /// Python class `percuss.Damping`.

@@ -1,10 +1,11 @@
 //! Reports of the command line as JSON text; the Python package converts them to dicts.
 
+use crate::analysis::contact::GivenContact;
 use crate::analysis::maps::code;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::{abandonable, interruptible};
-use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
+use crate::questions::question::{Conditions, Damping, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::study::{
     self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,

@@ -5,7 +5,7 @@ pub(crate) mod portions;
 pub(crate) mod row_contacts;
 pub(crate) mod rows;
 
-use crate::analysis::contact::Contact;
+use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::analysis::system::{Assembly, System, position_names};
 use crate::analysis::system_methods::in_root_axes;
@@ -126,7 +126,7 @@ fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, 
 pub fn sweep(
     py: Python<'_>,
     model: &Bound<'_, PyAny>,
-    contact: &Contact,
+    contact: GivenContact<'_>,
     q: &Bound<'_, PyAny>,
     joints: Option<&Bound<'_, PyAny>>,
     base_pose: Option<&Bound<'_, PyAny>>,
@@ -230,7 +230,7 @@ pub fn sweep(
         remarks: remarks.unbind(),
         gradient,
         inverse_operational_inertia,
-        link: contact.link.clone(),
+        link: model.read.mechanism.link(given.link).name().to_owned(),
         no_answer,
     })
 }

@@ -6,8 +6,10 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
+use crate::thresholds::CHECKED_MESHES;
 use percuss_dynamics::{Base, Conditions, System};
-use percuss_mechanism::{Geometry, Mechanism};
+use percuss_formats::inertias_beyond_meshes;
+use percuss_mechanism::{Geometry, Mechanism, Subject};
 use serde::Serialize;
 
 /// Report of `percuss check`, as JSON.
@@ -129,6 +131,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let pose = system.pose(&system.configuration())?;
     let assembly = pose.assembly();
     let mut diagnostics = model.diagnostics.clone();
+    diagnostics.extend(mesh_diagnostics(model));
     diagnostics
         .extend(collect_pose_findings(&system, &pose, Names::Fields).into_iter().map(DiagnosticRecord::from));
     Ok(CheckReport {
@@ -153,6 +156,25 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         poses: model.poses.iter().map(|pose| pose.name.clone()).collect(),
         diagnostics,
+    })
+}
+
+/// Warnings about inertias that no mass inside the meshes of a link has; the readers do not open meshes.
+fn mesh_diagnostics(model: &Model) -> impl Iterator<Item = DiagnosticRecord> {
+    let folders = model.mesh_folders(Vec::new());
+    let found = inertias_beyond_meshes(&model.mechanism, &model.shapes, &folders, CHECKED_MESHES);
+    let path = model.inputs.first().map(|input| input.path.clone());
+    found.into_iter().map(move |(subject, problem)| DiagnosticRecord {
+        severity: problem.severity(),
+        code: problem.code(),
+        path: path.clone(),
+        line: None,
+        column: None,
+        element: match subject {
+            Subject::Link { name, .. } => Some(format!("link[{name}]")),
+            _ => None,
+        },
+        message: problem.to_string(),
     })
 }
 

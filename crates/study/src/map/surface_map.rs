@@ -21,7 +21,6 @@ use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::LinkId;
 use rayon::prelude::*;
 use std::cell::RefCell;
-use std::path::Path;
 
 /// Number of contacts per work item of a thread.
 const CONTACTS_PER_TASK: usize = 1 << 14;
@@ -57,9 +56,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     found.extend(prepared.guess_findings(&pose));
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
-    let path = model.inputs.first().map_or("", |input| &input.path);
-    let files = model.origin.files.clone();
-    let folders = MeshFolders { files, ..MeshFolders::of_model(Path::new(path), question.packages.clone()) };
+    let folders = model.mesh_folders(question.packages.clone());
     let meshes = RefCell::new(Vec::new());
     let context = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());

@@ -5,14 +5,14 @@ use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{
-    DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, NamedPose, OpenFile, Shape,
-    SharedFiles, Source, load,
+    DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, MeshFolders, NamedPose,
+    OpenFile, Shape, SharedFiles, Source, load,
 };
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Source file of a result.
@@ -144,6 +144,12 @@ impl Model {
         self.origin.sheet.as_ref().map_or(LengthUnit::Millimetre, |sheet| sheet.unit.of_results())
     }
 
+    /// Folders of the model's meshes, with those of packages by name.
+    pub(crate) fn mesh_folders(&self, packages: Vec<(String, PathBuf)>) -> MeshFolders {
+        let path = self.inputs.first().map_or("", |input| &input.path);
+        MeshFolders { files: self.origin.files.clone(), ..MeshFolders::of_model(Path::new(path), packages) }
+    }
+
     /// True for a model read from a suspension's sheet, table or JSON.
     pub fn has_sheet(&self) -> bool {
         self.origin.sheet.is_some()
@@ -186,24 +192,21 @@ impl Model {
         Self::read_source(&Source::read(path, max_size)?, options, worksheet, true)
     }
 
-    /// Reads a file that another file names, as [`load_worksheet`](Self::load_worksheet); a pipe, which could wait for its other end, is
-    /// refused.
+    /// Reads a file that another file names, as [`load_worksheet`](Self::load_worksheet), or as
+    /// [`load_for_kinematics`](Self::load_for_kinematics) if masses are optional.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for these; a pipe.
     pub(crate) fn load_named(
         path: &str,
         max_size: u64,
         options: &LoadOptions,
         worksheet: Option<&str>,
+        masses_optional: bool,
     ) -> Result<Self, LoadError> {
-        let of_model = path.rsplit_once('#').map(|(file, _)| file);
-        let is_pipe = |path: &str| FileSystem.kind(Path::new(path)).is_ok_and(|kind| kind == FileKind::Other);
-        if [Some(path), of_model].into_iter().flatten().any(is_pipe) {
-            return Err(LoadError::of_file(
-                path,
-                "no-file",
-                "this is no file, but a pipe or a device; name a file",
-            ));
-        }
-        Self::load_worksheet(path, max_size, options, worksheet)
+        refuse_pipe(path)?;
+        path.rsplit_once('#').map_or(Ok(()), |(file, _)| refuse_pipe(file))?;
+        Self::read_source(&Source::read(path, max_size)?, options, worksheet, masses_optional)
     }
 
     /// Reads a URDF, an MJCF, an SDF or a suspension's sheet from memory.
@@ -306,4 +309,14 @@ impl Model {
         };
         Ok((model, names))
     }
+}
+
+/// Refuses a named pipe or a device, which could wait for its other end. A stream that the process has open, such as /dev/stdin, is read.
+pub(crate) fn refuse_pipe(path: &str) -> Result<(), LoadError> {
+    let is_open = ["/dev/stdin", "/dev/fd/", "/proc/self/fd/"].iter().any(|open| path.starts_with(open));
+    if !is_open && FileSystem.kind(Path::new(path)).is_ok_and(|kind| kind == FileKind::Other) {
+        let message = "this is no file, but a pipe or a device; name a file";
+        return Err(LoadError::of_file(path, "no-file", message));
+    }
+    Ok(())
 }

@@ -4,9 +4,12 @@ use crate::model::loading::{Input, Model, hexadecimal};
 use crate::question::field::Names;
 use crate::values::message_text::truncate_for_message;
 use crate::values::position::GivenPosition;
+
 use crate::values::value;
+use percuss_dynamics::Pose;
 use percuss_formats::Source;
-use percuss_mechanism::{Joint, Mechanism};
+use percuss_mechanism::{Joint, JointId, Mechanism};
+use percuss_units::QuantityError;
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
@@ -187,7 +190,28 @@ impl<'de> Visitor<'de> for UniqueKeys {
     }
 }
 
+/// True for a movable joint that is no mimic.
+fn is_free(joint: &Joint) -> bool {
+    joint.kind().dofs() > 0 && joint.mimic().is_none()
+}
+
 impl GivenPose {
+    /// Positions of a pose of the model, without a file.
+    ///
+    /// # Errors
+    /// A position that is no finite number.
+    pub fn from_pose(pose: &Pose) -> Result<Self, QuantityError> {
+        let mechanism = pose.mechanism();
+        let free = |id: &JointId| is_free(mechanism.joint(*id));
+        let position = |id: JointId| {
+            let position = GivenPosition::from_numbers(pose.joint(id))?;
+            Ok((mechanism.joint(id).name().to_owned(), position))
+        };
+        let positions = mechanism.joint_ids().filter(free).map(position).collect::<Result<_, _>>()?;
+        let input = Input { path: "the pose".to_owned(), sha256: String::new() };
+        Ok(Self { input, positions, source_model: None, name: None })
+    }
+
     /// Reads a file of at most `max_size` bytes: the `pose` of a JSON result, or an object with a position (a number, a
     /// list, text with units) for each joint. `-` is the standard input.
     ///
@@ -278,7 +302,7 @@ impl GivenPose {
 
     /// File of the pose; `None` for a pose of the model.
     pub(crate) fn file(&self) -> Option<&Input> {
-        self.name.is_none().then_some(&self.input)
+        (!self.input.sha256.is_empty()).then_some(&self.input)
     }
 
     /// True if every movable joint that is no mimic has a position.
@@ -288,8 +312,8 @@ impl GivenPose {
 
     /// First movable joint without a position.
     fn missing<'m>(&self, mechanism: &'m Mechanism) -> Option<&'m Joint> {
-        let free = |joint: &&Joint| joint.kind().dofs() > 0 && joint.mimic().is_none();
-        mechanism.joints().iter().filter(free).find(|joint| !self.positions.contains_key(joint.name()))
+        let is_missing = |joint: &&Joint| is_free(joint) && !self.positions.contains_key(joint.name());
+        mechanism.joints().iter().find(is_missing)
     }
 
     /// Refuses a result for another model. An object of joints and positions is not checked here.

@@ -7,8 +7,9 @@ use crate::question::field::Field;
 use crate::question::mass_question::{Hold, MassQuestion, Normal};
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
-use percuss_dynamics::{Contact, Frame};
+use percuss_dynamics::{Contact, Direction, Frame};
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, near_names};
+use percuss_spatial::Vector3;
 use serde::Serialize;
 
 /// Stop of a joint, in reports.
@@ -85,6 +86,8 @@ pub enum FurtherContact {
         /// True for the upper limit: the stop acts against a positive rate.
         is_upper: bool,
     },
+    /// Contact of the mechanism of the question.
+    Resolved(Contact),
 }
 
 /// Forms of a contact as text, for messages.
@@ -138,6 +141,53 @@ impl std::str::FromStr for FurtherContact {
                 Ok(Self::Cable { link, point, other: end.link, end: end.point })
             }
             (None, None) => Err(format!("expected {FORMS}")),
+        }
+    }
+}
+
+/// Contact of a mechanism from its text: the name of a contact of the model, or a form of [`FurtherContact`].
+///
+/// # Errors
+/// Unknown names; a text of another form.
+pub fn contact_of_text(mechanism: &Mechanism, text: &str) -> Result<Contact, StudyError> {
+    let spelled = match mechanism.find_contact(text) {
+        Ok(_) => Ok(FurtherContact::Named(text.to_owned())),
+        Err(_) => text.parse(),
+    };
+    let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+    spelled.map_err(refuse)?.resolve(mechanism, Field::At)
+}
+
+impl FurtherContact {
+    /// Finds the links and joints of the contact. `field`: field of the question that errors name.
+    ///
+    /// # Errors
+    /// Unknown names; the stop of a joint that has several velocities, or none.
+    pub(crate) fn resolve(&self, mechanism: &Mechanism, field: Field) -> Result<Contact, StudyError> {
+        let find = |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(field, error));
+        let other = |name: &Option<String>| name.as_ref().map(find).transpose();
+        match self {
+            Self::Named(name) => {
+                let named = mechanism.find_contact(name).map_err(|error| StudyError::input(field, error))?;
+                Ok(Contact::named(named, mechanism.root()))
+            }
+            Self::Point { link, point, normal, against } => {
+                let normal = Direction::Along(Vector3::from(*normal), Frame::World);
+                Ok(Contact { link: find(link)?, against: other(against)?, point: (*point).into(), normal })
+            }
+            Self::Moment { link, axis, against } => {
+                Ok(Contact { against: other(against)?, ..Contact::about_axis(find(link)?, *axis) })
+            }
+            Self::Cable { link, point, other, end } => {
+                Ok(Contact::cable(find(link)?, *point, find(other)?, *end))
+            }
+            Self::JointStop { joint, is_upper } => {
+                let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
+                let kind = mechanism.joint(id).kind();
+                let no_stop = || StudyError::input(field, Fault::NoStop { joint: joint.clone(), kind });
+                Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(no_stop)
+            }
+            Self::Resolved(contact) => Ok(*contact),
         }
     }
 }
@@ -215,7 +265,7 @@ impl MassQuestion {
             ..self.clone()
         };
         match contact {
-            FurtherContact::Named(_) => Ok(self.clone()),
+            FurtherContact::Named(_) | FurtherContact::Resolved(_) => Ok(self.clone()),
             FurtherContact::Point { link, point, normal, against } => {
                 Ok(of_text(link, *point, Normal::Along(*normal), Frame::World, against.clone()))
             }
@@ -235,20 +285,13 @@ impl MassQuestion {
                     );
                 }
                 let unknown = |error| StudyError::input(Field::At, error);
-                let id = mechanism.find_joint(joint).map_err(unknown)?;
-                let declared = mechanism.joint(id);
-                let no_stop = || {
-                    StudyError::input(
-                        Field::At,
-                        Fault::NoStop { joint: joint.clone(), kind: declared.kind() },
-                    )
-                };
-                let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(no_stop)?;
+                let resolved = contact.resolve(mechanism, Field::At)?;
+                let declared = mechanism.joint(mechanism.find_joint(joint).map_err(unknown)?);
                 let name = |link| mechanism.link(link).name().to_owned();
-                let (normal, frame) = Normal::of_direction(contact.normal, name);
+                let (normal, frame) = Normal::of_direction(resolved.normal, name);
                 let against = Some(name(declared.parent()));
                 let mut question =
-                    of_text(&name(declared.child()), contact.point.into(), normal, frame, against);
+                    of_text(&name(declared.child()), resolved.point.into(), normal, frame, against);
                 let master = declared.mimic().map(|mimic| mechanism.joint(mimic.master).name());
                 let is_set =
                     |(set, _): &(String, GivenPosition)| set == joint || Some(set.as_str()) == master;

@@ -4,7 +4,7 @@ use crate::checks::design_variant::DesignError;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::joint_stop::JointStop;
-use crate::model::loading::{Input, Model, Origin};
+use crate::model::loading::{Input, Model, Origin, refuse_pipe};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
 use crate::question::damping_question::DampingQuestion;
@@ -203,6 +203,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyFileError`]: unreadable files, unknown keys, invalid values, or an invalid mechanism.
     pub fn load(path: &str, max_size: u64) -> Result<Self, StudyFileError> {
+        refuse_pipe(path)?;
         let source = Source::read(path, max_size.min(LARGEST_STUDY))?;
         let path = source.name.clone();
         let text = String::from_utf8(source.bytes.clone())
@@ -356,6 +357,15 @@ impl StudyReader<'_> {
                 Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
             }
         };
+        for (key, rows) in [
+            ("sweep.input", sweep.as_ref().map(|sweep| &sweep.rows)),
+            ("extremes.path", extremes.as_ref().and_then(|extremes| extremes.path.as_ref())),
+            ("safe_speed.input", safe_speed.as_ref().and_then(|speed| speed.rows.as_ref())),
+        ] {
+            if let Some(RowSource::File(file)) = rows {
+                refuse_pipe(&file.path).map_err(|error| refused(InvalidKey::new(key, error.to_string())))?;
+            }
+        }
         // A study without a contact needs another query.
         let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
         let of_contact = study.mass.is_some()
@@ -478,7 +488,9 @@ impl StudyReader<'_> {
     ) -> Result<Model, StudyFileError> {
         let model_path = folder.join(&study.model.path);
         let worksheet = study.model.worksheet.as_deref();
-        let mut model = Model::load_named(&model_path.to_string_lossy(), self.max_size, options, worksheet)?;
+        let path = model_path.to_string_lossy();
+        let mut model =
+            Model::load_named(&path, self.max_size, options, worksheet, study.is_kinematics_only())?;
         model.inputs.push(Input::from_source(source));
         model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {

@@ -70,6 +70,21 @@ pub(crate) struct StudyText {
 }
 
 impl StudyText {
+    /// True if the study asks for kinematics alone, for which the masses of a sheet may be missing.
+    pub fn is_kinematics_only(&self) -> bool {
+        let of_masses = [
+            self.mass.is_some(),
+            self.damping.is_some(),
+            self.impact.is_some(),
+            self.extremes.is_some(),
+            self.sweep.is_some(),
+            self.map.is_some(),
+            self.safe_speed.is_some(),
+        ];
+        let has_contact = self.contact.iter().any(|contact| !contact.is_empty());
+        self.kinematics.is_some() && !of_masses.contains(&true) && !has_contact && self.variant.is_empty()
+    }
+
     /// Converts the study to a question at a contact, which may be incomplete. Paths are relative to the study's
     /// folder.
     pub fn question(

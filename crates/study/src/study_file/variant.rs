@@ -82,7 +82,7 @@ impl<'a> VariantModels<'a> {
         if let Some(model) = self.by_path.get(path) {
             return Ok(model.clone());
         }
-        let model = Model::load_named(path, self.max_size, self.options, None)?;
+        let model = Model::load_named(path, self.max_size, self.options, None, false)?;
         self.by_path.insert(path.to_owned(), model.clone());
         Ok(model)
     }

@@ -8,9 +8,9 @@ mod orient;
 pub use facet::Facet;
 pub use orient::Orientation;
 
-use crate::meshes::files::{MeshError, MeshFolders, read_mesh};
+use crate::meshes::files::{MeshError, MeshFolders, Triangles, read_mesh, read_mesh_file};
 use crate::reading::limits::FACETS_PER_TURN;
-use crate::shape::{Shape, Solid};
+use crate::shape::{Purpose, Shape, Solid};
 use grid::Patch;
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
@@ -67,11 +67,7 @@ impl Surface {
             let path = folders.find(file)?;
             let triangles = read_mesh(&*folders.files, &path, max_size)?;
             surface.files.push(path);
-            let in_link_frame = |p: [f64; 3]| {
-                shape.frame.point(&Vector3::new(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2]))
-            };
-            let mut triangles: Vec<[Vector3<f64>; 3]> =
-                triangles.into_iter().map(|corners| corners.map(in_link_frame)).collect();
+            let mut triangles = in_link_frame(triangles, *scale, &shape.frame);
             surface.orientation.add(&orient::orient_outward(&mut triangles));
             surface.parts.push(Part::Mesh(triangles));
         }
@@ -90,25 +86,8 @@ impl Surface {
 
     /// Centre (link frame) and radius (m) of a sphere around the surface, not the smallest one; `None` for an empty surface.
     pub fn bounds(&self) -> Option<(Vector3<f64>, f64)> {
-        let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
-        let mut include = |p: &Vector3<f64>| {
-            low = low.inf(p);
-            high = high.sup(p);
-        };
-        for part in &self.parts {
-            match part {
-                Part::Solid(solid, frame) => {
-                    let half = half_extents(solid);
-                    for corner in 0..8_usize {
-                        let side =
-                            |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
-                        include(&frame.point(&Vector3::new(side(0), side(1), side(2))));
-                    }
-                }
-                Part::Mesh(triangles) => triangles.iter().flatten().for_each(&mut include),
-            }
-        }
-        (low.x <= high.x).then(|| (0.5 * (low + high), 0.5 * (high - low).norm()))
+        let (low, high) = bounds_of(&self.parts)?;
+        Some((0.5 * (low + high), 0.5 * (high - low).norm()))
     }
 
     /// Divides the surface into facets with edges of about `max_edge` (m) at most. Triangles of a mesh are divided but
@@ -140,6 +119,61 @@ impl Surface {
         }
         Ok(facets)
     }
+}
+
+/// Corners of a mesh in the link frame, m.
+fn in_link_frame(triangles: Triangles, scale: [f64; 3], frame: &Transform<f64>) -> Vec<[Vector3<f64>; 3]> {
+    let scale = Vector3::from(scale);
+    let point = |p: [f64; 3]| frame.point(&Vector3::from(p).component_mul(&scale));
+    triangles.into_iter().map(|corners| corners.map(point)).collect()
+}
+
+/// Least and greatest coordinates of parts in the link frame; `None` without parts.
+fn bounds_of(parts: &[Part]) -> Option<(Vector3<f64>, Vector3<f64>)> {
+    let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+    let mut include = |p: &Vector3<f64>| {
+        low = low.inf(p);
+        high = high.sup(p);
+    };
+    for part in parts {
+        match part {
+            Part::Solid(solid, frame) => {
+                let half = half_extents(solid);
+                for corner in 0..8_usize {
+                    let side = |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
+                    include(&frame.point(&Vector3::new(side(0), side(1), side(2))));
+                }
+            }
+            Part::Mesh(triangles) => triangles.iter().flatten().for_each(&mut include),
+        }
+    }
+    (low.x <= high.x).then_some((low, high))
+}
+
+/// Box around shapes with the axes of the link; `None` without shapes. Reads meshes of at most `max_size` bytes in total, and reduces it.
+///
+/// # Errors
+/// [`MeshError`] of the first unreadable mesh.
+pub(crate) fn bounding_box(
+    shapes: &[Shape],
+    folders: &MeshFolders,
+    max_size: &mut u64,
+) -> Result<Option<Shape>, MeshError> {
+    let mut parts = Vec::new();
+    for shape in shapes {
+        let Solid::Mesh { file, scale } = &shape.solid else {
+            parts.push(Part::Solid(shape.solid.clone(), shape.frame));
+            continue;
+        };
+        let mesh = read_mesh_file(&*folders.files, &folders.find(file)?, *max_size)?;
+        *max_size = max_size.saturating_sub(mesh.size);
+        parts.push(Part::Mesh(in_link_frame(mesh.triangles, *scale, &shape.frame)));
+    }
+    Ok(bounds_of(&parts).map(|(low, high)| Shape {
+        purpose: Purpose::Collision,
+        solid: Solid::Box { size: (high - low).into() },
+        frame: Transform::from_translation(0.5 * (low + high)),
+    }))
 }
 
 /// Half the edge lengths of the bounding box of a solid in its own frame, m; 0 for a mesh.

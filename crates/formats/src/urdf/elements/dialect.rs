@@ -330,17 +330,26 @@ const IN_GAZEBO_AXIS: &[ElementRule] = &[
     unread_element("mimic", write_instead!("a <coupling>, or a <mimic> in a joint of the tree,")),
 ];
 
-const IN_ACTUATOR: &[ElementRule] = &[
+/// Child elements of a transmission and of its joint and actuator: those given, and the inertia and the ratio of a rotor.
+macro_rules! with_rotor_data {
+    ($($rule:expr),* $(,)?) => {
+        &[
+            $($rule,)*
+            unread_element("motorInertia", Text),
+            unread_element("motor_inertia", Text),
+            unread_element("rotorInertia", Text),
+            unread_element("rotor_inertia", Text),
+            unread_element("mechanicalReduction", Text),
+            unread_element("mechanical_reduction", Text),
+            unread_element("gearRatio", Text),
+            unread_element("gear_ratio", Text),
+        ]
+    };
+}
+
+const IN_ACTUATOR: &[ElementRule] = with_rotor_data![
     single_element("drake:rotor_inertia", &[("value", Read)]),
     single_element("drake:gear_ratio", &[("value", Read)]),
-    unread_element("motorInertia", Text),
-    unread_element("motor_inertia", Text),
-    unread_element("rotorInertia", Text),
-    unread_element("rotor_inertia", Text),
-    unread_element("mechanicalReduction", Text),
-    unread_element("mechanical_reduction", Text),
-    unread_element("gearRatio", Text),
-    unread_element("gear_ratio", Text),
 ];
 
 /// Transmission of ROS, of ros2_control and of the PR2. `transmission.rs` reads the rotor inertias.
@@ -348,19 +357,11 @@ const TRANSMISSION: ElementRule =
     element("transmission", &[("name", Silent), ("type", Read)], IN_TRANSMISSION)
         .silent(TRANSMISSION_SETTINGS);
 
-const IN_TRANSMISSION: &[ElementRule] = &[
+const IN_TRANSMISSION: &[ElementRule] = with_rotor_data![
     unread_element("type", Text),
     unread_element("plugin", Text),
     element("joint", NAME_AND_ROLE, IN_ACTUATOR).silent(ACTUATOR_SETTINGS),
     element("actuator", NAME_AND_ROLE, IN_ACTUATOR).silent(ACTUATOR_SETTINGS),
-    unread_element("motorInertia", Text),
-    unread_element("motor_inertia", Text),
-    unread_element("rotorInertia", Text),
-    unread_element("rotor_inertia", Text),
-    unread_element("mechanicalReduction", Text),
-    unread_element("mechanical_reduction", Text),
-    unread_element("gearRatio", Text),
-    unread_element("gear_ratio", Text),
 ];
 
 const NAME_AND_ROLE: &[(&str, Treatment)] = &[

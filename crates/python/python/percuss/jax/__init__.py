@@ -27,7 +27,7 @@ jnp: Any = import_module("jax.numpy")
 
 
 def effective_mass(
-    model: Model | System | Assembly, contact: Contact, *, base_pose: Any = None, threads: int | None = None
+    model: Model | System | Assembly, contact: Contact | str, *, base_pose: Any = None, threads: int | None = None
 ) -> Callable[[Any], Any]:
     """Function from positions q (..., p) of all joints, loops closed, to m̄ (...); NaN unless finite."""
     own = _gradients.model_of(model)

@@ -24,7 +24,7 @@ torch: Any = import_module("torch")
 
 class _EffectiveMass(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, q: Any, system: Any, contact: Contact, options: dict[str, Any]) -> Any:
+    def forward(ctx: Any, q: Any, system: Any, contact: Contact | str, options: dict[str, Any]) -> Any:
         model = _gradients.model_of(system)
         wanted = bool(ctx.needs_input_grad[0])
         values = q.detach().to(device="cpu", dtype=torch.float64).numpy()
@@ -41,7 +41,7 @@ class _EffectiveMass(torch.autograd.Function):
 
 
 def effective_mass(
-    model: Model | System | Assembly, contact: Contact, q: Any, *, base_pose: Any = None, threads: int | None = None
+    model: Model | System | Assembly, contact: Contact | str, q: Any, *, base_pose: Any = None, threads: int | None = None
 ) -> Any:
     """m̄ (...) of positions q (..., p) of all joints, loops closed; NaN unless finite. Arguments as those of percuss.sweep."""
     return _EffectiveMass.apply(q, model, contact, {"base_pose": base_pose, "threads": threads})

@@ -7,7 +7,6 @@ use crate::model::record::DiagnosticRecord;
 use crate::thresholds::FACETS;
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::LinkId;
-use std::path::Path;
 
 /// Largest extent of a shape of the root link, as a multiple of the characteristic length. A larger shape is
 /// taken for the surroundings (a floor, a hall) and is not drawn.
@@ -27,9 +26,7 @@ pub(super) struct ShapeReader<'a> {
 impl<'a> ShapeReader<'a> {
     /// Reader of the shapes of a model; meshes are searched from the folder of the model file.
     pub fn new(model: &'a Model) -> Self {
-        let path = model.inputs.first().map_or("", |input| &input.path);
-        let files = model.origin.files.clone();
-        let folders = MeshFolders { files, ..MeshFolders::of_model(Path::new(path), Vec::new()) };
+        let folders = model.mesh_folders(Vec::new());
         Self { model, folders, triangles_left: FACETS, meshes: Vec::new(), diagnostics: Vec::new() }
     }
 

@@ -8,8 +8,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
 use crate::reports::impact::question::ImpactQuestion;
-use percuss_dynamics::{Contact, Direction, Frame, Gap};
-use percuss_spatial::Vector3;
+use percuss_dynamics::{Contact, Direction, Gap};
 
 /// Further contact of an impact at a pose.
 pub(crate) struct TouchingContact {
@@ -30,51 +29,34 @@ impl TouchingContact {
     pub fn new(evaluated: &EvaluatedQuestion, contact: &FurtherContact) -> Result<Self, StudyError> {
         let pose = &evaluated.pose;
         let mechanism = pose.mechanism();
-        let find =
-            |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Also, error));
+        let resolved = contact.resolve(mechanism, Field::Also)?;
         let sides = |link: &String, against: &Option<String>| match against {
             Some(other) => format!("{link} against {other}"),
             None => link.clone(),
         };
-        let touching = |name, contact| Self { name, contact, gap: None, is_joint_stop: false };
-        match contact {
+        let mut gap = None;
+        let name = match contact {
             FurtherContact::Named(name) => {
-                let named =
-                    mechanism.find_contact(name).map_err(|error| StudyError::input(Field::Also, error))?;
-                let gap = Gap::new(pose, named).map(|gap| gap.at(pose));
-                let contact = Contact::named(named, mechanism.root());
-                Ok(Self { name: name.clone(), contact, gap, is_joint_stop: false })
+                let named = mechanism.find_contact(name).ok();
+                gap = named.and_then(|named| Some(Gap::new(pose, named)?.at(pose)));
+                name.clone()
             }
-            FurtherContact::Point { link, point, normal, against } => {
-                let normal = Direction::Along(Vector3::from(*normal), Frame::World);
-                let other = against.as_ref().map(find).transpose()?;
-                let contact =
-                    Contact { link: find(link)?, against: other, point: Vector3::from(*point), normal };
-                Ok(touching(sides(link, against), contact))
-            }
-            FurtherContact::Moment { link, axis, against } => {
-                let contact = Contact::about_axis(find(link)?, *axis);
-                let contact = Contact { against: against.as_ref().map(find).transpose()?, ..contact };
-                Ok(touching(format!("moment on {}", sides(link, against)), contact))
-            }
-            FurtherContact::Cable { link, point, other, end } => {
-                let contact = Contact::cable(find(link)?, *point, find(other)?, *end);
-                Ok(touching(format!("cable {link} to {other}"), contact))
-            }
+            FurtherContact::Point { link, against, .. } => sides(link, against),
+            FurtherContact::Moment { link, against, .. } => format!("moment on {}", sides(link, against)),
+            FurtherContact::Cable { link, other, .. } => format!("cable {link} to {other}"),
             FurtherContact::JointStop { joint, is_upper } => {
-                let id =
-                    mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Also, error))?;
-                let declared = mechanism.joint(id);
-                let contact = Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(|| {
-                    StudyError::input(
-                        Field::Also,
-                        Fault::NoStop { joint: joint.clone(), kind: declared.kind() },
-                    )
-                })?;
-                let gap = StopOfJoint::new(mechanism, id, *is_upper).map(|stop| stop.distance(pose));
-                Ok(Self { name: format!("stop of {joint}"), contact, gap, is_joint_stop: true })
+                let stop = mechanism.find_joint(joint).ok();
+                let stop = stop.and_then(|joint| StopOfJoint::new(mechanism, joint, *is_upper));
+                gap = stop.map(|stop| stop.distance(pose));
+                format!("stop of {joint}")
             }
-        }
+            FurtherContact::Resolved(contact) => {
+                let name = |link| mechanism.link(link).name().to_owned();
+                sides(&name(contact.link), &contact.against.map(name))
+            }
+        };
+        let is_joint_stop = matches!(contact, FurtherContact::JointStop { .. });
+        Ok(Self { name, contact: resolved, gap, is_joint_stop })
     }
 
     /// Refuses a plastic impact with sticking contact points if this contact has no contact point.

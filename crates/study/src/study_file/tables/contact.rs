@@ -2,6 +2,7 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
+use crate::model::loading::refuse_pipe;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint};
@@ -16,6 +17,7 @@ use percuss_dynamics::{Base, Frame};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::path::Path;
 
 /// Frame of a contact point or a normal.
@@ -432,9 +434,12 @@ impl QuestionTables<'_> {
         let Self { contact, pose, conditions, hold } = *self;
         let read = |file: &String| {
             // The standard input and absolute paths are kept.
-            let path = folder.join(file);
-            GivenPose::read_as(&path.to_string_lossy(), file, max_size)
-                .map_err(|error| InvalidKey::new(Field::Pose.key(), error.to_string()))
+            let path = folder.join(file).to_string_lossy().into_owned();
+            let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
+            if matches!(names, Names::Keys(_)) {
+                refuse_pipe(&path).map_err(|error| refuse(&error))?;
+            }
+            GivenPose::read_as(&path, file, max_size).map_err(|error| refuse(&error))
         };
         let mut question = MassQuestion {
             set: pose.set.clone(),

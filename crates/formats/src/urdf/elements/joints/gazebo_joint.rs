@@ -11,7 +11,10 @@ use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::sdf_values;
 use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
-use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind, Problem, RelationDescription, Severity};
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, JointDescription, JointKind, LinkDescription, Problem,
+    RelationDescription, Severity,
+};
 use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
@@ -63,7 +66,7 @@ pub(crate) fn joins_any(node: Node<'_, '_>, added: &HashSet<&str>) -> bool {
     })
 }
 
-/// True for a screw or a gearbox, which is a relation between joints of the tree.
+/// True for a screw or a gearbox: a relation between joints of the tree, or a screw that closes a loop.
 pub(crate) fn is_relation(node: Node<'_, '_>) -> bool {
     matches!(node.attribute("type"), Some("screw" | "gearbox"))
 }
@@ -155,6 +158,14 @@ impl<'j, 'a> ZeroPoseFrames<'j, 'a> {
     }
 }
 
+/// Screw that closes a loop: a massless nut turns on the first link, a second one advances on it with the angle and is fixed to the other
+/// link.
+pub(crate) struct ScrewLoop {
+    pub links: [LinkDescription; 2],
+    pub joints: [JointDescription; 2],
+    pub closure: ClosureDescription,
+}
+
 /// Reads SDF joints as closures.
 pub(crate) struct GazeboJointReader<'f, 'a> {
     pub zero_pose: &'f ZeroPoseFrames<'f, 'a>,
@@ -202,11 +213,12 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
     }
 
-    /// Relation between the joints that a screw or a gearbox couples; `None`, with a warning, if the path between its links holds other
-    /// joints, which the relation would leave free.
+    /// Relation between the joints that a screw or a gearbox couples. If the path between its links holds other joints, which the relation
+    /// would leave free, a screw is added to `screws`, and a gearbox is warned about.
     pub fn read_relation<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
+        screws: &mut Vec<ScrewLoop>,
         report: &mut Report,
     ) -> Option<RelationDescription> {
         let name = read_name(node, report).to_owned();
@@ -220,7 +232,20 @@ impl<'a> GazeboJointReader<'_, 'a> {
         let number = |tag| child_number(node, tag);
         let terms = if node.attribute("type") == Some("screw") {
             match sdf_values::screw_advance(number("screw_thread_pitch"), number("thread_pitch")) {
-                Ok(advance) => self.screw_terms([&parent, &child], &axes[0], &x_rj.translation, advance),
+                Ok(advance) => {
+                    let ends = [parent.as_str(), &child];
+                    let terms = self.screw_terms(ends, &axes[0], &x_rj.translation, advance);
+                    if terms.is_none() {
+                        screws.push(self.screw_loop(&name, ends, &x_rj, &axes[0], advance));
+                        report.note("gazebo-joint", Place::Element(node), || {
+                            format!(
+                                "the screw is read as a loop: \"{name}\" turns a massless nut on {}, and \"{name}/advance\" moves it",
+                                quoted(&parent)
+                            )
+                        });
+                    }
+                    return Some(RelationDescription { name, terms: terms?, constant: 0.0, curve: None });
+                }
                 Err((code, defect)) => {
                     report.error(code, Place::Element(node), || defect.to_owned());
                     return None;
@@ -236,11 +261,10 @@ impl<'a> GazeboJointReader<'_, 'a> {
         };
         if terms.is_none() {
             report.warning("gazebo-joint", Place::Element(node), || {
-                "the joint is not read, and its coupling is missing here: a screw is read between links \
-                 that one hinge and one slide with its axis connect, a gearbox \
+                "the joint is not read, and its coupling is missing here: a gearbox is read \
                  between links that one hinge each, with its axes, connects to <gearbox_reference_body>. \
                  Write a <relation> of the joints \
-                 instead: factor 1 for the slide (m) and −advance per radian for the hinge"
+                 instead: factor 1 for the hinge of the child and the ratio for that of the parent"
                     .to_owned()
             });
         }
@@ -272,6 +296,28 @@ impl<'a> GazeboJointReader<'_, 'a> {
             && off.cross(axis).norm() <= SCREW_AXIS_OFFSET * (1.0 + off.norm());
         let [along, about] = [along * self.sign_along(slide, axis)?, about * self.sign_along(hinge, axis)?];
         is_screw.then(|| vec![(slide.name.to_owned(), along), (hinge.name.to_owned(), -advance * about)])
+    }
+
+    /// Screw between two links that the tree connects in another way. `axis`: in the root frame.
+    fn screw_loop(
+        &self,
+        name: &str,
+        [first, second]: [&str; 2],
+        x_rj: &Transform<f64>,
+        axis: &Vector3<f64>,
+        advance: f64,
+    ) -> ScrewLoop {
+        let axis = x_rj.inverse_vector(axis).into();
+        let [nut, advanced] = ["nut", "advance"].map(|part| format!("{name}/{part}"));
+        let in_link = |link| self.zero_pose.link_frame(link).inverse() * *x_rj;
+        let turn = JointDescription::new(name, JointKind::Continuous, first, &nut);
+        let slide = JointDescription::new(&advanced, JointKind::Prismatic, &nut, &advanced);
+        let fixed = ClosureDescription::new(&nut, ClosureKind::Fixed, &advanced, second);
+        ScrewLoop {
+            joints: [turn.origin(in_link(first)).axis(axis), slide.axis(axis).mimic(name, advance, 0.0)],
+            closure: ClosureDescription { successor_frame: in_link(second), ..fixed },
+            links: [nut, advanced].map(LinkDescription::massless),
+        }
     }
 
     /// s₂ q₂ = −ratio · s₁ q₁ for the hinges of the parent and the child on the reference link.
