@@ -462,23 +462,6 @@ fn samples_of_hardpoints_are_those_of_the_first_order() {
     }
 }
 
-/// Commands of docs/howto/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder, write these files.
-#[test]
-fn the_page_of_suspensions_runs_as_printed() {
-    let folder = Scratch::new("own-page");
-    let page = fs::read_to_string(support::root().join("docs/howto/SUSPENSIONS.md")).expect("the page");
-    let part = page.split("The same car from a hardpoint file").next().expect("its commands");
-    let mut commands = 0;
-    for line in part.replace("\\\n", " ").lines().filter_map(|line| line.strip_prefix("$ percuss ")) {
-        done(&folder, &line.split_whitespace().collect::<Vec<_>>());
-        commands += 1;
-    }
-    assert_eq!(commands, 8);
-    for file in ["my.urdf", "travel.xlsx", "my-study.toml", "report.html", "report.json"] {
-        assert!(Path::new(&folder.path(file)).exists(), "{file}");
-    }
-}
-
 /// An input of a study is never an output of the same study, in any part and through any link; two outputs need
 /// different files.
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! `percuss kinematics --solve`: planted solutions, ranges, the changed sheet, messages.
 
-use crate::support::{Scratch, done, refused, run_in as run};
+use crate::support::{Scratch, done, run_in as run};
 use serde_json::Value;
 
 /// Report of a search.
@@ -230,21 +230,6 @@ fn the_changed_sheet_has_the_required_value() {
         let height = quantity(&folder, "roll_centre_height", &[]);
         assert!((height - 0.09).abs() < 1e-10, "{axes}: {height}");
     }
-}
-
-#[test]
-fn searches_that_cannot_start_are_refused() {
-    let sheet = "kinematics models/suspensions/double-wishbone.toml";
-    refused(&format!("{sheet} --solve upper_ball.z"), &["--for"]);
-    refused(&format!("{sheet} --solve upper_ball --for caster=4deg"), &["POINT.AXIS"]);
-    refused(&format!("{sheet} --solve upper_bal.z --for caster=4deg"), &["no hardpoint \"upper_bal\""]);
-    refused(
-        &format!("{sheet} --solve upper_ball.z --for castor=4deg"),
-        &["no quantity \"castor\"", "caster"],
-    );
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4mm"), &["--for caster"]);
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --for camber=1deg"), &["same number"]);
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --heave 0:1mm:2"), &["one state"]);
 }
 
 /// A quantity of a contact names the contact: `bump_stop.motion_ratio` is the column `motion_ratio_bump_stop`, also with a side.
