@@ -35,7 +35,10 @@ fn a_travel_stands_where_a_sweep_over_it_does_and_its_json_is_a_pose() {
         let question = sheet(name);
         let rows = percuss(&format!("sweep {question} --vary travel:{along}=-20mm:20mm:5"));
         let rows = Sweep::read(&rows.stdout);
-        for (row, travel) in [(0, "-20mm"), (1, "-0.01"), (2, "0"), (4, "2cm")] {
+        let travels = [(0, "-20mm"), (4, "2cm"), (1, "-0.01"), (2, "0")];
+        // The units of a travel do not depend on the suspension.
+        let count = if name == CORNERS[0] { 4 } else { 2 };
+        for (row, travel) in travels.into_iter().take(count) {
             let line = format!("mass {question} --travel {along}={travel} --format json");
             let outcome = percuss(&line);
             let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");

@@ -1,13 +1,13 @@
 //! Pages of the book and files of cases: their blocks, and the commands in them.
 //!
-//! Every line under `$ percuss …` occurs in the standard output, in the same order. `...` in a line is any text, `~2.35` a number
-//! within one unit of its last digit, and `! text` a text that does not occur. A line `? 2 message` is the exit code (0 without
-//! this line) and starts the lines of standard error, where each message is one line. `$ cat FILE` shows a file, and `< FILE` is
-//! standard input.
+//! Every line under `$ percuss …` occurs in the standard output, in the same order. `...` in a line is any text, `~2.35` in a
+//! complete line a number within one unit of its last digit, and `! text` a text that does not occur. A line `? 2 message` is the
+//! exit code (0 without this line) and starts the lines of standard error, where each message is one line; a bare `? 0` means no
+//! message. `< FILE` is standard input, `$ cat FILE` shows a file (exit code 1 if there is none), `$ cat FILE > NEW` copies it, and
+//! `$ sed s|OLD|NEW| FILE > NEW` changes the copy. With `PERCUSS_UPDATE=1`, the test writes the output into the page.
 //!
-//! In files of cases, each section has a folder of its own. A block with a file name is written to this folder (`toml car.toml`);
-//! a block `diff NEW OLD` changes a file, with lines that begin with a space, `-` or `+`. A block `words` has lines
-//! `NAME = words` for the following commands.
+//! In files of cases, each section has a folder of its own. A block with a file name is written to this folder (`toml car.toml`).
+//! A block `words` has lines `NAME = words` for the following commands.
 
 use super::{Outcome, Scratch, percuss_with_stdin, root, run, workshop};
 use std::path::Path;
@@ -112,31 +112,9 @@ pub fn check_page(page: &str) {
                 updated += prose;
             }
             Part::Block { info: "console", text } => {
-                updated += "```console\n";
-                for (line, shown) in commands(text) {
-                    let words = line.replace("\\\n", " ");
-                    let words = words.split_whitespace().map(|word| {
-                        names.iter().find(|(name, _)| *name == word).map_or(word, |(_, words)| words)
-                    });
-                    if let Some(edit) = line
-                        .strip_prefix("sed ")
-                        .or(line.strip_prefix("cat ").filter(|files| files.contains(" > ")))
-                    {
-                        edited(&folder, edit);
-                        updated += &format!("$ {line}\n{shown}");
-                        continue;
-                    }
-                    let outcome =
-                        run_words(&folder, &words.flat_map(str::split_whitespace).collect::<Vec<_>>());
-                    let new = update(shown, &outcome);
-                    if new.as_deref() != Some(shown) {
-                        differences +=
-                            &format!("$ {line}\n{}? {} {}\n", outcome.stdout, outcome.code, outcome.stderr);
-                    }
-                    updated += &format!("$ {line}\n{}", new.as_deref().unwrap_or(shown));
-                    count += usize::from(line.starts_with("percuss "));
-                }
-                updated += "```\n";
+                updated +=
+                    &format!("```console\n{}```\n", run_block(&folder, &names, text, &mut differences));
+                count += text.matches("$ percuss ").count();
             }
             Part::Block { info, text } => {
                 assert!(
@@ -165,6 +143,32 @@ pub fn check_page(page: &str) {
     assert_eq!(count, text.matches("$ percuss ").count(), "{page}: commands are in console blocks");
 }
 
+/// Runs the commands of a block. Returns the updated block, and adds the outcomes of commands that print other lines.
+fn run_block(folder: &Scratch, names: &[(&str, &str)], block: &str, differences: &mut String) -> String {
+    let mut updated = String::new();
+    for (line, shown) in commands(block) {
+        updated += &format!("$ {line}\n");
+        let copied = line.strip_prefix("cat ").filter(|files| files.contains(" > "));
+        if let Some(edit) = line.strip_prefix("sed ").or(copied) {
+            write_edited(folder, edit);
+            updated += shown;
+            continue;
+        }
+        let words = line.replace("\\\n", " ");
+        let words = words
+            .split_whitespace()
+            .map(|word| names.iter().find(|(name, _)| *name == word).map_or(word, |(_, words)| words));
+        let outcome = run_words(folder, &words.flat_map(str::split_whitespace).collect::<Vec<_>>());
+        let new = updated_output(shown, &outcome);
+        if new.as_deref() != Some(shown) {
+            let Outcome { code, stdout, stderr, .. } = outcome;
+            *differences += &format!("$ {line}\n{stdout}? {code} {stderr}\n");
+        }
+        updated += new.as_deref().unwrap_or(shown);
+    }
+    updated
+}
+
 /// Path of a word that names a file: of the repository, or of the folder of the page.
 fn path_of(folder: &Scratch, word: &str) -> Option<String> {
     let kinds = [
@@ -178,9 +182,8 @@ fn path_of(folder: &Scratch, word: &str) -> Option<String> {
 }
 
 /// Text of a file of the folder or of the repository.
-fn file(folder: &Scratch, name: &str) -> String {
-    let path = path_of(folder, name).map_or_else(|| workshop().join(name), Into::into);
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
+fn file(folder: &Scratch, name: &str) -> std::io::Result<String> {
+    std::fs::read_to_string(path_of(folder, name).map_or_else(|| workshop().join(name), Into::into))
 }
 
 /// Runs a command of a page.
@@ -190,10 +193,11 @@ fn run_words(folder: &Scratch, words: &[&str]) -> Outcome {
     };
     let mut outcome = match words {
         ["cat", name] => {
-            Outcome { code: 0, stdout: file(folder, name), stderr: String::new(), shown: String::new() }
+            let (code, stdout) = file(folder, name).map_or((1, String::new()), |text| (0, text));
+            Outcome { code, stdout, stderr: String::new(), shown: String::new() }
         }
         ["percuss", words @ .., "<", input] => {
-            percuss_with_stdin(&paths(words).join(" "), file(folder, input).as_bytes())
+            percuss_with_stdin(&paths(words).join(" "), file(folder, input).expect("the input").as_bytes())
         }
         ["percuss", words @ ..] => run(paths(words)),
         _ => panic!("no command of a page: {words:?}"),
@@ -205,24 +209,25 @@ fn run_words(folder: &Scratch, words: &[&str]) -> Outcome {
     outcome
 }
 
-/// Text with replacements `s|OLD|NEW|`, each at the first place; `\\n` is the end of a line. The rest is `FILE > NEW`.
-fn edited(folder: &Scratch, edit: &str) {
+/// Writes a file with replacements `s|OLD|NEW|`, each at the first place; `\n` is the end of a line. The rest is `FILE > NEW`.
+fn write_edited(folder: &Scratch, edit: &str) {
     let pieces: Vec<&str> = edit.split('|').collect();
     let (files, replacements) = pieces.split_last().expect("a piece");
     let (old, new) =
         files.trim().split_once(" > ").unwrap_or_else(|| panic!("sed s|OLD|NEW| FILE > NEW: {edit}"));
-    let text = replacements.chunks(3).fold(file(folder, old), |text, replacement| {
-        let [_, old, new] = replacement else { panic!("s|OLD|NEW|: {edit}") };
-        let [old, new] = [old, new].map(|text| text.replace("\\n", "\n"));
-        assert!(text.contains(&old), "{edit}: {old} is not in\n{text}");
-        text.replacen(&old, &new, 1)
-    });
+    let text =
+        replacements.chunks(3).fold(file(folder, old).expect("a file to change"), |text, replacement| {
+            let [_, old, new] = replacement else { panic!("s|OLD|NEW|: {edit}") };
+            let [old, new] = [old, new].map(|text| text.replace("\\n", "\n"));
+            assert!(text.contains(&old), "{edit}: {old} is not in\n{text}");
+            text.replacen(&old, &new, 1)
+        });
     folder.write(new, &text);
 }
 
 /// Lines below a command after an update; equal to the old ones if these agree with the output. `None` if no update
 /// can make them agree.
-fn update(shown: &str, outcome: &Outcome) -> Option<String> {
+fn updated_output(shown: &str, outcome: &Outcome) -> Option<String> {
     let start = if shown.starts_with("? ") { Some(0) } else { shown.find("\n? ").map(|at| at + 1) };
     let (stdout, stderr) = shown.split_at(start.unwrap_or(shown.len()));
     let all = format!("{}{}", outcome.stdout, outcome.stderr);

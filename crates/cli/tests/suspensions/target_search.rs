@@ -115,7 +115,7 @@ fn several_planted_coordinates_are_found_together() {
 }
 
 /// Twenty cars with displaced hardpoints, and targets from a further displacement of two or three coordinates: the search finds this
-/// displacement, and a second search gives the same report.
+/// displacement, and a second search of the first car of each kind gives the same report.
 #[test]
 fn planted_coordinates_of_twenty_cars_are_found_twice() {
     let folder = Scratch::new("search-family");
@@ -177,7 +177,9 @@ fn planted_coordinates_of_twenty_cars_are_found_twice() {
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
             let report = search(&folder, &words);
             assert_eq!(report["is_reached"], true, "{template} {car}: {report}");
-            assert_eq!(report, search(&folder, &words), "{template} {car}");
+            if car == 0 {
+                assert_eq!(report, search(&folder, &words), "{template}");
+            }
             for (found, by) in report["coordinates"].as_array().expect("a list").iter().zip(&planted) {
                 let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
                 assert!((1e-3 * (new - old) - by).abs() < 1e-7, "{template} {car}: {by}: {report}");
