@@ -93,3 +93,7 @@ mod documentation {
 }
 
 mod support;
+
+/// Commands with their expected output.
+#[path = "cases/list.rs"]
+mod cases;

@@ -1,7 +1,7 @@
 //! Contact points given in another frame than that of the contact link: pose of the conversion, and effect in a
 //! sweep.
 
-use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
+use crate::support::{Scratch, Sweep, json, percuss, root};
 
 const FOUR_BAR: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
 const WISHBONE: &str = "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --turning-normal --against chassis";
@@ -76,26 +76,6 @@ fn the_point_moves_with_the_link_and_the_normal_keeps_its_axes() {
     assert!(apart > 0.01, "a normal that turns with the link is another");
 }
 
-#[test]
-fn the_point_found_is_told() {
-    let line = format!("sweep {FOUR_BAR} --notes --frame world --point 0.35,0.4,0 --vary crank_hinge=1:2:3");
-    let told = |stderr: &str, place: &str| {
-        let line = stderr.lines().find(|l| l.contains("--frame world")).unwrap_or_else(|| panic!("{stderr}"));
-        assert!(line.starts_with("note: ") && line.contains("link \"coupler\""), "{line}");
-        assert!(line.contains("0.35,0.1") && line.contains(place), "{line}");
-    };
-    told(&percuss(&line).stderr, "where \"crank_hinge\" is 0");
-    let mass = format!("mass {FOUR_BAR} --notes --frame world --point 0.35,0.4,0");
-    told(&percuss(&mass).stderr, "at the pose of the answer");
-    let report = json(&format!("{mass} --format json"));
-    let codes: Vec<&str> =
-        report["diagnostics"].as_array().unwrap().iter().filter_map(|d| d["code"].as_str()).collect();
-    assert!(codes.contains(&"point-converted"), "{codes:?}");
-    let damper = mass.replace("mass ", "damp --mass-from ") + " --stiffness 1e5 --restitution 0.5";
-    told(&percuss(&damper).stderr, "at the pose of the answer");
-    assert!(!percuss(&line.replace("--frame world", "")).stderr.contains("--frame"));
-}
-
 /// A study behaves like the flags; its messages name keys instead of flags.
 #[test]
 fn a_study_converts_as_the_flags_do() {
@@ -112,54 +92,4 @@ fn a_study_converts_as_the_flags_do() {
     let flags =
         percuss(&format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=-1:2:7"));
     assert_eq!((study.code, study.stdout), (0, flags.stdout));
-}
-
-/// A rod of 1 m on a hinge, a second rod at its tip, and a slider along x that holds the end of the second rod. The
-/// slider is drawn 3 m away, beyond the reach of 2 m.
-fn drawn_apart() -> String {
-    let rod = |name: &str| {
-        format!(
-            "<link name=\"{name}\"><inertial><origin xyz=\"0.5 0 0\"/><mass value=\"2\"/>\
-             <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
-        )
-    };
-    let joint = |name: &str, kind: &str, parent: &str, child: &str, x: f64, axis: &str| {
-        format!(
-            "<joint name=\"{name}\" type=\"{kind}\" {}><parent link=\"{parent}\"/><child link=\"{child}\"/>\
-             <origin xyz=\"{x} 0 0\"/><axis xyz=\"{axis}\"/><limit lower=\"-9\" upper=\"9\" effort=\"1\" velocity=\"1\"/></joint>",
-            if kind == "prismatic" { "independent=\"true\"" } else { "" }
-        )
-    };
-    format!(
-        "<robot name=\"apart\"><link name=\"ground\"/>{}{}{}{}{}{}\
-         <loop name=\"pin\" type=\"revolute\"><predecessor link=\"b\"><origin xyz=\"1 0 0\"/></predecessor>\
-         <successor link=\"slider\"/><axis xyz=\"0 0 1\"/></loop></robot>",
-        rod("a"),
-        rod("b"),
-        rod("slider"),
-        joint("slide", "prismatic", "ground", "slider", 3.0, "1 0 0"),
-        joint("hinge", "continuous", "ground", "a", 0.0, "0 0 1"),
-        joint("tip", "continuous", "a", "b", 1.0, "0 0 1"),
-    )
-}
-
-#[test]
-fn a_drawn_pose_out_of_reach_asks_for_the_frame_of_the_link() {
-    let model = drawn_apart();
-    let sweep = |frame: &str| {
-        let line =
-            format!("sweep - --link a --point 1,0,0 --normal 0,1,0 --frame {frame} --vary slide=-2:-1.5:3");
-        percuss_with_stdin(&line, model.as_bytes())
-    };
-    let link = sweep("link");
-    assert_eq!(link.code, 0, "{}", link.stderr);
-    for frame in ["world", "against"] {
-        let refused = sweep(frame);
-        assert_eq!((refused.code, refused.stdout.as_str()), (2, ""), "{}", refused.stderr);
-        assert!(
-            refused.stderr.contains("--frame link") && refused.stderr.contains("slide"),
-            "{}",
-            refused.stderr
-        );
-    }
 }

@@ -1,6 +1,6 @@
 //! `percuss map` compared with `percuss mass` and with a closed form; contents of its files.
 
-use crate::support::{json, percuss, workshop};
+use crate::support::{json, percuss};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -288,29 +288,4 @@ fn a_belted_ellipsoid_is_as_far_as_the_mass_is_large() {
         assert!(fs::metadata(&file).expect("written").len() > 1000, "{ending}");
     }
     fs::remove_dir_all(folder).expect("removed");
-}
-
-#[test]
-fn bad_questions_are_refused() {
-    let cases = [
-        (String::new(), "--link LINK"),
-        ("--link nobody".into(), "nobody"),
-        ("--link finger --all".into(), "--all"),
-        ("--link finger --normal 1,0,0".into(), "--normal"),
-        ("--link finger --point 0,0,0".into(), "--directions"),
-        ("--link finger --directions 10".into(), "--point"),
-        ("--link finger --point 0,0,0 --directions 0".into(), "--directions"),
-        ("--link finger --edge 0".into(), "--edge"),
-        ("--link finger --edge 1e-6".into(), "facets are needed"),
-        ("--link finger -o a.obj".into(), ".ply"),
-        ("--link finger --shapes visual".into(), "no shape"),
-        ("--link finger --against finger".into(), "other side"),
-        ("--link finger --max-mesh-size 10".into(), "--max-mesh-size"),
-    ];
-    for (flags, what) in cases {
-        let outcome = percuss(&format!("map {ARM} {flags}"));
-        assert_eq!(outcome.code, 2, "{flags}: {}", outcome.stdout);
-        assert!(outcome.stderr.contains(what), "{flags}: {}", outcome.stderr);
-    }
-    assert!(!workshop().join("a.obj").exists());
 }

@@ -155,45 +155,6 @@ fn assert_remaining_gap(file: &str, stop: &str, expected: f64) {
     assert!((found - expected).abs() < 1e-9, "{stop}: {found}, {expected}");
 }
 
-/// A sweep over a wheel travel or over a joint warns if a row penetrates a stop, with the row of the first penetration. The
-/// rows of a joint are evaluated without poses, the rows of a wheel travel with poses.
-#[test]
-fn stops_that_a_sweep_passes_are_warned_of() {
-    let folder = Scratch::new("contacts-passed");
-    let bar = folder.write("bar.urdf", BAR);
-    let warned = |line: &str| {
-        let outcome = percuss(&format!("sweep {line} -o {} --force", folder.path("rows.csv")));
-        assert_eq!(outcome.code, 0, "{line}: {}", outcome.stderr);
-        outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ")
-    };
-    // The pad moves by L sin q, and the plane is at 0.2 m: the penetration is largest in the last row, q = −1.
-    let beyond = 1e3 * (LENGTH * 1f64.sin() - 0.2);
-    let text = warned(&format!("{bar} --at seat --vary hinge=0:-1:11"));
-    assert!(text.contains("beyond the touch of plane"), "{text}");
-    let single = warned(&format!("{bar} --at seat --vary hinge=-1:-1:1"));
-    assert!(
-        single.contains(&format!(
-            "the pad is {beyond:.2} mm beyond the touch of plane, along the direction of the stop"
-        )),
-        "{single}"
-    );
-    assert!(!warned(&format!("{bar} --at seat --vary hinge=0:-0.3:11")).contains("beyond the touch"));
-    let sheet = "models/suspensions/double-wishbone.toml --at spring";
-    for range in
-        ["--wheel-travel 0:90mm:10", "--vary lower_arm_hinge=0:-0.6:7", "--vary lower_arm_hinge=0:0.6:7"]
-    {
-        let text = warned(&format!("{sheet} {range}"));
-        assert!(
-            text.contains("beyond the touch of bump_stop")
-                || text.contains("beyond the touch of rebound_stop"),
-            "{range}: {text}"
-        );
-    }
-    assert!(!warned(&format!("{sheet} --vary lower_arm_hinge=-0.05:0.05:5")).contains("beyond the touch"));
-    let own = warned(&format!("{bar} --at plane --vary hinge=0:-1:11"));
-    assert!(!own.contains("beyond the touch of plane"), "the column of the gap shows it: {own}");
-}
-
 #[test]
 fn the_list_has_every_contact_and_the_reason_of_a_missing_one() {
     let folder = Scratch::new("contacts-list");
@@ -422,35 +383,6 @@ fn stops_that_touch_together_state_both_masses() {
     assert!(expected < number(&report, "effective_mass"), "the stop alone turns the axle");
     let corner = json("mass models/suspensions/double-wishbone.toml --at bump_stop --format json");
     assert!(corner["named_contact"]["effective_mass_together"].is_null());
-}
-
-/// A sheet in which pad and face of the bump stop are exchanged, and others whose gap, direction or wheel is wrong.
-#[test]
-fn doubtful_stops_and_wheels_are_warned_of() {
-    let folder = Scratch::new("contacts-doubtful");
-    let text =
-        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
-    let found = |name: &str, changes: &[(&str, &str)]| -> Vec<String> {
-        let changed = changes.iter().fold(text.clone(), |text, (old, new)| {
-            assert!(text.contains(old), "{name}: {old}");
-            text.replacen(old, new, 1)
-        });
-        let sheet = folder.write(&format!("{name}.toml"), &changed);
-        let report = json(&format!("mass {sheet} --at bump_stop --format json"));
-        let list = report["diagnostics"].as_array().expect("findings");
-        let warnings = list.iter().filter(|finding| finding["severity"] == "warning");
-        warnings.map(|finding| finding["code"].as_str().expect("a code").to_owned()).collect()
-    };
-    assert!(found("plain", &[]).is_empty());
-    let exchanged =
-        [("bump_stop_pad = ", "x = "), ("bump_stop = ", "bump_stop_pad = "), ("x = ", "bump_stop = ")];
-    assert!(
-        found("exchanged", &exchanged).contains(&"wrong-way-stop".to_owned()),
-        "{:?}",
-        found("exchanged", &exchanged)
-    );
-    let radius = text.lines().find(|line| line.starts_with("radius")).expect("a radius").to_owned();
-    assert!(found("radius", &[(&radius, "radius = 30")]).contains(&"implausible-wheel".to_owned()));
 }
 
 /// The contact patch is the lowest point of the wheel at the pose, in `mass`, `sweep` and `kinematics`.

@@ -211,31 +211,3 @@ fn parts_that_are_not_read_are_reported() {
         assert!(!percuss(&format!("check {file} --notes")).stderr.contains("no part of a mechanism"));
     }
 }
-
-/// Moments with A + B < C: refused with the flag that writes the nearest possible ones, which the report names.
-#[test]
-fn inertias_are_balanced_on_request() {
-    let folder = Scratch::new("balance");
-    let model = folder.write(
-        "disc.urdf",
-        "<robot name=\"r\"><link name=\"base\"/><link name=\"disc\"><inertial><mass value=\"2\"/>\
-         <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.5\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
-         <joint name=\"hinge\" type=\"continuous\"><parent link=\"base\"/><child link=\"disc\"/><axis xyz=\"0 0 1\"/>\
-         <dynamics armature=\"0.2\"/></joint></robot>",
-    );
-    let run =
-        |flags: &str, output: &str| percuss(&format!("convert {model} {flags} -o {}", folder.path(output)));
-    let refused = run("", "disc.xml");
-    assert!(refused.code == 2 && refused.stderr.contains("--balance-inertia"), "{}", refused.stderr);
-    let written = run("--balance-inertia", "disc.xml");
-    let report = written.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
-    // The excess of 0.3 is a fifth of the largest moment in three parts.
-    assert!(written.code == 0 && report.contains("a change by 20.00 % of the largest"), "{report}");
-    let wrong = run("--balance-inertia", "disc.sdf");
-    assert!(wrong.code == 2 && wrong.stderr.contains("--balance-inertia"), "{}", wrong.stderr);
-    // URDF of other readers: an armature needs damping and friction.
-    let urdf = run("", "again.urdf");
-    assert!(urdf.stdout.contains("its armature is an attribute"), "{}", urdf.stdout);
-    let text = std::fs::read_to_string(folder.path("again.urdf")).expect("written");
-    assert!(text.contains("<dynamics damping=\"0\" friction=\"0\" armature=\"0.2\"/>"), "{text}");
-}

@@ -180,30 +180,6 @@ fn one_model_of_an_sdf_file_is_chosen() {
     assert_eq!(onto_itself.code, 2, "{}", onto_itself.stdout);
 }
 
-#[test]
-fn bad_input_is_refused() {
-    let folder = Scratch::new("convert-refusals");
-    let output = folder.path("model.txt");
-    let outcome = percuss(&format!("convert models/four_bar.urdf -o {output}"));
-    assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("give --to mjcf, urdf or sdf"), "{}", outcome.stderr);
-    assert_eq!(percuss(&format!("convert models/four_bar.urdf --to mjcf -o {output}")).code, 0);
-    let outcome = percuss(&format!("convert models/four_bar.urdf --to mjcf -o {output}.sdf"));
-    assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("names the format sdf, and --to the format mjcf"), "{}", outcome.stderr);
-    // Written by percuss: replaced without --force. Changed by hand: not.
-    assert_eq!(percuss(&format!("convert models/four_bar.urdf --to urdf -o {output}")).code, 0);
-    let text = std::fs::read_to_string(&output).expect("the file");
-    std::fs::write(&output, text.replace("crank", "CRANK")).expect("a file");
-    let outcome = percuss(&format!("convert models/four_bar.urdf --to urdf -o {output}"));
-    assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("--force"), "{}", outcome.stderr);
-    let outcome =
-        percuss_with_stdin("check -", b"<mujoco><worldbody>\n<body><jiont/></body></worldbody></mujoco>");
-    assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("<stdin>:2: error: mujoco/worldbody/body/jiont:"), "{}", outcome.stderr);
-}
-
 /// A crank and a slide with a reference position, a ball, a follower, and a free body that is drawn turned.
 const KEYFRAMES: &str = r#"<mujoco><compiler angle="degree"/><worldbody>
     <body name="a"><joint name="h" axis="0 1 0" ref="30"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/>

@@ -63,49 +63,6 @@ fn the_keyframe_has_the_pose_and_the_velocity_of_the_contact() {
     assert!(outcome.stderr.contains("impact.py"), "{}", outcome.stderr);
 }
 
-#[test]
-fn conditions_without_a_form_are_refused() {
-    let folder = Scratch::new("export-refusals");
-    let file = folder.path("impact.xml");
-    for (flags, message) in [
-        ("--lock crank_pin", "--lock"),
-        ("--against-mass 2", "--against-mass"),
-        ("--for mujoco", "--for"),
-        ("--to sdf", "percuss export model -o file.sdf"),
-        ("--to urdf", "cannot store the positions and velocities of joints"),
-        ("--limit crank_hinge", "--limit"),
-        ("--exponent 1.5", "mujoco"),
-    ] {
-        let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} {flags} -o {file}"));
-        assert_eq!(outcome.code, 2, "{flags}");
-        assert!(
-            outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase().contains(message),
-            "{flags}: {}",
-            outcome.stderr
-        );
-    }
-    let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} -o {}", folder.path("impact.txt")));
-    assert!(outcome.code == 2 && outcome.stderr.contains(".xml"), "{}", outcome.stderr);
-}
-
-/// The stop of a joint as a contact text is the stop of `--limit`; other moments have no form in a simulator.
-#[test]
-fn stops_of_joints_are_written_as_limits() {
-    let folder = Scratch::new("export-stops");
-    let files = ["at.xml", "limit.xml"].map(|name| folder.path(name));
-    let impact = "--restitution 0.3 --stiffness 2000Nm/rad";
-    for (flag, file) in ["--at", "--limit"].into_iter().zip(&files) {
-        let outcome = percuss(&format!("export models/six_r_arm.urdf {flag} elbow:upper {impact} -o {file}"));
-        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    }
-    let [at, limit] = files.map(|file| std::fs::read_to_string(file).expect("the file"));
-    assert!(at == limit && at.contains("solreflimit"), "{at}");
-    let axis = "--link tool --about-axis 0,0,1";
-    let file = folder.path("moment.xml");
-    let outcome = percuss(&format!("export models/six_r_arm.urdf {axis} {impact} -o {file}"));
-    assert!(outcome.code == 2 && outcome.stderr.contains("a moment about an axis"), "{}", outcome.stderr);
-}
-
 /// A body of 2 kg and the moments (0.02, 0.03, 0.04) kg·m² that floats: the keyframe has its free joint at the velocity of the impact, and a
 /// link of the name of the ground is refused.
 #[test]

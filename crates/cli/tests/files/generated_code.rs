@@ -25,34 +25,3 @@ fn the_self_test_agrees() {
     let run = Command::new(format!("{output}/self-test")).output().expect("the program runs");
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
 }
-
-#[test]
-fn bad_input_is_refused() {
-    let folder = Scratch::new("generated-refusals");
-    let output = folder.path("code");
-    for (flags, message) in [
-        (format!("{ARM} --close -o {output}"), "--close: the mechanism has no loops"),
-        (format!("{ARM} --name Arm -o {output}"), "--name Arm: a prefix of names"),
-        (format!("{ARM} --lock nothing -o {output}"), "--lock"),
-        (format!("{ARM} --estimate forearm -o {output}"), "--estimate"),
-        (
-            format!("generate models/planar_2r.urdf --link outer --point 0,0,0 --normal 0,0,1 -o {output}"),
-            "no motion of the mechanism closes this gap",
-        ),
-        (
-            format!("generate models/six_r_arm.urdf --link tool -o {output}"),
-            "a contact of the model is required",
-        ),
-    ] {
-        let outcome = percuss(&flags);
-        assert_eq!(outcome.code, 2, "{flags}: {}", outcome.stderr);
-        assert!(outcome.stderr.contains(message), "{flags}: {}", outcome.stderr);
-    }
-    // A file that percuss did not write stays.
-    std::fs::create_dir_all(&output).expect("a folder");
-    std::fs::write(format!("{output}/six_r_arm.c"), "int mine;\n").expect("a file");
-    let outcome = percuss(&format!("{ARM} -o {output}"));
-    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("--force replaces it"), "{}", outcome.stderr);
-    assert!(!std::path::Path::new(&format!("{output}/six_r_arm.h")).exists());
-}

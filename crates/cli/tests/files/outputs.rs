@@ -333,33 +333,3 @@ fn a_study_writes_outside_its_folder_on_demand_only() {
     let allowed = percuss(&format!("run {} --allow-outside", study("../out.csv")));
     assert_eq!(allowed.code, 0, "{}", allowed.stderr);
 }
-
-/// Kinematics of every form may be written again, and a foreign table that begins alike may not be replaced.
-#[test]
-fn kinematics_may_be_written_again() {
-    let folder = Scratch::new("kinematics-again");
-    let travel = "--wheel-travel -10mm:10mm:3";
-    for (name, flags) in [
-        ("rows.csv", travel),
-        ("heave.csv", "--heave -10mm:10mm:3"),
-        ("one.csv", "--columns camber,toe"),
-        ("rows.txt", travel),
-        ("one.txt", ""),
-        ("rows.json", travel),
-    ] {
-        let line =
-            format!("kinematics models/suspensions/double-wishbone.toml {flags} -o {}", folder.path(name));
-        for run in ["first", "second"] {
-            let outcome = percuss(&line);
-            assert_eq!(outcome.code, 0, "{name}, {run} run: {}", outcome.stderr);
-        }
-    }
-    for (name, text) in
-        [("a.csv", "heave_mm,name\n1,x\n"), ("b.csv", "camber_deg,driver\n"), ("c.txt", "camber\n")]
-    {
-        let path = folder.write(name, text);
-        let outcome =
-            percuss(&format!("kinematics models/suspensions/double-wishbone.toml {travel} -o {path}"));
-        assert_eq!((outcome.code, fs::read_to_string(path).expect("there").as_str()), (2, text), "{name}");
-    }
-}

@@ -183,27 +183,6 @@ fn a_model_that_was_edited_is_kept() {
 }
 
 #[test]
-fn a_file_silences_no_warning_under_strict() {
-    let folder = Scratch::new("known");
-    let text = |code: &str| {
-        format!(
-            "<?xml version=\"1.0\"?><?percuss-known {code} a?><robot name=\"r\"><link name=\"base\"/><link name=\"a\"><inertial>\
-             <mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"5\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
-             <joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"a\"/><axis xyz=\"0 0 1\"/></joint></robot>"
-        )
-    };
-    let model = folder.write("known.urdf", &text("triangle-inequality"));
-    let plain = percuss(&format!("check {model}"));
-    assert!(plain.code == 0 && !plain.stderr.contains("warning"), "{}", plain.stderr);
-    let strict = percuss(&format!("check {model} --strict"));
-    assert!(
-        strict.code == 2 && strict.stderr.contains("--strict treats warnings as errors"),
-        "{}",
-        strict.stderr
-    );
-}
-
-#[test]
 fn a_table_of_points_is_in_the_folder_of_its_sheet() {
     let folder = Scratch::new("outside");
     fs::create_dir_all(folder.path("sheets")).expect("made");
@@ -264,21 +243,6 @@ fn names_that_look_like_formulas_read_back() {
             let outcome = percuss(&format!("{line} --input {path}{flags}"));
             assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
         }
-    }
-}
-
-#[test]
-fn poses_have_each_joint_once() {
-    let folder = Scratch::new("twice");
-    for text in ["{\"hinge\": 0.5,\n\"hinge\": 0.7}", "{\"pose\": {\"hinge\": 0,\n\"hinge\": 1}}"] {
-        let pose = folder.write("pose.json", text);
-        let outcome = percuss(&format!("mass {MODEL} {CONTACT} --pose {pose}"));
-        assert_eq!(outcome.code, 2, "{}", outcome.stderr);
-        assert!(
-            outcome.stderr.contains("pose.json:2") && outcome.stderr.contains("\"hinge\" is given twice"),
-            "{}",
-            outcome.stderr
-        );
     }
 }
 

@@ -160,43 +160,6 @@ fn points_between_links_and_moments_are_further_contacts() {
     }
 }
 
-/// If a joint is not at the stop of a further contact, a warning states the distance and the position to set.
-#[test]
-fn a_stop_that_is_not_reached_is_a_warning() {
-    let robot = "impact models/six_r_arm.urdf --link tool --point 0,0,0 --normal 1,0,0 --restitution 0.2 --speed 1 --also elbow:upper";
-    let codes = |flags: &str| percuss(&format!("{robot} {flags}")).stderr;
-    let open = codes("--set elbow=1");
-    for words in ["1.6 rad short of its upper stop at 2.6 rad", "set elbow=2.6 (--set)"] {
-        assert!(open.contains(words), "{words}: {open}");
-    }
-    assert!(!codes("--set elbow=2.6").contains("its upper stop"));
-}
-
-/// With forces and moments at once, a change of the unit of length scales rows of W. The results of the laws of Newton and Poisson do not
-/// change. The result of the energetic law changes without a given stiffness ratio, and only this case has a warning.
-#[test]
-fn units_of_forces_and_moments_have_no_silent_effect() {
-    let base = format!(
-        "impact {ARM} --normal 0,1,0 --restitution 0.4 --rates shoulder=0.4 --rates elbow=0.5 --also elbow:upper"
-    );
-    let has =
-        |flags: &str| percuss(&format!("{base} {flags}")).stderr.contains("depend on the units N and N·m");
-    assert!(has(""));
-    assert!(!has("--stiffness-ratio 1,0.3"));
-    // Forces only.
-    let forces = base.replace("--also elbow:upper", "--also outer:0.2,0,0:1,0,0");
-    assert!(!percuss(&forces).stderr.contains("depend on the units N and N·m"));
-    // Redundant contacts: the stop of the hinge and a force between its links. With equal coefficients of restitution, the speeds do not
-    // depend on the distribution of the impulses. A distribution among moments only does not depend on the units.
-    let lower = base.replace("elbow:upper", "elbow:lower").replace("elbow=0.5", "elbow=-0.3");
-    let twice = format!("{lower} --also outer:0.4,0,0:0.64,-0.77,0=inner --stiffness-ratio 1,0.3,0.3");
-    assert!(!percuss(&twice).stderr.contains("depend on the units N and N·m"));
-    let text = percuss(&format!("{twice} --also-restitution 0.4,0.1")).stderr;
-    assert!(text.contains("leave out a redundant contact"), "{text}");
-    let moments = twice.replace("outer:0.4,0,0:0.64,-0.77,0=inner", "outer:about:0,0,-1=inner");
-    assert!(!percuss(&format!("{moments} --also-restitution 0.4,0.1")).stderr.contains("redundant contact"));
-}
-
 /// The position of the hinge follows from the loop, so the driving hinge moves it to its stop, on the branch of the drawing. A bisection
 /// over positions of the driver finds the same pose.
 #[test]

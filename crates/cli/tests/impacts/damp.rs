@@ -177,92 +177,6 @@ fn the_force_history_is_drawn() {
 }
 
 #[test]
-fn contacts_without_a_damper_give_the_reason() {
-    for (line, code, words) in [
-        ("", 2, "--restitution E (the required restitution) and --stiffness"),
-        ("--mass 3", 2, "--restitution E (the required restitution) and --stiffness"),
-        ("--stiffness 1e4 --restitution 0.5", 2, "either --mass KG or --mass-from MODEL"),
-        ("--mass 3 --restitution 0.5", 2, "--stiffness"),
-        ("--mass 3 --stiffness 1e4 --restitution 1.2", 2, "a number from 0 to 1"),
-        ("--mass 3 --stiffness 1e4 --restitution=-0.1", 2, "a number from 0 to 1"),
-        ("--mass 3 --stiffness 1e4 --restitution nan", 2, "not finite"),
-        ("--mass 3 --stiffness 0 --restitution 0.5", 2, "a finite number above 0"),
-        ("--mass 3 --stiffness -5 --restitution 0.5", 2, "a finite number above 0"),
-        ("--mass 0 --stiffness 1e4 --restitution 0.5", 2, "a finite number above 0"),
-        ("--mass -1 --stiffness 1e4 --restitution 0.5", 2, "a finite number above 0"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --speed 0", 2, "approach speed"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --law hunt-crossley", 2, "give the speed"),
-        (
-            "--mass 3 --stiffness 1e4 --restitution 0.5 --law hunt-crosley",
-            2,
-            "did you mean \"hunt-crossley\"?",
-        ),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --for mujco", 2, "did you mean \"mujoco\"?"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --exponent 0.5", 2, "exponent"),
-        ("--mass 3 --stiffness 1e4 --restitution 0", 2, "use a small restitution"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --output plot.svg", 2, "--speed"),
-        (
-            "--mass 3 --stiffness 1e4 --restitution 0.5 --speed 1 --output plot.gif",
-            2,
-            ".svg, .png, .pdf or .csv",
-        ),
-        (
-            "--mass 3 --mass-from models/four_bar.urdf --stiffness 1e4 --restitution 0.5",
-            2,
-            "cannot be used with",
-        ),
-        (
-            "--mass-from models/four_bar.urdf --stiffness 1e4 --restitution 0.5",
-            2,
-            "--link LINK, --point X,Y,Z",
-        ),
-        ("--mass 3 --stiffness 1e4 --restitution 0.99 --for bullet --time-step 1", 2, "step must be below"),
-        (
-            "--mass 3 --stiffness 1e4 --restitution 0.5 --for mujoco --time-step 1",
-            2,
-            "too long for an explicit integration",
-        ),
-        (
-            "--mass 1.5 --stiffness 1e5 --restitution 0.01 --for mujoco --time-step 7.7e-4",
-            2,
-            "too long for an explicit integration",
-        ),
-        (
-            "--mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --stiffness 1e4 --restitution 0.5",
-            1,
-            "immovable",
-        ),
-    ] {
-        let outcome = percuss(&format!("damp {line}"));
-        assert_eq!(outcome.code, code, "{line}\n{}", outcome.stderr);
-        assert_eq!(outcome.stdout, "", "{line}");
-        assert!(outcome.stderr.contains(words), "{line}: {words} is missing in\n{}", outcome.stderr);
-    }
-    // Zero damping and critical damping are valid results.
-    let elastic = json("damp --mass 3 --stiffness 1e4 --restitution 1 --speed 1 --format json");
-    assert_eq!((&elastic["damping"], &elastic["energy_lost"]), (&0.0.into(), &0.0.into()));
-    let dead = json("damp --mass 3 --stiffness 1e4 --restitution 0 --separation gap --speed 1 --format json");
-    assert_close(&dead["damping_ratio"], 1.0, 1e-15);
-    assert!(dead["contact_duration"].is_null(), "it never comes back");
-    assert!(!elastic.to_string().contains("-0.0"));
-}
-
-#[test]
-fn lists_stand_alone() {
-    let laws = percuss("damp --list-laws");
-    assert_eq!(laws.code, 0);
-    for name in [
-        "kelvin-voigt  (exact)",
-        "hunt-crossley  (exact, needs --speed)",
-        "gonthier  (approximation",
-        "tsuji",
-    ] {
-        assert!(laws.stdout.contains(name), "{name}");
-    }
-    assert!(percuss("damp --list-tools").stdout.contains("pybullet"));
-}
-
-#[test]
 fn names_stand_for_what_they_are_known_for() {
     let base = "damp --mass 12 --stiffness 2e5 --restitution 0.3 --format json --law";
     let half_period = json(&format!("{base} anagnostopoulos"));
@@ -474,28 +388,5 @@ fn the_stop_of_a_joint_has_the_inertia_of_both_sides() {
         let outcome = percuss(&format!("damp --mass-from models/planar_2r.urdf {line}"));
         assert_eq!(outcome.code, 2, "{line}");
         assert!(outcome.stderr.contains(told), "{line}: {}", outcome.stderr);
-    }
-}
-
-/// The centre of mass of a balanced wheel does not move, so that MuJoCo takes the mean inverse inertia 1/(3 I) for its `body_invweight0`.
-#[test]
-fn a_balanced_wheel_can_be_exported() {
-    let folder = Scratch::new("wheel");
-    for com in ["0 0 0", "0 0.2 0", "1e-10 0 0"] {
-        let model = folder.write(
-            "wheel.urdf",
-            &format!(
-                "<robot name=\"w\"><link name=\"base\"/><link name=\"wheel\"><inertial><origin xyz=\"{com}\"/><mass value=\"5\"/>\
-                 <inertia ixx=\"0.05\" iyy=\"0.08\" izz=\"0.05\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><collision><geometry>\
-                 <cylinder radius=\"0.3\" length=\"0.1\"/></geometry></collision></link><joint name=\"h\" type=\"continuous\"><parent \
-                 link=\"base\"/><child link=\"wheel\"/><axis xyz=\"0 1 0\"/></joint></robot>"
-            ),
-        );
-        let contact =
-            "--link wheel --point 0.3,0,0 --normal 0,0,1 --stiffness 1e5 --restitution 0.3 --speed 1";
-        let text = percuss(&format!("damp --mass-from {model} {contact} --for all")).stdout;
-        // α = m̄/(3 I) with m̄ = I/r².
-        assert!(text.contains("3.7037037"), "{text}");
-        percuss(&format!("export {model} {contact} -o {}", folder.path("wheel.xml")));
     }
 }

@@ -124,45 +124,6 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
     refused(&format!("compare {alone} {swept}"), &["\"swept\"", "the first has no range"]);
 }
 
-/// A message names the flag or the file.
-#[test]
-fn wrong_inputs_say_which_flag_or_file_they_are_from() {
-    let four_bar = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
-    let damp = |mass: &str, k: &str, e: &str| format!("damp --mass {mass} --stiffness {k} --restitution {e}");
-    for (line, words) in [
-        (format!("mass {four_bar} --travel nope:0,0,0:0,0,1=1mm"), ["--travel: ", "\"nope\""]),
-        (format!("mass {four_bar} --travel coupler:0,0,0:0,0,1=1mm"), ["--travel: ", "no joint"]),
-        (format!("mass {four_bar} --travel coupler:0,0,0:0,0,0=1mm"), ["--travel: ", "no length"]),
-        (format!("mass {four_bar} --travel coupler=1mm"), ["--travel", "LINK:X,Y,Z"]),
-        (format!("mass {four_bar} --pose nowhere.json"), ["--pose: nowhere.json", "no such file"]),
-        (
-            format!("mass {four_bar} --pose models/four_bar.urdf"),
-            ["--pose: models/four_bar.urdf:1", "not JSON"],
-        ),
-        (damp("-1", "1", "0.3"), ["(--mass)", "above 0"]),
-        (damp("1", "-1", "0.3"), ["(--stiffness)", "above 0"]),
-        (damp("1", "1", "3"), ["(--restitution)", "0 to 1"]),
-        (damp("1", "1", "0.3 --for mujoco --accuracy 0"), ["(--accuracy)", "0.1"]),
-        (damp("1", "1", "0.3 --for mujoco --time-step -1"), ["(--time-step)", "above 0"]),
-        (damp("1", "1", "0.3 --for bullet --other-own-mass -1"), ["--other-own-mass", "above 0"]),
-        (damp("1", "1", "0.3 --for mujoco --diagonal-ratio -1"), ["(--diagonal-ratio)", "above 0"]),
-        (damp("1", "3Nm/rad", "0.3"), ["--stiffness: ", "expected N/m"]),
-        (format!("mass {four_bar} --set rocker_hinge=1"), ["--set: ", "\"crank_hinge\""]),
-        (
-            format!("mass {four_bar} --set crank_hinge=1 --set rocker_hinge=1"),
-            ["--set: ", "too many joints are set"],
-        ),
-        (format!("sweep {four_bar} --vary rocker_hinge=0:1:3"), ["--vary: ", "\"crank_hinge\""]),
-        (format!("{ARM} --normal 1,0,0 --region chest --force 1 --load -1"), ["(--load)", "0 or above"]),
-        (format!("{ARM} --normal 1,0,0 --region chst --force 1"), ["(--region)", "chest"]),
-        (format!("{ARM} --normal 1,0,0 --region chest --pressure -1 --area 1"), ["(--pressure)", "above 0"]),
-        (format!("{ARM} --normal 1,0,0 --momentum 0"), ["(--momentum)", "above 0"]),
-        (format!("mass models/four_bar.toml {STOP}"), ["models/four_bar.toml: error", "this is a study"]),
-    ] {
-        refused(&line, &words);
-    }
-}
-
 const ARM: &str = "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --set elbow=70deg";
 
 /// ½ μ v² = E and μ v = P; without a region, μ is the robot's effective mass.

@@ -171,17 +171,6 @@ fn safe_speeds_state_the_reach_of_the_joints() {
     assert!(limited("", "").is_null() && limited("0", "").is_null());
 }
 
-/// Gravity that separates the sides increases the reached restitution above 1, with a warning.
-#[test]
-fn a_restitution_above_one_in_time_is_a_warning() {
-    let arm = ARM.replace("--restitution 0.3", "--restitution 1");
-    let line = format!("{arm} --speed 1 --stiffness 2e3 --in-time --format json");
-    let codes = |flags: &str| json(&format!("{line} {flags}"))["diagnostics"].to_string();
-    assert!(codes("--gravity 0,100,0").contains("restitution-above-one"));
-    let weak = format!("{ARM} --speed 1 --stiffness 2e5 --in-time --format json");
-    assert!(!json(&weak)["diagnostics"].to_string().contains("restitution-above-one"));
-}
-
 /// Without `--rates`, errors of the motion before the impact name `--base-twist`; errors of sticking points name `--sticking`.
 #[test]
 fn errors_of_a_base_twist_name_it() {

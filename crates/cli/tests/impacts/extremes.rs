@@ -192,25 +192,6 @@ fn extremes_of_peak_forces_are_those_of_impacts() {
     }
 }
 
-/// Towards the stretched arm along the normal the impulse in the shoulder has no bound, and at a bent pose the impulse is zero.
-#[test]
-fn an_unbounded_bearing_impulse_is_named() {
-    let command = "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world \
-                   --range shoulder=-180deg:180deg --range elbow=-20deg:160deg --quantity bearing:shoulder";
-    let report = json(&format!("{command} --format json"));
-    assert!(
-        report["most"]["value"].is_null() && report["most"]["status"] == "immovable",
-        "{}",
-        report["most"]
-    );
-    assert_eq!(report["least"]["value"], 0.0);
-    let text = percuss(command).stdout;
-    assert!(
-        text.contains("unbounded: it grows towards") && text.contains("smallest             0 kg"),
-        "{text}"
-    );
-}
-
 /// Only the joints with a range vary; the others are listed. A given position excludes a joint from the default ranges and contradicts a
 /// range.
 #[test]

@@ -3,9 +3,6 @@
 use crate::support::json;
 use serde_json::Value;
 
-const FOUR_BAR: &str =
-    "impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3";
-
 /// Against a free body, friction with the coefficient 0 changes nothing, and the contact in time reaches the requested restitution at the
 /// effective mass of both sides.
 #[test]
@@ -23,14 +20,4 @@ fn a_free_body_with_friction_and_in_time() {
     // The effective mass of the arm drifts during the impact.
     assert!((number(&in_time["in_time"]["restitution"]) - 0.3).abs() < 1e-3, "{in_time}");
     assert!(number(&in_time["in_time"]["mass_change"]).abs() < 0.01, "{in_time}");
-}
-
-/// Results that do not include the friction of an impact are named.
-#[test]
-fn results_without_friction_are_named() {
-    let limits = "--speed 1 --stiffness 1e5 --rate-limit rocker_hinge=1";
-    let codes =
-        |flags: &str| json(&format!("{FOUR_BAR} {limits} {flags} --format json"))["diagnostics"].to_string();
-    assert!(codes("--friction 0.2").contains("without-friction"));
-    assert!(!codes("").contains("without-friction"));
 }

@@ -129,31 +129,3 @@ fn other_commands_follow() {
     );
     assert!(compare.stdout.contains("kg·m²"), "{}{}", compare.stdout, compare.stderr);
 }
-
-#[test]
-fn refusals_name_the_remedy() {
-    let axis = "models/planar_2r.urdf --link outer --about-axis 0,0,1";
-    for (command, words) in [
-        (format!("mass {axis} --point 0.4,0,0"), "--point"),
-        (format!("mass {axis} --normal 1,0,0"), "--normal"),
-        (format!("mass {axis} --against-mass 2"), "--against-mass"),
-        (format!("mass {axis} --estimate outer"), "--estimate"),
-        ("mass models/planar_2r.urdf --link outer --about-axis 0,0,0".to_owned(), "the axis has length 0"),
-        ("mass models/planar_2r.urdf --at elbow:upper --about-axis 0,0,1".to_owned(), "--about-axis"),
-        ("mass models/planar_2r.urdf --at elbow:uper".to_owned(), "did you mean elbow:upper? The ends are lower and upper"),
-        ("mass models/planar_2r.urdf --at elbow:end".to_owned(), "JOINT:lower or JOINT:upper"),
-        (format!("impact {axis} --restitution 0 --speed 1 --friction 0.2"), "a moment about an axis has no friction"),
-        (format!("impact {axis} --restitution 0 --speed 1 --percussion elbow"), "no centre of percussion"),
-        (format!("impact {axis} --restitution 0 --speed 1 --sticking"), "no sticking contact point"),
-        (format!("impact {axis} --restitution 0 --speed 1m/s"), "expected rad/s"),
-        (format!("impact {axis} --restitution 0 --speed 1 --stiffness 1N/mm"), "expected N·m/rad"),
-        ("impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --restitution 0 --speed 1rad/s".to_owned(), "expected m/s"),
-        (format!("map {axis} --directions 20"), "--about-axis: a map is about contact points"),
-        (format!("safe-speed {axis} --region chest --force 280"), "no safe speed"),
-        (format!("damp --mass-from {axis} --stiffness 200 --restitution 0.3 --for mujoco"), "JOINT:lower or JOINT:upper"),
-        (format!("generate {axis} -o /nowhere/mass.c"), "no code is generated"),
-    ] {
-        let outcome = percuss(&command);
-        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}{}", outcome.stdout, outcome.stderr);
-    }
-}

@@ -170,22 +170,6 @@ fn a_substitute_with_mimic_joints_has_the_stated_error() {
     assert!(text.contains("mimic joints         for a simulator without loops"), "{text}");
 }
 
-/// With the guide locked, the crank of the slider-crank moves at its dead centre only; at the position 0.5 the cam moves nothing with mass.
-#[test]
-fn positions_without_a_finite_inertia_leave_no_constant() {
-    for (line, words) in [
-        ("slider_crank.urdf --lock guide --reflected crank_hinge=0:90deg:3", "at 1 of 3 positions"),
-        ("valve_train.urdf --reflected cam_hinge=0.4:0.6:3", "at 2 of 3 positions"),
-        ("valve_train.urdf --reflected cam_hinge=0.5:0.5:1", "massless or immovable at all 1 positions"),
-    ] {
-        let text = percuss(&format!("impact models/{line}")).stdout;
-        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(text.contains(words) && !text.contains("best constant"), "{line}: {text}");
-        let report = json(&format!("impact models/{line} --format json"));
-        assert!(report["reflected_over"][0]["best_constant"].is_null(), "{line}");
-    }
-}
-
 /// A joint whose position is given drives its loop, so that `held` has a value and names the other drivers. Without it, a joint that is no
 /// automatic driver has a warning.
 #[test]

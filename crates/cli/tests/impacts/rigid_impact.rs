@@ -1,13 +1,10 @@
 //! `percuss impact`: closed forms, indeterminate components, refusals, and the study table.
 
-use crate::support::{Scratch, json, percuss, root};
+use crate::support::{Scratch, json, percuss};
 use serde_json::Value;
 
 const FOUR_BAR: &str =
     "impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3";
-
-/// Contact of [`FOUR_BAR`] without its point.
-const FOUR_BAR_CONTACT: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
 
 /// Rounding of a few operations.
 const ROUNDING: f64 = 1e-12;
@@ -120,22 +117,6 @@ fn an_impact_in_time_reaches_its_restitution_and_loads_its_bearings() {
     assert_eq!(percuss(&format!("{line} --output {svg}")).code, 0);
     let drawn = std::fs::read_to_string(&svg).expect("written");
     assert!(drawn.contains("crank_hinge") && drawn.contains("penetration (mm)"));
-}
-
-#[test]
-fn invalid_impacts_in_time_are_refused() {
-    for (flags, expected) in [
-        ("--speed 1 --in-time", "--stiffness"),
-        ("--speed 1 --stiffness 1e5 --gravity 0,0,1", "--in-time"),
-        ("--speed 1 --stiffness 1e5 --in-time --gravity 0,1", "three finite numbers"),
-        ("--speed 1 --stiffness 1e5 --in-time --friction 0.2", "--friction"),
-        ("--speed 1 --stiffness 1e5 --output x.svg", "--in-time"),
-        ("--speed 0.2 --stiffness 2e5 --in-time --output x.txt", ".svg"),
-    ] {
-        let run = percuss(&format!("{FOUR_BAR} {flags}"));
-        assert_eq!(run.code, 2, "{flags}");
-        assert!(run.stderr.contains(expected), "{flags}: {}", run.stderr);
-    }
 }
 
 #[test]
@@ -350,27 +331,6 @@ fn the_best_constant_armature_of_the_crank() {
 }
 
 #[test]
-fn a_joint_that_does_not_drive_names_the_drivers() {
-    let text = percuss(&format!("{FOUR_BAR} --speed 1 --reflected rocker_hinge")).stdout;
-    let text = text.split_whitespace().collect::<Vec<&str>>().join(" ");
-    assert!(text.contains("no driving joint (driving joints: crank_hinge)"), "{text}");
-}
-
-/// The point of the least reaction at the rocker hinge is (0, 0.1, 0), where the coupler cannot move along the normal. The message has no
-/// digits of rounding.
-#[test]
-fn an_immovable_centre_of_percussion_is_refused() {
-    let refused = percuss(&format!("{FOUR_BAR} --speed 1 --percussion rocker_hinge"));
-    let message = refused.stderr.split_whitespace().collect::<Vec<&str>>().join(" ");
-    assert!(
-        refused.code == 2 && message.contains("the point of the least reaction [0, 0.1, 0] m"),
-        "{message}"
-    );
-    let immovable = percuss(&format!("mass {FOUR_BAR_CONTACT} --point 0,0.1,0"));
-    assert!(immovable.stdout.contains("immovable"), "{}", immovable.stdout);
-}
-
-#[test]
 fn a_centre_of_percussion_names_open_components() {
     let command = format!("{FOUR_BAR} --speed 2 --percussion crank_hinge");
     let report = json(&format!("{command} --format json"));
@@ -475,84 +435,6 @@ fn locks_and_couplings_of_one_joint_are_separate() {
     let text = percuss(&format!("{wheel} --lock left_rocker --lock right_rocker")).stdout;
     assert!(text.contains("coupling differential  right_rocker ?, left_rocker ?"), "{text}");
     assert!(text.contains("redundant constraints leave the impulse open: differential"), "{text}");
-}
-
-/// A limit of a joint that the impact does not move is named, and two springs of a joint are refused.
-#[test]
-fn values_without_effect_are_named() {
-    let arm = "impact models/planar_2r.urdf --link inner --point 0.4,0,0 --normal 0,1,0 --restitution 0.5 --speed 1 --lock elbow";
-    let report = json(&format!("{arm} --rate-limit elbow=2 --format json"));
-    assert_eq!(report["limits_without_effect"], serde_json::json!(["elbow"]));
-    assert!(report["greatest_closing_speed"].is_null());
-    let text = percuss(&format!("{arm} --rate-limit elbow=2")).stdout;
-    assert!(text.contains("the limit of elbow has no effect"), "{text}");
-    let both = json(&format!("{arm} --rate-limit elbow=2 --rate-limit shoulder=2 --format json"));
-    assert_eq!(both["greatest_closing_speed"]["joint"], "shoulder");
-    let door =
-        "impact models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --restitution 0.5";
-    let springs = "--stiffness 1e5 --in-time --joint-spring hinge=3e4 --joint-spring hinge=2e4";
-    let twice = percuss(&format!("{door} --speed 1 {springs}"));
-    assert!(twice.code == 2 && twice.stderr.contains("\"hinge\" is given twice"), "{}", twice.stderr);
-    let wrong = percuss(&format!("{door} --rates hinge=2deg"));
-    assert!(wrong.code == 2 && wrong.stderr.contains("rad/s or m/s"), "{}", wrong.stderr);
-    let immovable = percuss(
-        "impact models/physical_pendulum.urdf --link body --point 0,0,0 --normal 1,0,0 --restitution 0.5 \
-                             --speed 1 --against-mass 2 --percussion hinge",
-    );
-    assert!(
-        immovable.code == 2 && immovable.stderr.contains("is immovable along the normal"),
-        "{}",
-        immovable.stderr
-    );
-}
-
-#[test]
-fn invalid_motions_are_refused() {
-    let pendulum =
-        "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg";
-    for (command, code, words) in [
-        (format!("{FOUR_BAR} --rates crank_hinge=-2 --rates rocker_hinge=1"), 2, "--rates: joint"),
-        (format!("{FOUR_BAR} --rates crank_hinge=-2 --rates rocker_hinge=1"), 2, "residual"),
-        (format!("{FOUR_BAR} --rates crank_hinge=2"), 2, "open the gap"),
-        (format!("{FOUR_BAR} --rates crank=2"), 2, "no joint"),
-        (format!("{FOUR_BAR} --rates crank_hinge=2m/s"), 2, "crank_hinge"),
-        (format!("{FOUR_BAR} --rates crank_hinge=-24 --speed 3"), 2, "leave one of the two out"),
-        (FOUR_BAR.to_owned(), 2, "--speed: no motion"),
-        (format!("{FOUR_BAR} --speed -1"), 2, "--speed: the closing speed"),
-        (format!("{FOUR_BAR} --speed 1 --base-twist 0,0,0,0,0,1"), 2, "the base is fixed"),
-        (format!("{FOUR_BAR} --speed 1 --reflected nope"), 2, "--reflected"),
-        (format!("{FOUR_BAR} --speed 1 --rate-limit crank_hinge=-2"), 2, "--rate-limit"),
-        (format!("{pendulum} --restitution 0 --rates elbow=1"), 2, "shoulder"),
-        (format!("{pendulum} --restitution 2 --speed 1"), 2, "--restitution"),
-        (FOUR_BAR.replace("0,1,0 ", "0,0,1 ") + " --speed 1", 1, "immovable"),
-    ] {
-        let outcome = percuss(&command);
-        assert_eq!(outcome.code, code, "{command}\n{}", outcome.stderr);
-        assert!(outcome.stderr.contains(words), "{command}: {words} is missing in\n{}", outcome.stderr);
-    }
-}
-
-#[test]
-fn a_study_keeps_the_flags() {
-    let scratch = Scratch::new("impact-study");
-    let model = root().join("models/four_bar.urdf");
-    let study = scratch.write(
-        "impact.toml",
-        &format!(
-            "[model]\npath = '{}'\n[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n[impact]\n\
-             restitution = 0.3\nrates = {{ crank_hinge = \"-120deg/s\" }}\nreflected = \"crank_hinge\"\n",
-            model.display()
-        ),
-    );
-    let ran = percuss(&format!("run {study}")).stdout;
-    let printed =
-        percuss(&format!("{FOUR_BAR} --rates crank_hinge=-120deg/s --reflected crank_hinge")).stdout;
-    assert!(ran.ends_with(&printed), "{ran}\n{printed}");
-    let page = scratch.path("report.html");
-    let outcome = percuss(&format!("run {study} --report {page}"));
-    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    let page = std::fs::read_to_string(page).expect("the report");
-    assert!(page.contains("Reactions") && page.contains("rocker_pin"), "no reactions in the report");
 }
 
 /// Body of 5 kg with two feet: the impulses 5 N·s along the ground and across it need a coefficient of 1, however the feet share the

@@ -40,26 +40,6 @@ fn the_effective_mass_stands_beside_the_standards() {
 }
 
 #[test]
-fn limits_are_the_users() {
-    for (flags, words) in [
-        ("--region chest", "--force (N), --pressure"),
-        ("--region chest --force 0", "a finite number above 0"),
-        ("--region chest --force -3", "a finite number above 0"),
-        ("--region chest --force 280 --load -1", "load"),
-        ("--region chst --force 280", "did you mean \"chest\"?"),
-        ("--force 280", "--region"),
-        ("--region chest --pressure 100", "--area"),
-    ] {
-        let outcome = percuss(&format!("{ARM} {flags}"));
-        assert_eq!(outcome.code, 2, "{flags}\n{}", outcome.stderr);
-        assert!(outcome.stderr.contains(words), "{flags}: {words} is missing in\n{}", outcome.stderr);
-    }
-    let outcome = percuss("safe-speed models/six_r_arm.urdf --region chest --force 280");
-    assert!(outcome.code == 2 && outcome.stderr.contains("--link LINK"), "{}", outcome.stderr);
-    assert!(percuss("safe-speed --list-regions").stdout.contains("lower-leg"));
-}
-
-#[test]
 fn a_direction_without_give_leaves_the_persons_mass() {
     // The arm is stretched out, and the contact normal is along the arm.
     let stretched = "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --region chest --force 280";

@@ -102,17 +102,6 @@ fn flags_refuse_numbers_that_break_a_rule() {
 }
 
 #[test]
-fn quaternions_of_another_length_are_refused() {
-    let scratch = Scratch::new("input-quaternions");
-    let line = entries(&scratch).swap_remove(4).line;
-    for (quaternion, code) in [("0.8,0,0.6,0", 0), ("0.4,0,0.3,0", 2), ("0.88,0,0.66,0", 2), ("0,0,0,0", 2)] {
-        let outcome = percuss(&line.replace('@', quaternion));
-        assert_eq!(outcome.code, code, "{quaternion}: {}{}", outcome.stdout, outcome.stderr);
-        assert!(code == 0 || outcome.stderr.contains("norm"), "{quaternion}: {}", outcome.stderr);
-    }
-}
-
-#[test]
 fn rows_of_a_file_follow_the_same_rules() {
     let scratch = Scratch::new("input-rows-rules");
     for (number, bad) in BAD.iter().enumerate() {

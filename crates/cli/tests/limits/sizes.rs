@@ -164,7 +164,7 @@ fn ladders_and_rings() {
 /// other groups.
 #[test]
 fn thousands_of_long_loops() {
-    let (loops, links) = (3_000, 20);
+    let (loops, links) = (1_500, 20);
     let turn = std::f64::consts::TAU / f64::from(links + 1);
     let mut model = Model::new();
     for k in 0..loops {

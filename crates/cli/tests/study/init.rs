@@ -48,7 +48,8 @@ fn every_shipped_model_has_a_study_that_runs() {
         // All suggestions can be enabled together.
         let all = with_suggestions(&written);
         assert_ne!(all, written, "{model} suggests nothing");
-        let all = folder.write(&format!("all{i}.toml"), &all);
+        // The sweep below has all rows.
+        let all = folder.write(&format!("all{i}.toml"), &all.replace(":25\"", ":3\""));
         let run = percuss(&format!("run {all}"));
         assert_eq!(run.code, 0, "{model}: {}\n{}", run.stderr, fs::read_to_string(&all).expect("there"));
         // The sweep alone, without variants, has a result in every row.

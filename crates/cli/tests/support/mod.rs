@@ -10,6 +10,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::LazyLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Root folder of the repository.
 pub fn root() -> PathBuf {
@@ -106,6 +107,7 @@ pub fn percuss(line: &str) -> Outcome {
 pub fn percuss_with_stdin(line: &str, stdin: &[u8]) -> Outcome {
     let mut command = command(line.split_whitespace());
     let mut child = command
+        .current_dir(workshop())
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -184,6 +186,15 @@ impl Scratch {
         Self(folder)
     }
 
+    /// Folder in the current folder of the commands, with a short relative path: the lengths of paths change line breaks.
+    pub fn in_workshop() -> Self {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        workshop();
+        let folder = PathBuf::from(format!("_{}", COUNT.fetch_add(1, Ordering::Relaxed)));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        Self(folder)
+    }
+
     /// Path of a file in the folder.
     pub fn path(&self, name: &str) -> String {
         self.0.join(name).to_string_lossy().into_owned()
@@ -191,7 +202,9 @@ impl Scratch {
 
     /// Writes a file and returns its path.
     pub fn write(&self, name: &str, text: &str) -> String {
-        std::fs::write(self.0.join(name), text).expect("a temporary file");
+        let path = self.0.join(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        std::fs::write(path, text).expect("a temporary file");
         self.path(name)
     }
 }

@@ -102,29 +102,6 @@ fn extremes_follow_the_lowest_point() {
     }
 }
 
-/// A travel beyond the touch of a stop is stated, with the wheel travel at the touch.
-#[test]
-fn a_travel_beyond_a_stop_is_stated() {
-    let sheet = "models/suspensions/double-wishbone.toml";
-    let touch = json(&format!("mass {sheet} --at bump_stop --format json"));
-    let touch = 1e3 * number(&touch["named_contact"]["wheel_travel"][0]["travel"]);
-    let words = format!("the touch is at {touch:.2} mm of wheel travel");
-    let beyond = format!("{:.3}mm", touch + 10.0);
-    let before = format!("{:.3}mm", touch - 1.0);
-    let warned = percuss(&format!("mass {sheet} --at spring --wheel-travel {beyond}"));
-    assert!(warned.code == 0 && warned.stderr.contains(&words), "{}", warned.stderr);
-    let quiet = percuss(&format!("mass {sheet} --at spring --wheel-travel {before}"));
-    assert!(quiet.code == 0 && !quiet.stderr.contains("beyond the touch"), "{}", quiet.stderr);
-    // A question about the stop itself states the penetration; the warning is a note.
-    let own = percuss(&format!("mass {sheet} --at bump_stop --wheel-travel {beyond} --notes"));
-    assert!(own.stderr.contains("note: ") && own.stderr.contains(&words), "{}", own.stderr);
-    let sweep = percuss(&format!("sweep {sheet} --at spring --wheel-travel 0mm:{beyond}:12"));
-    assert!(sweep.code == 0 && sweep.stderr.contains(&words), "{}", sweep.stderr);
-    assert_eq!(sweep.stderr.matches("beyond the touch of bump_stop").count(), 1, "{}", sweep.stderr);
-    let strict = percuss(&format!("mass {sheet} --at spring --wheel-travel {beyond} --strict"));
-    assert_eq!(strict.code, 2, "{}", strict.stderr);
-}
-
 /// Pins of a universal joint that a sheet does not state are noted once, and `pin` states them.
 #[test]
 fn assumed_pins_are_noted() {

@@ -260,39 +260,6 @@ fn flags_that_mean_nothing_are_refused() {
     assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
 }
 
-/// Commands of README and docs/howto/SUSPENSIONS.md, and the value printed in README.
-#[test]
-fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
-    let folder = Scratch::new("import-sheet");
-    let (sheet, model) = (folder.path("my.toml"), folder.path("my.urdf"));
-    let line = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
-    assert_eq!(percuss(&format!("template double-wishbone -o {sheet}")).code, 0);
-    assert_eq!(
-        percuss(&format!("template double-wishbone -o {sheet}")).code,
-        2,
-        "a sheet is not overwritten"
-    );
-    for sheet in [
-        &*sheet,
-        "models/suspensions/double-wishbone.toml",
-        "models/suspensions/double-wishbone-with-table.toml",
-    ] {
-        let outcome = percuss(&format!("import {sheet} -o {model} --strict"));
-        assert_eq!((outcome.code, &*outcome.stderr), (0, ""), "{sheet}");
-        let answer = percuss(&format!("mass {model} {line} --strict --expect 137.818755 --tolerance 1e-8"));
-        assert_eq!(answer.code, 0, "{sheet}: {}", answer.stderr);
-        assert_eq!(answer.stderr.lines().count(), 1, "notes are one line: {}", answer.stderr);
-        let shown = percuss(&format!("mass {model} {line} --notes"));
-        assert!(shown.stderr.lines().count() > 3, "{}", shown.stderr);
-    }
-    let moved = percuss(&format!("import {sheet} -o {model} --move lower_ball=0,0,5mm"));
-    assert_eq!(moved.code, 0, "{}", moved.stderr);
-    let answer = percuss(&format!("mass {model} {line} --expect 137.818755 --tolerance 1e-8"));
-    assert_eq!(answer.code, 1, "another car: {}", answer.stdout);
-    assert_eq!(percuss("template no-such").code, 2);
-    assert!(percuss("template --list").stdout.contains("swing-axle"));
-}
-
 /// The file in Chrono's format describes the car of the sheet, except for the anti-roll bar, which the format
 /// lacks.
 #[test]

@@ -1,6 +1,6 @@
 //! `percuss kinematics`: closed forms, differences of positions, symmetry, messages.
 
-use crate::support::{Scratch, done, refused, run_in as run};
+use crate::support::{Scratch, done, run_in as run};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -434,70 +434,6 @@ fn massless_rods_alone_drive_the_wheel() {
             close(mass("massless.toml") / mass("light.toml"), 1.0, 1e-7, &format!("{template} {flags:?}"));
         }
     }
-}
-
-/// The end of the way of two wheels names the joints at their dead centre: the drop link and the anti-roll bar are in line.
-#[test]
-fn the_end_of_heave_and_roll_names_the_dead_centre() {
-    let folder = Scratch::new("kinematics-dead-centre");
-    folder.write("car.toml", &done(&folder, &["template", "solid-axle-four-links"]));
-    let outcome = run(&folder, &["kinematics", "car.toml", "--heave", "-150mm", "--roll", "10mm"]);
-    for words in ["reached: ", "dead centre of", "anti_roll_bar_hinge_right", "in line"] {
-        assert!(
-            outcome.code == 1 && outcome.stderr.replace("\n  ", " ").contains(words),
-            "{words}: {}",
-            outcome.stderr
-        );
-    }
-}
-
-#[test]
-fn questions_without_an_answer_are_refused() {
-    refused("kinematics models/double_wishbone.urdf", &["no suspension sheet"]);
-    let sheet = "models/suspensions/semi-trailing-arm.toml";
-    refused(&format!("kinematics {sheet} --steer 5mm"), &["no tie rod"]);
-    // The evaluation moves a rack that the sheet fixes, and states so; a rack that slides needs no remark.
-    let text =
-        std::fs::read_to_string(crate::support::root().join("models/suspensions/double-wishbone.toml"));
-    let text = text.expect("a sheet");
-    assert!(text.contains("slides = false"));
-    let folder = Scratch::new("kinematics-steer");
-    for (slides, is_told) in [("slides = false", true), ("slides = true", false)] {
-        let car = folder.write("steered.toml", &text.replace("slides = false", slides));
-        let outcome = crate::support::percuss(&format!("kinematics {car} --steer 5mm"));
-        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-        assert_eq!(outcome.stderr.contains("rack.slides = false"), is_told, "{}", outcome.stderr);
-    }
-    refused(
-        &format!("kinematics {sheet} --heave 0:1mm:2 --wheel-travel 0:1mm:2"),
-        &["--heave", "range already"],
-    );
-    refused(&format!("kinematics {sheet} --cg-height 0"), &["--cg-height is 0"]);
-    refused(&format!("kinematics {sheet} --brake-bias 60"), &["--brake-bias is 60", "between 0 and 1"]);
-    let folder = Scratch::new("kinematics-refused");
-    let text = done(&folder, &["template", "swing-axle"]);
-    let with = |more: &str| text.replacen("[spring]\n", &format!("[spring]\n{more}\n"), 1);
-    for (more, words) in [
-        ("rate = 30", "a stiffness with its unit"),
-        ("rate = \"-30 N/mm\"", "at least 0"),
-        ("preload = 30", "without spring.rate"),
-    ] {
-        folder.write("car.toml", &with(more));
-        let outcome = run(&folder, &["kinematics", "car.toml"]);
-        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
-    }
-    folder.write("car.toml", &text.replacen("[bump_stop]\n", "[bump_stop]\ndeflections = [0, 1]\n", 1));
-    let outcome = run(&folder, &["kinematics", "car.toml"]);
-    assert!(
-        outcome.code == 2 && outcome.stderr.contains("two lists of the same length"),
-        "{}",
-        outcome.stderr
-    );
-    folder.write("car.toml", &text);
-    let far = run(&folder, &["kinematics", "car.toml", "--wheel-travel", "0:2m:2"]);
-    assert!(far.code == 0 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
-    let far = run(&folder, &["kinematics", "car.toml", "--wheel-travel", "2m"]);
-    assert!(far.code == 1 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
 }
 
 /// Selected columns are those of the whole table, in the order of the names; pictures have a panel per quantity; a study has the same

@@ -184,23 +184,6 @@ fn ambiguous_questions_are_refused() {
     }
 }
 
-/// A stop that touches only after the wheel has passed a dead centre is warned of.
-#[test]
-fn stops_behind_a_dead_centre_are_warned_of() {
-    let folder = Scratch::new("behind-dead-centre");
-    let text = done(&folder, &["template", "pushrod-rocker"]);
-    let contact = |gap: f64| {
-        let of_rocker =
-            "on = \"rocker\"\nagainst = \"lower_arm\"\npoint = [0, 266.7, 482.6]\ndirection = [0, 0.2, -1]";
-        folder.write("car.toml", &format!("{text}\n[contact.rk]\n{of_rocker}\ngap = {gap}\n"));
-        let ratio = report(&folder, "mass car.toml --at rk")["motion_ratios"][0]["contact_per_wheel"].clone();
-        (number(&ratio), told(&folder, "mass car.toml --at rk").contains("passes a dead centre"))
-    };
-    let (before, behind) = (contact(5.0), contact(45.0));
-    assert!(before.0 > 0.0 && !before.1, "{before:?}");
-    assert!(behind.0 < 0.0 && behind.1, "{behind:?}");
-}
-
 /// The kinematics of a study begin at its pose; a wheel does not spin while it travels.
 #[test]
 fn kinematics_of_a_study_have_its_pose() {
@@ -313,30 +296,4 @@ fn a_constant_roll_remains_beside_a_range_of_heave() {
     let (rows, note) = of_study("heave=30mm");
     assert_eq!(rows, level);
     assert!(note.contains("[pose] travel = heave=0.03 applies to the contact at its pose"), "{note}");
-}
-
-/// The number has the digits that the tolerances support, with the nominal value below it.
-#[test]
-fn digits_follow_the_tolerances() {
-    let folder = Scratch::new("digits");
-    folder.write("car.toml", &done(&folder, &["template", "double-wishbone"]));
-    let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop", "--tolerance", "mass=2%,point=1mm"]);
-    assert!(
-        text.starts_with("effective mass       151.1 ± 3.6 kg (tolerances, root sum square)\n"),
-        "{text}"
-    );
-    assert!(text.contains("nominal value      151.080732 kg"), "{text}");
-}
-
-/// A list with dampers has no warning about a damper between parts that always touch; a gap of 0 is questioned.
-#[test]
-fn lists_and_gaps_ask_no_false_question() {
-    let folder = Scratch::new("lists-and-gaps");
-    let text = done(&folder, &["template", "double-wishbone"]);
-    folder.write("car.toml", &text);
-    let list = told(&folder, "mass car.toml --at all --restitution 0.3 --stiffness 20N/mm --speed 1");
-    assert!(list.contains("bump_stop") && !list.contains("spring") && !list.contains("damper:"), "{list}");
-    folder.write("zero.toml", &text.replace("gap = 30.0", "gap = 0"));
-    let zero = told(&folder, "mass zero.toml --at bump_stop");
-    assert!(zero.contains("the gap is 0") && zero.contains("its points are 81.39 mm apart"), "{zero}");
 }

@@ -154,7 +154,8 @@ fn from_an_empty_folder_to_a_report() {
                 _ => line,
             })
             .collect();
-        folder.write("mine study.toml", &taken.join("\n"));
+        let taken = taken.join("\n").replace(":25\"", ":5\"");
+        folder.write("mine study.toml", &taken);
         done(&folder, &["run", "mine study.toml", "--report", "r.html"]);
         let page = fs::read_to_string(folder.path("r.html")).expect("written");
         for words in [
@@ -170,7 +171,9 @@ fn from_an_empty_folder_to_a_report() {
             assert!(page.contains(words), "{template}: {words}");
         }
         // The page of all contacts: the stops first, each finding of the designs once.
-        let all = taken.join("\n").replace(&format!("at = \"bump_stop{side}\""), "at = \"all\"");
+        let all = taken.replace(&format!("at = \"bump_stop{side}\""), "at = \"all\"");
+        // The sensitivities are those of the page of one contact.
+        let all = all.replace("explain = true\n", "");
         folder.write("all contacts.toml", &all);
         done(&folder, &["run", "all contacts.toml", "--report", "all.html"]);
         let listed = fs::read_to_string(folder.path("all.html")).expect("written");
@@ -448,34 +451,17 @@ fn samples_of_hardpoints_are_those_of_the_first_order() {
             "--tolerance",
             "point=0.05mm",
             "--samples",
-            "1500",
+            "500",
         ];
         let words: Vec<&str> = words.into_iter().chain(["--seed", "1", "--format", "json"]).collect();
         let answer: Value = serde_json::from_str(&done(&folder, &with(&words, &contact))).expect("JSON");
         let tolerance = &answer["tolerance"];
         let number = |value: &Value| value.as_f64().expect("a number");
-        // Uniform between the limits: the root sum square divided by √3. The deviation of 1,500 samples has an
-        // uncertainty of 1.8 %.
+        // Uniform between the limits: the root sum square divided by √3. The deviation of 500 samples has an
+        // uncertainty of 3.2 %.
         let expected = number(&tolerance["root_sum_square"]) / 3f64.sqrt();
         let ratio = number(&tolerance["samples"]["standard_deviation"]) / expected;
-        assert!((ratio - 1.0).abs() < 0.06, "{link}: {ratio}");
-    }
-}
-
-/// Commands of docs/howto/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder, write these files.
-#[test]
-fn the_page_of_suspensions_runs_as_printed() {
-    let folder = Scratch::new("own-page");
-    let page = fs::read_to_string(support::root().join("docs/howto/SUSPENSIONS.md")).expect("the page");
-    let part = page.split("The same car from a hardpoint file").next().expect("its commands");
-    let mut commands = 0;
-    for line in part.replace("\\\n", " ").lines().filter_map(|line| line.strip_prefix("$ percuss ")) {
-        done(&folder, &line.split_whitespace().collect::<Vec<_>>());
-        commands += 1;
-    }
-    assert_eq!(commands, 8);
-    for file in ["my.urdf", "travel.xlsx", "my-study.toml", "report.html", "report.json"] {
-        assert!(Path::new(&folder.path(file)).exists(), "{file}");
+        assert!((ratio - 1.0).abs() < 0.1, "{link}: {ratio}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! `percuss kinematics --solve`: planted solutions, ranges, the changed sheet, messages.
 
-use crate::support::{Scratch, done, refused, run_in as run};
+use crate::support::{Scratch, done, run_in as run};
 use serde_json::Value;
 
 /// Report of a search.
@@ -115,7 +115,7 @@ fn several_planted_coordinates_are_found_together() {
 }
 
 /// Twenty cars with displaced hardpoints, and targets from a further displacement of two or three coordinates: the search finds this
-/// displacement, and a second search gives the same report.
+/// displacement, and a second search of the first car of each kind gives the same report.
 #[test]
 fn planted_coordinates_of_twenty_cars_are_found_twice() {
     let folder = Scratch::new("search-family");
@@ -177,7 +177,9 @@ fn planted_coordinates_of_twenty_cars_are_found_twice() {
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
             let report = search(&folder, &words);
             assert_eq!(report["is_reached"], true, "{template} {car}: {report}");
-            assert_eq!(report, search(&folder, &words), "{template} {car}");
+            if car == 0 {
+                assert_eq!(report, search(&folder, &words), "{template}");
+            }
             for (found, by) in report["coordinates"].as_array().expect("a list").iter().zip(&planted) {
                 let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
                 assert!((1e-3 * (new - old) - by).abs() < 1e-7, "{template} {car}: {by}: {report}");
@@ -230,21 +232,6 @@ fn the_changed_sheet_has_the_required_value() {
         let height = quantity(&folder, "roll_centre_height", &[]);
         assert!((height - 0.09).abs() < 1e-10, "{axes}: {height}");
     }
-}
-
-#[test]
-fn searches_that_cannot_start_are_refused() {
-    let sheet = "kinematics models/suspensions/double-wishbone.toml";
-    refused(&format!("{sheet} --solve upper_ball.z"), &["--for"]);
-    refused(&format!("{sheet} --solve upper_ball --for caster=4deg"), &["POINT.AXIS"]);
-    refused(&format!("{sheet} --solve upper_bal.z --for caster=4deg"), &["no hardpoint \"upper_bal\""]);
-    refused(
-        &format!("{sheet} --solve upper_ball.z --for castor=4deg"),
-        &["no quantity \"castor\"", "caster"],
-    );
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4mm"), &["--for caster"]);
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --for camber=1deg"), &["same number"]);
-    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --heave 0:1mm:2"), &["one state"]);
 }
 
 /// A quantity of a contact names the contact: `bump_stop.motion_ratio` is the column `motion_ratio_bump_stop`, also with a side.

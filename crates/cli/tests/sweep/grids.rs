@@ -70,8 +70,8 @@ fn a_grid_of_a_linkage_is_answered_line_by_line() {
 fn no_answer_depends_on_the_number_of_threads() {
     for varied in [
         "--vary spin=0:1:2 --vary lower_arm_hinge=-0.6:0.3:300",
-        "--vary spin=0:1:40 --vary lower_arm_hinge=-0.6:0.6:20",
-        "--random 300 --seed 4 --set spin=0",
+        "--vary spin=0:1:12 --vary lower_arm_hinge=-0.6:0.6:20",
+        "--random 100 --seed 4 --set spin=0",
     ] {
         let [one, three] = [1, 3].map(|n| percuss(&format!("sweep {STOP} {varied} --threads {n}")));
         assert_eq!(one.code, 0, "{}", one.stderr);
@@ -117,40 +117,6 @@ fn lines_do_not_depend_on_one_another() {
     let sweep = Sweep::read(&sweep.stdout);
     let reached: Vec<bool> = (0..9).map(|row| sweep.cell(row, "status") == "finite").collect();
     assert_eq!(reached, [false, false, false, false, false, false, true, true, true]);
-}
-
-/// The dependence between rows is reported: in the JSON, and in a note if the mechanism has loops.
-#[test]
-fn it_is_said_which_rows_were_followed() {
-    let scratch = Scratch::new("grids-followed");
-    let path = scratch.path("rows.json");
-    let file = scratch.write("path.csv", "lower_arm_hinge,spin\n0,0\n0.1,0\n");
-    for (line, continuation, words) in [
-        (format!("{STOP} --vary lower_arm_hinge=0:0.1:3"), "path", "the rows are one path"),
-        (format!("{STOP} --input {file}"), "path", "the rows are one path"),
-        (
-            format!("{STOP} --vary spin=0:1:2 --vary lower_arm_hinge=0:0.1:3"),
-            "lines",
-            "each line of the grid",
-        ),
-        (format!("{STOP} --random 3 --set lower_arm_hinge=0"), "independent", "rows are independent"),
-        (format!("{ARM} --vary elbow=0:1:3"), "independent", ""),
-    ] {
-        let outcome = percuss(&format!("sweep {line} --notes --output {path}"));
-        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-        let notes = ["one path", "each line", "rows are independent"];
-        let says = notes.iter().any(|note| outcome.stderr.contains(note));
-        assert_eq!(says, !words.is_empty(), "{}", outcome.stderr);
-        assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
-        let report: serde_json::Value =
-            serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).expect("JSON");
-        assert_eq!(report["continuation"], continuation, "{line}");
-        let names: Vec<&str> =
-            report["varied"].as_array().unwrap().iter().map(|v| v["name"].as_str().unwrap()).collect();
-        let of_row: Vec<&String> = report["rows"][1]["varied"].as_object().unwrap().keys().collect();
-        assert_eq!(names.len(), of_row.len());
-        assert!(of_row.iter().all(|name| names.contains(&name.as_str())));
-    }
 }
 
 #[test]

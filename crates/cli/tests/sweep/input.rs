@@ -2,8 +2,6 @@
 
 use crate::support;
 use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
-
-const PLANAR: &str = "models/planar_2r.urdf";
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 const STOP: &str = "models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --turning-normal \
                     --against chassis";
@@ -153,36 +151,6 @@ fn errors_in_a_file_are_reported_with_their_position() {
         "{}",
         both.stderr
     );
-}
-
-/// A joint that no loop determines must be in the file or be set; other joints need not.
-#[test]
-fn missing_columns_are_named() {
-    let scratch = Scratch::new("input-missing");
-    let joints = json(&format!("check {PLANAR} --format json"));
-    let names: Vec<&str> =
-        joints["joints"].as_array().unwrap().iter().map(|j| j["name"].as_str().unwrap()).collect();
-    let links = joints["links"].as_array().unwrap();
-    let link = links.last().unwrap()["name"].as_str().unwrap();
-    let one = scratch.write("one.csv", &format!("{}\n0.1\n", names[0]));
-    let line = format!("sweep {PLANAR} --link {link} --point 0.1,0.2,0 --normal 1,0.3,0 --input {one}");
-    let outcome = percuss(&line);
-    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
-    let words = format!(
-        "1 position is without a column: \"{0}\"; their positions are undetermined; add them, or set them (--set {0}=VALUE)",
-        names[1]
-    );
-    assert!(outcome.stderr.contains(&words), "{}", outcome.stderr);
-    let set = percuss(&format!("{line} --set {}=0.4", names[1]));
-    assert_eq!(set.code, 0, "{}", set.stderr);
-    let twice = percuss(&format!("{line} --set {}=0.4", names[0]));
-    assert!(twice.code == 2 && twice.stderr.contains("is already set"), "{}", twice.stderr);
-    // The crank drives the four-bar; the other joints follow.
-    let crank = scratch.write("crank.csv", "crank_hinge [deg]\n10\n20\n");
-    assert_eq!(percuss(&format!("{COUPLER} --input {crank}")).code, 0);
-    let other = scratch.write("spin.csv", "spin\n10\n20\n");
-    let outcome = percuss(&format!("sweep {STOP} --input {other}"));
-    assert!(outcome.code == 2 && outcome.stderr.contains("\"lower_arm_hinge\""), "{}", outcome.stderr);
 }
 
 /// Unreachable rows are marked, and the path continues.

@@ -24,8 +24,8 @@ fn study(scratch: &Scratch) -> StudyFile {
 fn json_is_that_of_the_whole_report() {
     let scratch = Scratch::new("rows-json");
     let path = scratch.path("rows.json");
-    for range in ["0.1:2:5", "1:1e12:3"] {
-        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge={range} --output {path}"));
+    for range in ["crank_hinge=0.1:2:5", "travel:coupler:0,0,0:1,0,0=0:2:3"] {
+        let outcome = percuss(&format!("{COUPLER} --vary {range} --output {path}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let written = std::fs::read_to_string(&path).expect("it was written");
         let whole: serde_json::Value = serde_json::from_str(&written).expect("JSON");
@@ -35,12 +35,12 @@ fn json_is_that_of_the_whole_report() {
         // The command has the model as its only input, with a path relative to the root.
         model.inputs.truncate(1);
         model.inputs[0].path = "models/four_bar.urdf".into();
-        let vary = Vary::parse(&format!("crank_hinge={range}")).expect("a range");
+        let vary = Vary::parse(range).expect("a range");
         let report = sweep_report(&model, &question, &vary).expect("a sweep");
         assert_eq!(written, serde_json::to_string_pretty(&report).expect("JSON"));
         assert_eq!(whole["rows"].as_array().map(Vec::len), Some(report.rows.len()));
         let keys: Vec<&String> = whole.as_object().unwrap().keys().collect();
-        assert_eq!(keys.len(), 10, "{keys:?}");
+        assert_eq!(keys.len(), 10 + usize::from(range.starts_with("travel")), "{keys:?}");
     }
 }
 
@@ -159,7 +159,7 @@ fn json_lines_are_the_rows_of_the_json() {
     let scratch = Scratch::new("rows-lines");
     let [lines, whole] = ["rows.jsonl", "rows.json"].map(|name| {
         let path = scratch.path(name);
-        let line = format!("{COUPLER} --vary crank_hinge=0:1e9:5 --output {path}");
+        let line = format!("{COUPLER} --vary travel:coupler:0,0,0:1,0,0=0:2:5 --output {path}");
         assert_eq!(percuss(&line).code, 0);
         std::fs::read_to_string(path).expect("it was written")
     });
@@ -188,7 +188,6 @@ fn a_file_that_cannot_take_the_rows_is_named() {
 #[test]
 fn rows_far_out_of_reach_are_not_tried_one_by_one() {
     for (range, answered) in [
-        ("crank_hinge=0:1e12deg:73", vec![0]),
         ("crank_hinge=1e12deg:0:73", vec![72]),
         ("crank_hinge=-1e12deg:1e12deg:73", vec![36]),
         ("travel:coupler:0,0,0:1,0,0=1e12:0:73", vec![72]),
@@ -206,35 +205,6 @@ fn rows_far_out_of_reach_are_not_tried_one_by_one() {
         let tried = rows - count.expect("how many");
         assert!((1..=17).contains(&tried), "{range}: {note}");
     }
-}
-
-/// The end of a chain of two rods of 1 m reaches a point 3 m from the base in no row. The search is done only once.
-#[test]
-fn errors_independent_of_the_value_occur_once() {
-    let rod = |name: &str, joint: &str, parent: &str, x: f64| {
-        format!(
-            "<link name=\"{name}\"><inertial><mass value=\"1\"/>\
-             <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
-             <joint name=\"{joint}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{name}\"/>\
-             <origin xyz=\"{x} 0 0\"/><axis xyz=\"0 0 1\"/></joint>"
-        )
-    };
-    let model = format!(
-        "<robot name=\"apart\"><link name=\"ground\"/>{}{}<loop name=\"pin\" type=\"revolute\"><predecessor link=\"b\">\
-         <origin xyz=\"1 0 0\"/></predecessor><successor link=\"ground\"><origin xyz=\"3 0 0\"/></successor>\
-         <axis xyz=\"0 0 1\"/></loop></robot>",
-        rod("a", "hinge", "ground", 0.0),
-        rod("b", "tip", "a", 1.0)
-    );
-    let line = "sweep - --notes --link a --point 1,0,0 --normal 0,1,0 --vary hinge=0:1:1000";
-    let outcome = percuss_with_stdin(line, model.as_bytes());
-    assert_eq!(outcome.code, 1, "{}", outcome.stderr);
-    assert!(
-        outcome.stderr.contains("note: 999 row(s) were not tried, row 1 the first"),
-        "{}",
-        outcome.stderr
-    );
-    assert!(outcome.stderr.contains("1000 of 1000 rows have no result; the first: the loops do not close"));
 }
 
 /// Crank with a range of ±0.59 rad about 0: rows from 2 rad are out of reach, rows near 6 rad are in reach again.
@@ -285,55 +255,6 @@ fn a_number_of_rows_that_cannot_be_is_refused() {
     }
 }
 
-/// Remedies in messages use the names of the interface: a flag, a key, or neither for the library.
-#[test]
-fn remedies_are_those_of_where_the_question_was_asked() {
-    let scratch = Scratch::new("rows-remedies");
-    let model = root().join("models/four_bar.urdf");
-    let contact = "[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n";
-    for (flags, keys, by_flag, by_key) in [
-        ("--set crank_pin=1", "[pose]\nset = { crank_pin = 1 }\n", "with --guess", "with pose.guess"),
-        ("--guess crank_hinge=1", "[pose]\nguess = { crank_hinge = 1 }\n", "(--guess)", "(pose.guess)"),
-        (
-            "--against-mass 1 --lock crank_hinge",
-            "[conditions]\nlock = [\"crank_hinge\"]\n",
-            "(--against-mass)",
-            "(contact.against_mass)",
-        ),
-        (
-            "--hold coupler:0.2,0,0:0,1,0",
-            "[[hold]]\nlink = \"coupler\"\npoint = [0.2, 0, 0]\nnormal = [0, 1, 0]\n",
-            "(--hold)",
-            "(hold)",
-        ),
-    ] {
-        let typed = percuss(&format!(
-            "mass models/four_bar.urdf --notes --link coupler --point 0.35,0.1,0 --normal 0,1,0 {flags}"
-        ));
-        assert!(typed.stderr.contains(by_flag), "{flags}: {}", typed.stderr);
-        let against = if by_key.contains("against") { "against_mass = 1\n" } else { "" };
-        let text = format!("{contact}{against}[model]\npath = {:?}\n{keys}", model.display());
-        let path = scratch.write("remedy.toml", &text);
-        let kept = percuss(&format!("run {path} --notes"));
-        assert_eq!(kept.code, typed.code, "{keys}: {}", kept.stderr);
-        assert!(
-            kept.stderr.contains(by_key) && !kept.stderr.contains(" --") && !kept.stderr.contains("(--"),
-            "{}",
-            kept.stderr
-        );
-        let StudyFile { model, question, .. } = StudyFile::load(&path, DEFAULT_MAX_SIZE).expect("a study");
-        let mut question = question.expect("a contact");
-        question.names = Names::Fields;
-        let said = match percuss_study::mass(&model, &question) {
-            Err(error) => error.to_string(),
-            Ok(report) => {
-                report.diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("\n")
-            }
-        };
-        assert!(!said.contains("--") && !said.contains(by_key), "{said}");
-    }
-}
-
 /// A number is parsed once, when the argument is read, and the unit is compared with the unit of the joint.
 #[test]
 fn numbers_are_read_once() {
@@ -346,113 +267,4 @@ fn numbers_are_read_once() {
         })
         .collect();
     assert!(masses.iter().all(|m| *m == masses[0] && !m.is_empty()), "{masses:?}");
-}
-
-/// A message about an invalid part of a query contains the flag on the command line, and the key in a study.
-#[test]
-fn messages_name_the_flag_or_the_key() {
-    let scratch = Scratch::new("rows-flags");
-    let contact = "link = \"coupler\"\npoint = [0.35, 0.1, 0]\n";
-    let normal = "normal = [0, 1, 0]\n";
-    for (flag, flags, key, keys) in [
-        (
-            "--link",
-            "--link x --point 0,0,0 --normal 0,1,0",
-            "contact.link",
-            format!("link = \"x\"\npoint = [0, 0, 0]\n{normal}"),
-        ),
-        (
-            "--normal",
-            "--link coupler --point 0,0,0 --normal 0,0,0",
-            "contact.normal",
-            format!("{contact}normal = [0, 0, 0]\n"),
-        ),
-        (
-            "--along-line",
-            "--link coupler --point 0,0,0 --along-line x:0,0,0",
-            "contact.along_line",
-            format!("{contact}along_line = {{ link = \"x\", point = [0, 0, 0] }}\n"),
-        ),
-        (
-            "--against",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --against x",
-            "contact.against",
-            format!("{contact}{normal}against = \"x\"\n"),
-        ),
-        (
-            "--against",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --against coupler",
-            "contact.against",
-            format!("{contact}{normal}against = \"coupler\"\n"),
-        ),
-        (
-            "--against-mass",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --against-mass 1e-200",
-            "contact.against_mass",
-            format!("{contact}{normal}against_mass = 1e-200\n"),
-        ),
-        (
-            "--estimate",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --estimate x",
-            "contact.estimate",
-            format!("{contact}{normal}estimate = {{ links = [\"x\"] }}\n"),
-        ),
-        (
-            "--set",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --set x=1",
-            "pose.set",
-            format!("{contact}{normal}[pose]\nset = {{ x = 1 }}\n"),
-        ),
-        (
-            "--set",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --set crank_hinge=1kg",
-            "pose.set",
-            format!("{contact}{normal}[pose]\nset = {{ crank_hinge = \"1kg\" }}\n"),
-        ),
-        (
-            "--guess",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --guess x=1",
-            "pose.guess",
-            format!("{contact}{normal}[pose]\nguess = {{ x = 1 }}\n"),
-        ),
-        (
-            "--lock",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --lock x",
-            "conditions.lock",
-            format!("{contact}{normal}[conditions]\nlock = [\"x\"]\n"),
-        ),
-        (
-            "--armature",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --armature x=1",
-            "conditions.armature",
-            format!("{contact}{normal}[conditions]\narmature = {{ x = 1 }}\n"),
-        ),
-        (
-            "--hold",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --hold x:0,0,0",
-            "hold",
-            format!("{contact}{normal}[[hold]]\nlink = \"x\"\npoint = [0, 0, 0]\n"),
-        ),
-        (
-            "--vary",
-            "--link coupler --point 0,0,0 --normal 0,1,0 --vary x=0:1:2",
-            "sweep.vary",
-            format!("{contact}{normal}[sweep]\nvary = \"x=0:1:2\"\n"),
-        ),
-    ] {
-        let command = if flag == "--vary" { "sweep" } else { "mass" };
-        let by_flags = percuss(&format!("{command} models/four_bar.urdf {flags}"));
-        assert_eq!(by_flags.code, 2, "{flags}: {}", by_flags.stderr);
-        assert!(by_flags.stderr.contains(&format!("error: {flag}: ")), "{flags}: {}", by_flags.stderr);
-        let model = root().join("models/four_bar.urdf");
-        let path =
-            scratch.write("s.toml", &format!("[model]\npath = {:?}\n[contact]\n{keys}", model.display()));
-        let by_keys = percuss(&format!("run {path}"));
-        assert_eq!(by_keys.code, 2, "{keys}: {}", by_keys.stderr);
-        // The message begins with the path and the line of the key.
-        let (place, message) = by_keys.stderr.split_once(": error: ").expect("an error");
-        let line = place.strip_prefix(&format!("{path}:")).and_then(|line| line.parse::<usize>().ok());
-        assert!(line.is_some_and(|line| line > 3), "{keys}: {}", by_keys.stderr);
-        assert!(message.starts_with(&format!("{key}: ")), "{keys}: {}", by_keys.stderr);
-    }
 }
