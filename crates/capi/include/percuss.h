@@ -236,6 +236,11 @@ typedef struct percuss_path percuss_path;
 typedef struct percuss_pose percuss_pose;
 
 /*
+ The results of a request, as JSON. Immutable, so that threads can share it.
+ */
+typedef struct percuss_report percuss_report;
+
+/*
  A response to a contact: m̄, v*, contributions. Immutable, so that threads can share it.
  */
 typedef struct percuss_response percuss_response;
@@ -2419,6 +2424,39 @@ percuss_status percuss_kinematics_values(const struct percuss_kinematics *table,
  problem is null or points to storage for a pointer.
  */
 percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table, size_t row, const char **problem);
+
+/*
+ Results of the tables of a request: effective mass, damper and parameters of simulators, impact, extremes, sweep, comparison,
+ kinematics, map, safe speed. request: JSON object with the tables of a study (docs/study.schema.json), without the path of a model and
+ without output files; the table "model" may have changes of the model. The keys of the report are the tables: {"mass": …,
+ "impact": …}, each with the report of the command in docs/reference/OUTPUTS.md. SI units. Paths in the request are relative to the working directory.
+ Free the report with percuss_report_free.
+
+ Errors: PERCUSS_ERROR_ARGUMENT: invalid JSON, an unknown key, or an invalid value; the message begins with the key.
+ PERCUSS_ERROR_CONTACT: a valid question without a result.
+
+ Pointers:
+ model is a handle; request ends with a zero byte; report is null or points to storage for a pointer.
+ */
+percuss_status percuss_ask(const struct percuss_model *model,
+                           const char *request,
+                           struct percuss_report **report);
+
+/*
+ The JSON text of a report, UTF-8. Valid as long as the report; null if the call fails.
+
+ Pointers:
+ report is a handle; json is null or points to storage for a pointer.
+ */
+percuss_status percuss_report_json(const struct percuss_report *report, const char **json);
+
+/*
+ Frees a report and sets the handle to null; a null handle is ignored.
+
+ Pointers:
+ report is null or points to a handle that no other call uses.
+ */
+percuss_status percuss_report_free(struct percuss_report **report);
 
 /*
  Sets the default options.

@@ -159,6 +159,15 @@ class Model {
     check(percuss_model_find_contact(get(), name.c_str(), &contact, &gap));
     return gap;
   }
+  /// The results of the tables of a request, JSON: percuss_ask.
+  std::string ask(const std::string &request) const {
+    percuss_report *handle = nullptr;
+    check(percuss_ask(get(), request.c_str(), &handle));
+    detail::Owner<percuss_report, percuss_report_free> report(handle);
+    const char *json = nullptr;
+    check(percuss_report_json(report.get(), &json));
+    return json;
+  }
   const percuss_model *get() const noexcept { return handle_.get(); }
 
  private:

@@ -2,7 +2,7 @@
 # Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
 #   install.sh --prefix DIR [--libraries DIR | --without-suspensions]
 # Without --libraries they are built with link-time optimisation; --crate-type omits the Rust library, with which cargo would skip it.
-# --without-suspensions omits percuss_suspension_…, percuss_kinematics_… and percuss_pose_touch. Linux and macOS.
+# --without-suspensions omits percuss_suspension_…, percuss_kinematics_…, percuss_pose_touch and percuss_ask. Linux and macOS.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 prefix=

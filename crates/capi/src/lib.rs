@@ -11,6 +11,8 @@
 // Names follow the header.
 #![allow(non_camel_case_types)]
 
+#[cfg(feature = "suspensions")]
+mod ask;
 mod boundary;
 mod dense;
 mod evaluation;
@@ -20,6 +22,8 @@ mod setup;
 mod suspension;
 mod version;
 
+#[cfg(feature = "suspensions")]
+pub use ask::*;
 pub use boundary::status::*;
 pub use dense::*;
 pub use evaluation::batch::*;

@@ -26,7 +26,6 @@ pub struct percuss_suspension {
 
 /// A suspension with its mechanism for other functions.
 pub(crate) struct Suspension {
-    model: study::Model,
     mechanism: Arc<Model>,
 }
 
@@ -43,8 +42,7 @@ impl Suspension {
             return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
         }
         let findings = model.diagnostics.iter().map(DiagnosticTexts::from_record).collect();
-        let mechanism = Model::new(Arc::clone(&model.mechanism), &model.poses, None, findings);
-        Ok(Self { model, mechanism })
+        Ok(Self { mechanism: Model::of_study(model, None, findings) })
     }
 }
 
@@ -369,7 +367,7 @@ pub unsafe extern "C" fn percuss_suspension_kinematics(
             range: Some((variable, values)),
             vehicle: vehicle.data()?,
         };
-        let report = kinematics(&suspension.model, &question);
+        let report = kinematics(&suspension.mechanism.study, &question);
         let report = report.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
         write_handle(KinematicsTable::of(&report), table)
     })

@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 19] = [
+const FILES: [&str; 20] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -49,6 +49,7 @@ const FILES: [&str; 19] = [
     "evaluation/path",
     "laws",
     "suspension",
+    "ask",
 ];
 
 fn generated() -> String {

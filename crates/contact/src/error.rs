@@ -154,9 +154,9 @@ pub enum ContactLawError {
         /// Quantity in conflict: exponent or separation.
         what: Parameter,
         /// Value implied by the name.
-        fixed: String,
+        fixed: Box<str>,
         /// Given value.
-        got: String,
+        got: Box<str>,
     },
     /// Unknown region of the body.
     #[error("\"{name}\" is not a region of the body in the table{}; known: {known}", suggestion(.nearest))]

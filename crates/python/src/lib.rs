@@ -42,7 +42,7 @@ mod module {
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]
     use crate::questions::reports::{
-        check, compare, compare_study, explain, friction_thresholds, map_point_report, map_report,
+        ask, check, compare, compare_study, explain, friction_thresholds, map_point_report, map_report,
         mass_report, reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
         tolerate,
     };

@@ -17,7 +17,7 @@ PACKAGE = ROOT / "crates/python/python/percuss/records"
 #: Modules in the order of their imports, and the reports in each. A structure is in the first module that needs it.
 MODULES = {
     "damping": ["DampingReport"],
-    "mass": ["MassReport"],
+    "mass": ["MassReport", "ContactListReport"],
     "sweep": ["SweepReport", "ComparisonReport", "KinematicsReport"],
     "impact": ["ImpactReport", "ExtremesReport", "ReflectedReport"],
     "surfaces": ["MapReport", "PointMapReport", "SafeSpeedReport", "CheckReport"],
@@ -32,6 +32,7 @@ ANSWERS = {
     "FrictionThresholdsRecord": {"sticking": "", "jamming": ""},
     "Explanation": {"effective_mass": "", "links": ""},
     "ToleranceReport": {"effective_mass": "", "root_sum_square": "", "worst_case": ""},
+    "ContactListReport": {"contacts": ""},
     "SweepReport": {"link": "", "rows": ""},
     "SweepRow": {"row": "", "effective_mass": "", "status": ""},
     "ComparisonReport": {"designs": "", "rows": ""},

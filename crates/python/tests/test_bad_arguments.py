@@ -143,6 +143,7 @@ CASES: dict[str, Call] = {
         {name: parameter.default for name, parameter in inspect.signature(percuss.kinematics).parameters.items()}
         | {"model": CORNER, "wheel_travel": [0.0, 0.01]},
     ),
+    "ask": Call(percuss.ask, {"model": ARM, "request": {"contact": {"link": "tool", "point": [0, 0, 0], "normal": [1, 0, 0]}}}),
     "run_study": Call(percuss.run_study, {"path": STUDY}),
     "starting_study": Call(percuss.starting_study, {"model": BAR, "path": "four_bar.urdf"}),
     "sweep": Call(

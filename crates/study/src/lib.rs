@@ -139,6 +139,7 @@ pub use study_file::answer::{AskError, MapResult, Report};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
+pub use study_file::request::ask;
 pub use study_file::schema::{study_key_page, study_keys, study_schema};
 pub use study_file::starter::{starting_contact, starting_study};
 pub use study_file::tables::contact::{

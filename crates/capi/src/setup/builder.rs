@@ -350,6 +350,6 @@ pub unsafe extern "C" fn percuss_builder_model(
         let findings = built.findings.iter();
         let findings = findings.map(|(subject, problem)| DiagnosticTexts::from_problem(subject, problem));
         let findings = findings.collect();
-        write_handle(Model::new(Arc::new(built.mechanism), &[], None, findings), model)
+        write_handle(Arc::new(Model::new(Arc::new(built.mechanism), &[], None, findings)), model)
     })
 }

@@ -40,6 +40,9 @@ pub(crate) struct Model {
     /// Positions of MuJoCo, for a model in MJCF.
     qpos: Option<QposLayout>,
     diagnostics: Vec<DiagnosticTexts>,
+    /// The model of percuss_ask.
+    #[cfg(feature = "suspensions")]
+    pub study: percuss::study::Model,
 }
 
 pub(crate) struct DiagnosticTexts {
@@ -181,7 +184,25 @@ impl Model {
         let loaded =
             load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
         let diagnostics = loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect();
-        Ok(Self::new(Arc::new(loaded.mechanism), &loaded.poses, loaded.qpos, diagnostics))
+        #[cfg(feature = "suspensions")]
+        {
+            let qpos = loaded.qpos.clone();
+            let study = percuss::study::Model::from_loaded(loaded, source);
+            Ok(Self::of_study(study, qpos, diagnostics))
+        }
+        #[cfg(not(feature = "suspensions"))]
+        Ok(Arc::new(Self::new(Arc::new(loaded.mechanism), &loaded.poses, loaded.qpos, diagnostics)))
+    }
+
+    /// A model of percuss_ask with its names for C.
+    #[cfg(feature = "suspensions")]
+    pub fn of_study(
+        study: percuss::study::Model,
+        qpos: Option<QposLayout>,
+        diagnostics: Vec<DiagnosticTexts>,
+    ) -> Arc<Self> {
+        let model = Self::new(Arc::clone(&study.mechanism), &study.poses, qpos, diagnostics);
+        Arc::new(Self { study, ..model })
     }
 
     /// A mechanism with its names for C.
@@ -190,13 +211,15 @@ impl Model {
         poses: &[NamedPose],
         qpos: Option<QposLayout>,
         diagnostics: Vec<DiagnosticTexts>,
-    ) -> Arc<Self> {
+    ) -> Self {
         let (mut first, mut at) = (Vec::new(), (0, 0));
         for joint in mechanism.joints() {
             first.push(at);
             at = (at.0 + joint.kind().positions(), at.1 + joint.kind().dofs());
         }
-        Arc::new(Self {
+        Self {
+            #[cfg(feature = "suspensions")]
+            study: percuss::study::Model::from_mechanism(Arc::clone(&mechanism)),
             links: mechanism.link_ids().collect(),
             joints: mechanism.joint_ids().collect(),
             first,
@@ -208,7 +231,7 @@ impl Model {
             qpos,
             diagnostics,
             mechanism,
-        })
+        }
     }
 
     /// Id of link number `index`, from 0.

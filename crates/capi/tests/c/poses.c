@@ -1,4 +1,4 @@
-/* Poses at the touch of a stop, with the remarks about open gaps and positions in degrees; positions of MuJoCo. */
+/* Poses at the touch of a stop, with the remarks about open gaps and positions in degrees; positions of MuJoCo; requests. */
 #include "check.h"
 
 /* Positions of MuJoCo: the frame of the free body is that of qpos in the world, and a hinge has turned by qpos minus ref. */
@@ -100,6 +100,32 @@ static void touch_of_a_door(percuss_model *model)
   OK(percuss_system_free(&system));
 }
 
+/* Requests: the point mass of a pendulum at 0.8 m, m = 0.78125 kg; its impulse at e = 0.5 and 2 m/s is 1.5 * 2 * m. */
+static void requests(percuss_model *model)
+{
+  const char contact[] = "{\"contact\": {\"link\": \"rod\", \"point\": [0, 0, -0.8], \"normal\": [1, 0, 0]}, ";
+  char request[400];
+  percuss_report *report = NULL;
+  const char *json = NULL, *found;
+  snprintf(request, sizeof request, "%s\"impact\": {\"restitution\": 0.5, \"speed\": \"2 m/s\"}}", contact);
+  OK(percuss_ask(model, request, &report));
+  OK(percuss_report_json(report, &json));
+  found = strstr(json, "\"effective_mass\":");
+  CHECK(found && fabs(strtod(found + 17, NULL) - 0.78125) < 1e-12);
+  found = strstr(json, "\"impulse\":");
+  CHECK(found && fabs(strtod(found + 10, NULL) - 1.5 * 2.0 * 0.78125) < 1e-12);
+  OK(percuss_report_free(&report));
+  snprintf(request, sizeof request, "%s\"impact\": {\"restitution\": 0.5, \"speed\": 2, \"stiffness\": -5}}", contact);
+  FAILS(percuss_ask(model, request, &report), PERCUSS_ERROR_ARGUMENT, "impact.stiffness");
+  CHECK(report == NULL);
+  snprintf(request, sizeof request, "%s\"impakt\": {}}", contact);
+  FAILS(percuss_ask(model, request, &report), PERCUSS_ERROR_ARGUMENT, "impact");
+  snprintf(request, sizeof request, "%s\"sweep\": {\"vary\": \"hinge=0:1:3\", \"output\": \"rows.csv\"}}", contact);
+  FAILS(percuss_ask(model, request, &report), PERCUSS_ERROR_ARGUMENT, "sweep.output");
+  FAILS(percuss_ask(model, "[1]", &report), PERCUSS_ERROR_ARGUMENT, "JSON object");
+  FAILS(percuss_ask(model, "{", &report), PERCUSS_ERROR_ARGUMENT, "not JSON");
+}
+
 int main(void)
 {
   const char stopped[] = "<robot name=\"door\"><link name=\"wall\"/><link name=\"leaf\"><inertial><mass value=\"12\"/>"
@@ -112,6 +138,9 @@ int main(void)
   touch_of_a_door(model);
   OK(percuss_model_free(&model));
   positions_of_mujoco();
+  OK(percuss_model_load_file("models/point_mass_pendulum.urdf", &model));
+  requests(model);
+  OK(percuss_model_free(&model));
   puts("every pose was reached");
   return 0;
 }

@@ -54,6 +54,7 @@ __all__ = [
     "run_study",
     "safe_speed",
     "set_threads",
+    "ask",
     "starting_study",
     "study_schema",
     "suspension_template",
@@ -929,6 +930,7 @@ def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[st
     """Compares the designs of a study file: its model under a name, then its variants."""
 def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
     """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep; adds the impact and the extremes."""
+def ask(model: Model, request: str) -> str: ...
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Initial study file for a model, which the file refers to by a path."""
 def study_schema() -> str:

@@ -1,7 +1,7 @@
 //! Errors of the library as exceptions of `percuss._errors`, with the same messages.
 
 use crate::conversion::diagnostic::Diagnostic;
-use percuss::study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
+use percuss::study::{DesignError, DiagnosticRecord, KinematicsError, Names, StudyError, StudyFileError};
 use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, Severity, TravelError};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -137,6 +137,14 @@ pub fn study(error: StudyError) -> PyErr {
         StudyError::Assembly(_) => LoopsError::new_err(message),
         error if error.has_no_result() => no_answer(message),
         _ => input(message),
+    }
+}
+
+/// Error of a question about kinematics.
+pub fn kinematics(error: KinematicsError) -> PyErr {
+    match error {
+        KinematicsError::Study(error) => study(error),
+        error => input(error),
     }
 }
 

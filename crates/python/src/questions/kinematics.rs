@@ -146,8 +146,5 @@ pub fn kinematics(py: Python<'_>, model: Suspension<'_>, question: Question) -> 
         }
     };
     let report = interruptible(py, || study::kinematics(&read, &question))?;
-    json(&report.map_err(|error| match error {
-        study::KinematicsError::Study(error) => errors::study(error),
-        error => input(error),
-    })?)
+    json(&report.map_err(errors::kinematics)?)
 }

@@ -387,18 +387,12 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
-            let rows = sweep.rows.clone();
             let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
-            run_sweep(py, &study.model, sweep.gradient, &additions, || {
-                Sweep::new(&study.model, question, rows)
-            })
+            let question = study.question_of_rows(question);
+            run_sweep(py, &study.model, false, &additions, || study.prepared_sweep(sweep, &question))
         }
-        (Some(question), None) => {
-            let report = interruptible(py, || match &study.damping {
-                Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
-                None => study::mass(&study.model, question),
-            })?;
-            let report = report.map_err(errors::study)?;
+        (Some(_), None) => {
+            let report = interruptible(py, || study.mass_report())?.map_err(errors::study)?;
             let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
             Ok((json(&WithAdditions { report: &report, additions: &additions })?, Vec::new()))
         }
@@ -406,24 +400,29 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     }
 }
 
-/// Runs a study without a contact: a stop, a map, a safe speed.
+/// Runs a study without a contact: a stop, a map, a safe speed, kinematics.
 fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
-    if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
-        let report =
-            interruptible(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
-        return json(&report.map_err(errors::study)?);
+    if let Some(report) = interruptible(py, || study.stop_damper())?.map_err(errors::study)? {
+        return json(&report);
     }
-    match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
-        (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
-            json(&interruptible(py, || study::map(&study.model, question))?.map_err(errors::study)?.report)
-        }
-        (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
-            let report = interruptible(py, || study::map_point(&study.model, question, *count))?;
-            json(&report.map_err(errors::study)?)
-        }
-        (None, Some(contact_report)) => {
-            json(&interruptible(py, || contact_report.reports(&study.model))?.map_err(errors::study)?)
-        }
-        (None, None) => Err(errors::input("the study contains no question")),
+    if let Some(result) = interruptible(py, || study.map_result())?.map_err(errors::study)? {
+        return json(&result);
     }
+    if let Some(reports) = interruptible(py, || study.safe_speeds())?.map_err(errors::study)? {
+        return json(&reports);
+    }
+    match interruptible(py, || study.kinematics_report())?.map_err(errors::kinematics)? {
+        Some(report) => json(&report),
+        None => Err(errors::input("the study contains no question")),
+    }
+}
+
+/// Results of the tables of a request, JSON.
+#[pyfunction]
+pub fn ask(py: Python<'_>, model: &Model, request: &str) -> PyResult<String> {
+    let report = interruptible(py, || study::ask(&model.read, request))?;
+    report.map(|report| report.to_json()).map_err(|error| match error.has_no_result() {
+        true => errors::no_answer(error.message()),
+        false => input(error.message()),
+    })
 }

@@ -5,8 +5,8 @@ use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{
-    DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, MeshFolders, NamedPose,
-    OpenFile, Shape, SharedFiles, Source, load,
+    DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, Loaded, MeshFolders,
+    NamedPose, OpenFile, Shape, SharedFiles, Source, load,
 };
 use percuss_mechanism::{ClosureDescription, Mechanism};
 use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
@@ -250,17 +250,32 @@ impl Model {
             let message = format!("the worksheet \"{worksheet}\" is given, and the file is no workbook");
             return Err(LoadError::of_file(&source.name, "conflict", &message));
         }
-        let loaded = load(source, options)?;
-        let mut inputs = vec![input];
-        inputs.extend(loaded.files.iter().filter_map(|file| Input::from_file(&*source.files, file)));
-        Ok(Self {
+        Ok(Self::from_loaded(load(source, options)?, source))
+    }
+
+    /// Model of a source that has been read.
+    pub fn from_loaded(loaded: Loaded, source: &Source) -> Self {
+        let files = loaded.files.iter().filter_map(|file| Input::from_file(&*source.files, file));
+        Self {
             mechanism: Arc::new(loaded.mechanism),
-            inputs,
+            inputs: [Input::from_source(source)].into_iter().chain(files).collect(),
             shapes: Arc::new(loaded.shapes),
             poses: Arc::new(loaded.poses),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
             origin: Origin { files: source.files.clone(), ..Origin::default() },
-        })
+        }
+    }
+
+    /// Model of a mechanism without a file.
+    pub fn from_mechanism(mechanism: Arc<Mechanism>) -> Self {
+        Self {
+            mechanism,
+            inputs: Vec::new(),
+            shapes: Arc::default(),
+            poses: Arc::default(),
+            diagnostics: Vec::new(),
+            origin: Origin::default(),
+        }
     }
 
     /// Model of a suspension file with import options: a sheet, a table of hardpoints, or a file of Chrono::Vehicle.

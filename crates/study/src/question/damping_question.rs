@@ -63,8 +63,8 @@ impl DampingQuestion {
         let contradicts = |what, fixed: String, got: String| ContactLawError::Contradicts {
             name: alias.map_or("", |a| a.name),
             what,
-            fixed,
-            got,
+            fixed: fixed.into(),
+            got: got.into(),
         };
         if let (Some(fixed), Some(got)) = (fixed_exponent, exponent)
             && fixed != got

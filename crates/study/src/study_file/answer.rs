@@ -8,6 +8,7 @@ use crate::map::surface_map::map;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
+use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
 use crate::reports::compare::{CompareError, ComparisonReport, compare};
@@ -19,7 +20,7 @@ use crate::reports::kinematics::question::KinematicsError;
 use crate::reports::kinematics::report::KinematicsReport;
 use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::SafeSpeedReport;
-use crate::study_file::file::{StudyFile, StudySweep};
+use crate::study_file::file::{StudyFile, StudyFileError, StudySweep};
 use crate::study_file::tables::map::StudyMapQuestion;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
@@ -114,6 +115,14 @@ pub struct Report {
     /// Safe speeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe_speed: Option<Vec<SafeSpeedReport>>,
+}
+
+impl Report {
+    /// JSON text of the report. A number without a value is null.
+    pub fn to_json(&self) -> String {
+        // Records have text keys and no other source of errors.
+        serde_json::to_string(self).unwrap_or_default()
+    }
 }
 
 impl StudyFile {
@@ -324,6 +333,9 @@ impl StudyFile {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AskError {
+    /// Invalid request.
+    #[error(transparent)]
+    Request(#[from] StudyFileError),
     /// Error of a question.
     #[error(transparent)]
     Question(#[from] StudyError),
@@ -333,4 +345,27 @@ pub enum AskError {
     /// Error of the kinematics.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
+}
+
+impl AskError {
+    /// True if the question is valid but has no result.
+    pub fn has_no_result(&self) -> bool {
+        match self {
+            Self::Question(error)
+            | Self::Comparison(CompareError::Question { source: error, .. })
+            | Self::Kinematics(KinematicsError::Study(error)) => error.has_no_result(),
+            _ => false,
+        }
+    }
+
+    /// Message with the keys of the request.
+    pub fn message(&self) -> String {
+        match self {
+            Self::Question(error) | Self::Kinematics(KinematicsError::Study(error)) => {
+                error.message(Names::KEYS)
+            }
+            Self::Comparison(error) => error.message(Names::KEYS),
+            other => other.to_string(),
+        }
+    }
 }

@@ -208,9 +208,20 @@ impl StudyFile {
         let path = source.name.clone();
         let text = String::from_utf8(source.bytes.clone())
             .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
-        let (keys, unknown) = StudyKeys::from_text(&text).map_err(|error| {
+        Self::from_text(path, &text, &source, None, max_size)
+    }
+
+    /// Reads the text of a study; `path`: its name in messages. `given`: the model, in place of the file that the study names.
+    pub(crate) fn from_text(
+        path: String,
+        text: &str,
+        source: &Source,
+        given: Option<&Model>,
+        max_size: u64,
+    ) -> Result<Self, StudyFileError> {
+        let (keys, unknown) = StudyKeys::from_text(text).map_err(|error| {
             let StudyFileError::Toml { path, line, message } =
-                parse_error(&path, &StudyKeys::default(), &text, &error)
+                parse_error(&path, &StudyKeys::default(), text, &error)
             else {
                 unreachable!("it is one");
             };
@@ -220,8 +231,8 @@ impl StudyFile {
             return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.omitted });
         }
         let study: StudyText =
-            toml::from_str(&text).map_err(|error| parse_error(&path, &keys, &text, &error))?;
-        StudyReader { path: &path, keys: &keys, max_size }.study(&study, &source)
+            toml::from_str(text).map_err(|error| parse_error(&path, &keys, text, &error))?;
+        StudyReader { path: &path, keys: &keys, given, max_size }.study(&study, source)
     }
 
     /// True if a file is a study: TOML with a table `model`.
@@ -270,6 +281,8 @@ impl StudyFile {
 struct StudyReader<'a> {
     path: &'a str,
     keys: &'a StudyKeys,
+    /// Model of a request; `None` for the file that the study names.
+    given: Option<&'a Model>,
     max_size: u64,
 }
 
@@ -486,13 +499,18 @@ impl StudyReader<'_> {
         folder: &Path,
         options: &LoadOptions,
     ) -> Result<Model, StudyFileError> {
-        let model_path = folder.join(&study.model.path);
-        let worksheet = study.model.worksheet.as_deref();
-        let path = model_path.to_string_lossy();
-        let mut model =
-            Model::load_named(&path, self.max_size, options, worksheet, study.is_kinematics_only())?;
-        model.inputs.push(Input::from_source(source));
-        model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
+        let model = match self.given {
+            Some(given) => given.clone(),
+            None => {
+                let path = folder.join(&study.model.path);
+                let (path, worksheet) = (path.to_string_lossy(), study.model.worksheet.as_deref());
+                let kinematics_only = study.is_kinematics_only();
+                let mut model = Model::load_named(&path, self.max_size, options, worksheet, kinematics_only)?;
+                model.inputs.push(Input::from_source(source));
+                model
+            }
+        };
+        let model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {
             return Ok(model);
         }

@@ -1,4 +1,4 @@
-"""Records of reports: MassReport. Written by tests/records.py."""
+"""Records of reports: MassReport, ContactListReport. Written by tests/records.py."""
 
 from __future__ import annotations
 
@@ -382,3 +382,35 @@ class MassReport(Record):
     """Damper for a restitution, if requested."""
     diagnostics: list[DiagnosticRecord]
     """Findings about the file and the result."""
+
+
+class ListedContact(Record):
+    """Named contact with its result."""
+
+    name: str
+    """Name."""
+    kind: str
+    """"stop", "spring", "damper", "patch" or "other"."""
+    report: MassReport | None
+    """Result; None if the contact has none."""
+    problem: str | None
+    """Reason for a missing result."""
+    remaining_gap: float | None
+    """Smallest gap of a stop that cannot be reached, m, if known."""
+
+
+class ContactListReport(Record):
+    """Effective masses at all named contacts, as JSON."""
+
+    _answer = {"contacts": ""}
+
+    schema: str
+    """"percuss.contacts/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    contacts: list[ListedContact]
+    """The contacts: stops, springs, dampers, contact patches, others; for a study, in the order of its contacts."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the results; a finding about one contact begins with its name."""
