@@ -159,7 +159,10 @@ fn the_guide_computes_the_stated_masses() {
     let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("guide.c");
     std::fs::write(&source, text).expect("a file");
     let printed = program(source.to_str().expect("UTF-8"), Linked::Shared);
-    assert!(examples.len() == 4 && printed.contains("151.081 kg") && printed.contains("percuss.report/1"), "{printed}");
+    assert!(
+        examples.len() == 4 && printed.contains("151.081 kg") && printed.contains("percuss.report/1"),
+        "{printed}"
+    );
 }
 
 #[test]

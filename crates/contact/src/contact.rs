@@ -1,7 +1,7 @@
 //! Compliant contact: effective mass and spring.
 
 use crate::ContactLawError;
-use crate::error::{Parameter, positive};
+use crate::error::{LawParameter, positive};
 
 /// Effective mass of a contact, and the spring between the two surfaces: force k xᵖ at the penetration x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +20,8 @@ impl CompliantContact {
     /// `mass` is the effective mass m̄ along the normal, in kg; `stiffness` is k, in N/m. Errors: one of the two is not
     /// a finite number above zero.
     pub fn new(mass: f64, stiffness: f64) -> Result<Self, ContactLawError> {
-        let mass = positive(Parameter::Mass, mass)?;
-        let stiffness = positive(Parameter::Stiffness, stiffness)?;
+        let mass = positive(LawParameter::Mass, mass)?;
+        let stiffness = positive(LawParameter::Stiffness, stiffness)?;
         Ok(Self { mass, stiffness, exponent: 1.0 })
     }
 
@@ -33,7 +33,7 @@ impl CompliantContact {
             return Ok(Self { exponent, ..self });
         }
         Err(ContactLawError::OutOfRange {
-            what: Parameter::Exponent,
+            what: LawParameter::Exponent,
             got: exponent,
             valid: "a number from 1 to 10",
         })

@@ -1,6 +1,6 @@
 //! Damper in parallel with the spring of a contact.
 
-use crate::error::{Parameter, not_negative, positive, representable};
+use crate::error::{LawParameter, not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
 use crate::limits;
 use crate::trajectory::{Dissipative, Oscillator, Trajectory};
@@ -112,7 +112,7 @@ impl Damper {
         contact: CompliantContact,
         speed: f64,
     ) -> Result<Box<dyn Trajectory>, ContactLawError> {
-        let speed = positive(Parameter::Speed, speed)?;
+        let speed = positive(LawParameter::Speed, speed)?;
         match self {
             Self::KelvinVoigt { coefficient, separation, .. } => Ok(Box::new(Oscillator::new(
                 damping_ratio(contact, coefficient)?,

@@ -6,7 +6,7 @@ use thiserror::Error;
 /// Number or name that a user gives for a contact law, a simulator or a safe speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Parameter {
+pub enum LawParameter {
     /// Coefficient of restitution.
     Restitution,
     /// Stiffness of the contact.
@@ -49,7 +49,7 @@ pub enum Parameter {
     Other(&'static str),
 }
 
-impl Parameter {
+impl LawParameter {
     /// Last part of the key in a study, which is the flag with dashes in place of underscores, and description with its unit.
     fn texts(self) -> (Option<&'static str>, &'static str) {
         let (key, description) = match self {
@@ -83,13 +83,13 @@ impl Parameter {
     }
 }
 
-impl From<&'static str> for Parameter {
+impl From<&'static str> for LawParameter {
     fn from(description: &'static str) -> Self {
         Self::Other(description)
     }
 }
 
-impl fmt::Display for Parameter {
+impl fmt::Display for LawParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.texts().1)
     }
@@ -103,7 +103,7 @@ pub enum ContactLawError {
     #[error("{what}: {got:?} is out of range; expected {valid}")]
     OutOfRange {
         /// The number.
-        what: Parameter,
+        what: LawParameter,
         /// Given value.
         got: f64,
         /// Permitted range, in words.
@@ -152,7 +152,7 @@ pub enum ContactLawError {
         /// Name of the law.
         name: &'static str,
         /// Quantity in conflict: exponent or separation.
-        what: Parameter,
+        what: LawParameter,
         /// Value implied by the name.
         fixed: Box<str>,
         /// Given value.
@@ -186,7 +186,7 @@ pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> 
 }
 
 /// Checks a number: above zero, finite, and not subnormal.
-pub(crate) fn positive(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn positive(what: impl Into<LawParameter>, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 {
         return Ok(value);
     }
@@ -194,7 +194,7 @@ pub(crate) fn positive(what: impl Into<Parameter>, value: f64) -> Result<f64, Co
 }
 
 /// Checks a number: finite, zero or above.
-pub(crate) fn not_negative(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn not_negative(what: impl Into<LawParameter>, value: f64) -> Result<f64, ContactLawError> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
@@ -202,7 +202,7 @@ pub(crate) fn not_negative(what: impl Into<Parameter>, value: f64) -> Result<f64
 }
 
 /// Checks a coefficient of restitution e, or 1 − e: 0 to 1.
-pub(crate) fn unit_interval(what: impl Into<Parameter>, value: f64) -> Result<f64, ContactLawError> {
+pub(crate) fn unit_interval(what: impl Into<LawParameter>, value: f64) -> Result<f64, ContactLawError> {
     if (0.0..=1.0).contains(&value) {
         return Ok(value);
     }
@@ -216,12 +216,12 @@ pub(crate) fn representable(what: &'static str, value: f64) -> Result<f64, Conta
 
 impl ContactLawError {
     /// Parameter that is missing or invalid.
-    pub fn parameter(&self) -> Option<Parameter> {
+    pub fn parameter(&self) -> Option<LawParameter> {
         match self {
             Self::OutOfRange { what, .. } | Self::Contradicts { what, .. } => Some(*what),
-            Self::SpeedNeeded { .. } => Some(Parameter::Speed),
-            Self::UnknownLaw { .. } => Some(Parameter::Law),
-            Self::UnknownRegion { .. } => Some(Parameter::Region),
+            Self::SpeedNeeded { .. } => Some(LawParameter::Speed),
+            Self::UnknownLaw { .. } => Some(LawParameter::Law),
+            Self::UnknownRegion { .. } => Some(LawParameter::Region),
             Self::Unreachable { .. } | Self::NotRepresentable { .. } => None,
         }
     }

@@ -1,6 +1,6 @@
 //! Key figures and history of an impact.
 
-use crate::error::{Parameter, positive, representable};
+use crate::error::{LawParameter, positive, representable};
 use crate::limits;
 use crate::trajectory::{State, Trajectory};
 use crate::{CompliantContact, ContactLawError};
@@ -57,7 +57,7 @@ struct Units {
 impl Units {
     fn new(contact: CompliantContact, speed: f64) -> Result<Self, ContactLawError> {
         let p = contact.exponent();
-        let speed = positive(Parameter::Speed, speed)?;
+        let speed = positive(LawParameter::Speed, speed)?;
         // √(m̄/k) v first: intermediate squares cannot overflow.
         let root = contact.mass().sqrt() / contact.stiffness().sqrt() * speed;
         let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;

@@ -28,7 +28,7 @@ mod varying_mass;
 
 pub use contact::CompliantContact;
 pub use damper::Damper;
-pub use error::{ContactLawError, Parameter};
+pub use error::{ContactLawError, LawParameter};
 pub use impact::{Impact, Sample};
 pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;

@@ -1,6 +1,6 @@
 //! Impact with an effective mass that changes over the penetration.
 
-use crate::error::{Parameter, positive};
+use crate::error::{LawParameter, positive};
 use crate::{CompliantContact, ContactLawError, Damper, Sample, Separation, kelvin_voigt};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -68,7 +68,7 @@ fn integrate(
     speed: f64,
     mut record: impl FnMut(Sample),
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
-    let speed = positive(Parameter::Speed, speed)?;
+    let speed = positive(LawParameter::Speed, speed)?;
     checked_depth(profile)?;
     let constant = damper.impact(contact, speed)?;
     let step = constant.duration.unwrap_or(4.0 * constant.time_of_max_penetration) / STEPS;
@@ -138,7 +138,7 @@ pub fn restitution_with_prescribed_acceleration(
     accelerations: &[(f64, f64)],
     speed: f64,
 ) -> Result<Option<(f64, f64)>, ContactLawError> {
-    let (speed, depth) = (positive(Parameter::Speed, speed)?, checked_depth(masses)?);
+    let (speed, depth) = (positive(LawParameter::Speed, speed)?, checked_depth(masses)?);
     let ratio = match restitution {
         1.0 => 0.0,
         e => kelvin_voigt::ratio(e, Separation::ForceVanishes)?,
@@ -186,7 +186,7 @@ fn runge_kutta_step(state: (f64, f64), step: f64, rates: &dyn Fn((f64, f64)) -> 
 /// Depth of the last point of a profile, m.
 fn checked_depth(profile: &[(f64, f64)]) -> Result<f64, ContactLawError> {
     for (_, mass) in profile {
-        positive(Parameter::Mass, *mass)?;
+        positive(LawParameter::Mass, *mass)?;
     }
     match profile {
         [_, .., (depth, _)] => positive("depth of the last mass, m", *depth),

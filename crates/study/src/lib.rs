@@ -72,7 +72,7 @@ pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
-pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
+pub use reports::answer_mass::{StudyMass, mass, mass_with_damper, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
@@ -135,7 +135,7 @@ pub use reports::tolerance::{
     tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
-pub use study_file::answer::{AskError, MapResult, Report};
+pub use study_file::answer::{AskError, MapResult, RequestReport};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
@@ -152,7 +152,7 @@ pub use study_file::tables::headings;
 pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
 pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
-pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
+pub use study_file::tables::mass::{GivenTolerance, MassTable};
 pub use study_file::tables::model::{Acceptable, ModelTable};
 pub use study_file::tables::report::StudyReport;
 pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};

@@ -36,7 +36,7 @@ struct Refusal {
     /// Message.
     message: String,
     /// Key of the question at fault, if known.
-    key: Option<&'static str>,
+    key: Option<String>,
     /// True if the question is valid, and has no result.
     no_result: bool,
     /// Findings about a file, with lines.
@@ -59,7 +59,7 @@ impl From<StudyError> for Refusal {
 
 impl From<InvalidKey> for Refusal {
     fn from(refusal: InvalidKey) -> Self {
-        Self { key: Some(refusal.key), ..Self::of_message(refusal.reason(Names::Fields)) }
+        Self { key: Some(refusal.key.to_owned()), ..Self::of_message(refusal.reason(Names::Fields)) }
     }
 }
 

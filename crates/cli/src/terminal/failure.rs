@@ -57,7 +57,8 @@ impl Failure {
             }
             Failure::Question(error) => {
                 let message = error.message(Names::KEYS);
-                let key = error.key().unwrap_or_else(|| message.split(':').next().unwrap_or_default());
+                let key = error.key();
+                let key = key.as_deref().unwrap_or_else(|| message.split(':').next().unwrap_or_default());
                 Failure::BadInput(vec![format!("{}: error: {message}", position(key))])
             }
             Failure::ClosedPipe => Failure::ClosedPipe,

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::Tool;
 use crate::error::suggestion;
-use crate::{ContactLawError, Parameter};
+use crate::{ContactLawError, LawParameter};
 
 /// Reason for missing parameters of a tool.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -31,7 +31,7 @@ pub enum ExportError {
         /// Tool.
         tool: Tool,
         /// The number.
-        what: Parameter,
+        what: LawParameter,
         /// Purpose of the number.
         why: &'static str,
     },
@@ -122,12 +122,12 @@ pub enum ExportError {
 
 impl ExportError {
     /// Parameter that is missing or invalid.
-    pub fn parameter(&self) -> Option<Parameter> {
+    pub fn parameter(&self) -> Option<LawParameter> {
         match self {
             Self::Contact(error) => error.parameter(),
-            Self::Exponent { .. } => Some(Parameter::Exponent),
+            Self::Exponent { .. } => Some(LawParameter::Exponent),
             Self::Missing { what, .. } => Some(*what),
-            Self::StepTooLong { .. } | Self::StepTooCoarse { .. } => Some(Parameter::TimeStep),
+            Self::StepTooLong { .. } | Self::StepTooCoarse { .. } => Some(LawParameter::TimeStep),
             _ => None,
         }
     }

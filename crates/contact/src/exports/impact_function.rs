@@ -1,7 +1,7 @@
 //! Dimensionless IMPACT force of Adams: restitution of a damping, and damping of a restitution.
 
 use crate::ContactLawError;
-use crate::error::{Parameter, not_negative, positive, representable, unit_interval};
+use crate::error::{LawParameter, not_negative, positive, representable, unit_interval};
 use crate::limits;
 
 /// F = max(0, k xᵖ + STEP(x, 0, 0, d, cmax) ẋ), in the penetration x₀ = ((p+1) m̄ v²/(2k))^{1/(p+1)} that the spring
@@ -21,7 +21,7 @@ impl ImpactFunction {
     /// `exponent`: p, 1 to 10. `ramp`: D, 1e-4 to 1e4. Error: a number is out of range.
     pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactLawError> {
         if !crate::CompliantContact::EXPONENTS.contains(&exponent) {
-            let (what, valid) = (Parameter::Exponent, "a number from 1 to 10");
+            let (what, valid) = (LawParameter::Exponent, "a number from 1 to 10");
             return Err(ContactLawError::OutOfRange { what, got: exponent, valid });
         }
         if !limits::RAMPS.contains(&ramp) {
@@ -39,7 +39,7 @@ impl ImpactFunction {
         stiffness: f64,
         speed: f64,
     ) -> Result<f64, ContactLawError> {
-        let speed = positive(Parameter::Speed, speed)?;
+        let speed = positive(LawParameter::Speed, speed)?;
         // Sum of logarithms: single terms can overflow.
         let sum = ((exponent + 1.0) / 2.0).ln() + mass.ln() + 2.0 * speed.ln() - stiffness.ln();
         representable("undamped penetration, m", (sum / (exponent + 1.0)).exp())
@@ -117,7 +117,7 @@ impl ImpactFunction {
     /// Damping ĉ of the restitution e; 0 for e = 1. Errors: e is out of 0 to 1, or so small that the mass nearly
     /// comes to rest in the contact (including e = 0).
     pub fn damping(&self, restitution: f64) -> Result<f64, ContactLawError> {
-        let e = unit_interval(Parameter::Restitution, restitution)?;
+        let e = unit_interval(LawParameter::Restitution, restitution)?;
         if e == 1.0 {
             return Ok(0.0);
         }

@@ -1,7 +1,7 @@
 //! Request for an export, and its options.
 
 use super::ExportError;
-use crate::error::{Parameter, not_negative, positive, unit_interval};
+use crate::error::{LawParameter, not_negative, positive, unit_interval};
 use crate::limits;
 use crate::{CompliantContact, ContactLawError};
 
@@ -139,18 +139,18 @@ impl Request {
 
     /// Checks the range of every number.
     pub(super) fn check(&self) -> Result<(), ExportError> {
-        unit_interval(Parameter::Restitution, self.restitution)?;
+        unit_interval(LawParameter::Restitution, self.restitution)?;
         let accuracy = self.options.accuracy;
         if !limits::ACCURACIES.contains(&accuracy) {
-            let (what, valid) = (Parameter::Accuracy, "a number from 1e-9 to 0.1");
+            let (what, valid) = (LawParameter::Accuracy, "a number from 1e-9 to 0.1");
             return Err(ContactLawError::OutOfRange { what, got: accuracy, valid }.into());
         }
         let optional = [
-            (Parameter::Speed, self.speed),
-            (Parameter::TimeStep, self.options.time_step),
-            (Parameter::OwnMass, self.options.own_mass),
-            (Parameter::OtherOwnMass, self.options.other_own_mass),
-            (Parameter::DiagonalRatio, self.options.diagonal_ratio),
+            (LawParameter::Speed, self.speed),
+            (LawParameter::TimeStep, self.options.time_step),
+            (LawParameter::OwnMass, self.options.own_mass),
+            (LawParameter::OtherOwnMass, self.options.other_own_mass),
+            (LawParameter::DiagonalRatio, self.options.diagonal_ratio),
             ("effective mass of the bodies without joints, kg".into(), self.options.free_mass),
         ];
         for (what, value) in optional {

@@ -4,7 +4,7 @@ mod approximate;
 mod exact;
 mod facts;
 
-use crate::error::{Parameter, nearest, positive, unit_interval};
+use crate::error::{LawParameter, nearest, positive, unit_interval};
 use crate::solutions::{hunt_crossley, kelvin_voigt};
 use crate::{CompliantContact, ContactLawError, Damper, Separation};
 use approximate::{
@@ -209,7 +209,7 @@ impl Law {
         speed: Option<f64>,
         separation: Separation,
     ) -> Result<Damper, ContactLawError> {
-        let speed = speed.map(|speed| positive(Parameter::Speed, speed)).transpose()?;
+        let speed = speed.map(|speed| positive(LawParameter::Speed, speed)).transpose()?;
         let dissipation_number = match self {
             Self::KelvinVoigt => {
                 return Damper::kelvin_voigt(
@@ -228,7 +228,7 @@ impl Law {
     ///
     /// Errors: e is not from 0 to 1; the law does not reach e.
     pub fn approximation_error(self, restitution: f64) -> Result<ApproximationError, ContactLawError> {
-        let requested = unit_interval(Parameter::Restitution, restitution)?;
+        let requested = unit_interval(LawParameter::Restitution, restitution)?;
         let achieved = if self.is_exact() {
             requested
         } else {
@@ -239,7 +239,7 @@ impl Law {
 
     /// Dissipation number a = d v by which a law of the Hunt–Crossley family gives e: exact, or by the law's approximation.
     fn dissipation_number(self, restitution: f64) -> Result<f64, ContactLawError> {
-        let e = unit_interval(Parameter::Restitution, restitution)?;
+        let e = unit_interval(LawParameter::Restitution, restitution)?;
         let Some(formula) = self.facts().approximation else {
             return hunt_crossley::dissipation_number(e);
         };

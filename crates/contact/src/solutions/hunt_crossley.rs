@@ -16,7 +16,7 @@
 //! The law itself is Hunt and Crossley's (1975).
 
 use crate::ContactLawError;
-use crate::error::{Parameter, not_negative, unit_interval};
+use crate::error::{LawParameter, not_negative, unit_interval};
 use crate::limits;
 
 /// Name of the law in messages and files.
@@ -37,7 +37,7 @@ pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactLawError>
 ///
 /// 0 for e = 1. Errors: e is not from 0 to 1; e = 0, because no dissipation reaches e = 0 (a → 1/e).
 pub fn dissipation_number(restitution: f64) -> Result<f64, ContactLawError> {
-    let e = unit_interval(Parameter::Restitution, restitution)?;
+    let e = unit_interval(LawParameter::Restitution, restitution)?;
     number_from_loss(1.0 - e, e)
 }
 

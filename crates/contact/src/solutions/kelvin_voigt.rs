@@ -14,7 +14,7 @@
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
 //! also in Schwager and Pöschel (2007) (cited from memory, not read).
 
-use crate::error::{Parameter, not_negative, unit_interval};
+use crate::error::{LawParameter, not_negative, unit_interval};
 use crate::limits;
 use crate::{ContactLawError, Separation};
 use std::f64::consts::PI;
@@ -40,7 +40,7 @@ pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, Conta
 /// larger ζ): the gap then never closes. Errors: e is not from 0 to 1; e = 0 if the contact ends when the force
 /// vanishes, because no ζ reaches e = 0 (e ≈ 1/(4ζ²) for large ζ).
 pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLawError> {
-    let e = unit_interval(Parameter::Restitution, restitution)?;
+    let e = unit_interval(LawParameter::Restitution, restitution)?;
     if e == 0.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
     }

@@ -18,7 +18,7 @@ mod body_region;
 pub use body_region::BodyRegion;
 
 use crate::ContactLawError;
-use crate::error::{Parameter, not_negative, positive, representable};
+use crate::error::{LawParameter, not_negative, positive, representable};
 use serde::Serialize;
 
 /// Mass M/2 + m_L of a robot according to the standard, in kg: half the mass of the moving parts, plus the load with
@@ -27,7 +27,7 @@ use serde::Serialize;
 /// Errors: M not a finite number above zero, m_L negative, NaN or infinite.
 pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactLawError> {
     let half = 0.5 * positive("mass of the moving parts, kg", moving_mass)?;
-    representable("mass of the robot, kg", half + not_negative(Parameter::Load, load)?)
+    representable("mass of the robot, kg", half + not_negative(LawParameter::Load, load)?)
 }
 
 /// Impact of a robot on a region of the body: two masses and a spring between them.
@@ -98,7 +98,7 @@ impl TransientContact {
     ///
     /// Errors: F is not a finite number above zero; the result overflows.
     pub fn speed_for_force(self, force: f64) -> Result<SafeSpeed, ContactLawError> {
-        let force = positive(Parameter::Force, force)?;
+        let force = positive(LawParameter::Force, force)?;
         let speed = representable("relative speed, m/s", force / self.impedance())?;
         let energy = representable("energy, J", 0.5 * force * (force / self.stiffness))?;
         Ok(SafeSpeed { speed, force, energy })
@@ -114,7 +114,7 @@ impl TransientContact {
     ///
     /// Errors: E is not a finite number above zero; the result overflows.
     pub fn speed_for_energy(self, energy: f64) -> Result<SafeSpeed, ContactLawError> {
-        let energy = positive(Parameter::Energy, energy)?;
+        let energy = positive(LawParameter::Energy, energy)?;
         let speed = representable("relative speed, m/s", (2.0 * energy).sqrt() / self.reduced_mass.sqrt())?;
         Ok(SafeSpeed { speed, force: speed * self.impedance(), energy })
     }
@@ -124,7 +124,7 @@ impl TransientContact {
     ///
     /// Errors: P is not a finite number above zero; the result overflows.
     pub fn speed_for_momentum(self, momentum: f64) -> Result<SafeSpeed, ContactLawError> {
-        let momentum = positive(Parameter::Momentum, momentum)?;
+        let momentum = positive(LawParameter::Momentum, momentum)?;
         let speed = representable("relative speed, m/s", momentum / self.reduced_mass)?;
         let energy = representable("energy, J", 0.5 * momentum * speed)?;
         Ok(SafeSpeed { speed, force: speed * self.impedance(), energy })
@@ -134,7 +134,7 @@ impl TransientContact {
     ///
     /// Errors: one of the two is not a finite number above zero; the result overflows.
     pub fn speed_for_pressure(self, pressure: f64, area: f64) -> Result<SafeSpeed, ContactLawError> {
-        let force = positive(Parameter::Pressure, pressure)? * positive(Parameter::Area, area)?;
+        let force = positive(LawParameter::Pressure, pressure)? * positive(LawParameter::Area, area)?;
         self.speed_for_force(representable("force, N", force)?)
     }
 }

@@ -25,7 +25,7 @@ use percuss_dynamics::{Configuration, Contact, Pose, System};
 /// # use percuss_suspension::{TemplateOptions, template_sheet};
 /// # let sheet = template_sheet("double-wishbone", &TemplateOptions::default()).expect("a template");
 /// let model = Model::from_source(&Source::from_text("corner.toml", sheet), &LoadOptions::default())?;
-/// let system = System::new(&model.mechanism, &Conditions::default())?;
+/// let system = System::new(model.mechanism.clone(), &Conditions::default())?;
 /// let (pose, contact) = pose_at_stop(&system, &system.configuration(), "bump_stop")?;
 /// let EffectiveMass::Finite(mass) = pose.respond(&contact)?.effective_mass else { panic!("a mass") };
 /// assert!((mass - 151.080_732).abs() < 1e-6);

@@ -3,7 +3,7 @@
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use percuss_contact::exports::{Options, Tool};
-use percuss_contact::{ContactLawError, Law, Parameter, Separation};
+use percuss_contact::{ContactLawError, Law, LawParameter, Separation};
 use percuss_units::{Dimension, Quantity};
 
 /// Requested restitution and the other data of a damper, except the mass.
@@ -69,12 +69,12 @@ impl DampingQuestion {
         if let (Some(fixed), Some(got)) = (fixed_exponent, exponent)
             && fixed != got
         {
-            return Err(contradicts(Parameter::Exponent, fixed.to_string(), got.to_string()));
+            return Err(contradicts(LawParameter::Exponent, fixed.to_string(), got.to_string()));
         }
         if let (Some(fixed), Some(got)) = (fixed_end, separation)
             && fixed != got
         {
-            return Err(contradicts(Parameter::Separation, fixed.name().into(), got.name().into()));
+            return Err(contradicts(LawParameter::Separation, fixed.name().into(), got.name().into()));
         }
         self.alias = alias.map(|a| a.name);
         self.exponent = fixed_exponent.or(exponent).unwrap_or(self.exponent);

@@ -1,8 +1,6 @@
 //! Parts of a question and their names: command-line flags, study keys, or field names in code.
 
-use crate::study_file::schema::study_keys;
 use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart, Frame};
-use std::sync::LazyLock;
 
 /// Set of names used in messages for the parts of a question.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,33 +10,39 @@ pub enum Names {
     Fields,
     /// Flags of the command line.
     Flags,
-    /// Keys of a study file; the name of the table of the question, or an empty text.
-    Keys(&'static str),
+    /// Keys of a study file; the keys of the table of the question, if a table determines it.
+    Keys(Option<&'static TableKeys>),
 }
 
 impl Names {
     /// Keys of a study, for a question that no table determines.
-    pub const KEYS: Self = Names::Keys("");
+    pub const KEYS: Self = Names::Keys(None);
 
     /// Names of the keys of a table; flags and fields do not depend on the table.
-    pub(crate) fn in_table(self, table: &'static str) -> Self {
-        if matches!(self, Names::Keys(_)) { Names::Keys(table) } else { self }
+    pub(crate) fn in_table(self, table: &'static TableKeys) -> Self {
+        if matches!(self, Names::Keys(_)) { Names::Keys(Some(table)) } else { self }
     }
 }
 
-/// Key in a table of a question: that of `table` if it has a key with the same last part, otherwise `key`. Keys of the model, the
-/// contact, the pose and the conditions belong to no question.
-pub(crate) fn key_in_table(key: &'static str, table: &str) -> &'static str {
-    match key.rsplit_once('.') {
-        Some(("model" | "contact" | "pose" | "conditions", _)) | None => key,
-        Some((_, last)) => key_of_table(table, last).unwrap_or(key),
-    }
-}
+/// Keys of a table of a study, such as `impact.speed`.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct TableKeys(pub(crate) Vec<String>);
 
-/// Key of a table with a last part.
-pub(crate) fn key_of_table(table: &str, last: &str) -> Option<&'static str> {
-    static KEYS: LazyLock<Vec<String>> = LazyLock::new(study_keys);
-    KEYS.iter().find(|known| known.rsplit_once('.') == Some((table, last))).map(String::as_str)
+impl TableKeys {
+    /// Key with a last part.
+    pub(crate) fn find(&self, last: &str) -> Option<&str> {
+        let key = self.0.iter().find(|key| key.rsplit('.').next() == Some(last));
+        key.map(String::as_str)
+    }
+
+    /// Key of the table with the same last part, otherwise `key`. Keys of the model, the contact, the pose and the conditions belong to no
+    /// question.
+    pub(crate) fn own<'a>(&'a self, key: &'a str) -> &'a str {
+        match key.rsplit_once('.') {
+            Some(("model" | "contact" | "pose" | "conditions", _)) | None => key,
+            Some((_, last)) => self.find(last).unwrap_or(key),
+        }
+    }
 }
 
 /// Part of a question: a flag on the command line, a key in a study file.
@@ -241,7 +245,7 @@ impl Field {
     pub fn name_in(self, names: Names) -> &'static str {
         match names {
             Names::Flags => self.flag(),
-            Names::Keys(table) => key_in_table(self.key(), table),
+            Names::Keys(table) => table.map_or(self.key(), |table| table.own(self.key())),
             Names::Fields => self.key().rsplit('.').next().unwrap_or_default(),
         }
     }

@@ -16,10 +16,26 @@ use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::explain::explain_parts;
 use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
-use crate::reports::tolerance::tolerances_of;
-use crate::study_file::tables::mass::StudyMass;
+use crate::reports::tolerance::{Sampling, Tolerance, tolerances_of};
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_dynamics::PointVelocity;
+
+/// Options of a study for its contact, in addition to the effective mass.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StudyMass {
+    /// Expected effective mass, kg.
+    pub expect: Option<f64>,
+    /// Relative tolerance of the expected mass; `None` for the default of the command.
+    pub expect_tolerance: Option<f64>,
+    /// True if sensitivities of m̄ are requested.
+    pub explain: bool,
+    /// True if the coefficients of friction for sticking and jamming are requested.
+    pub friction_thresholds: bool,
+    /// Tolerances of the model's parts.
+    pub tolerance: Option<Tolerance>,
+    /// Random samples within the tolerances.
+    pub sampling: Option<Sampling>,
+}
 
 /// Evaluates one contact of a model.
 ///

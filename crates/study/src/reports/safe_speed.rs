@@ -13,7 +13,7 @@ use crate::question::row_source::RowSource;
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{
-    BodyRegion, ContactLawError, Parameter, SafeSpeed, TransientContact, standard_robot_mass,
+    BodyRegion, ContactLawError, LawParameter, SafeSpeed, TransientContact, standard_robot_mass,
 };
 use percuss_dynamics::{Base, EffectiveMass, Frame};
 use percuss_impact::reachable_closing_speed;
@@ -442,7 +442,7 @@ fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyEr
             JointDescription::new(format!("{name} on {contact_link}"), JointKind::Fixed, contact_link, &name),
         );
     let built = builder.build().map_err(|_| ContactLawError::OutOfRange {
-        what: Parameter::Load,
+        what: LawParameter::Load,
         got: load,
         valid: "a finite number, 0 or above",
     })?;

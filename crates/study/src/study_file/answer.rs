@@ -21,6 +21,7 @@ use crate::reports::kinematics::report::KinematicsReport;
 use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::SafeSpeedReport;
 use crate::study_file::file::{StudyFile, StudyFileError, StudySweep};
+use crate::study_file::schema::table_keys;
 use crate::study_file::tables::map::StudyMapQuestion;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
@@ -80,7 +81,7 @@ impl MapResult {
 
 /// Results of all tables of a study. The key of a table is absent if the study does not have the table.
 #[derive(Debug, Serialize)]
-pub struct Report {
+pub struct RequestReport {
     /// `percuss.report/1`.
     pub schema: &'static str,
     /// Version of percuss.
@@ -117,7 +118,7 @@ pub struct Report {
     pub safe_speed: Option<Vec<SafeSpeedReport>>,
 }
 
-impl Report {
+impl RequestReport {
     /// JSON text of the report. A number without a value is null.
     pub fn to_json(&self) -> String {
         // Records have text keys and no other source of errors.
@@ -130,14 +131,14 @@ impl StudyFile {
     ///
     /// # Errors
     /// The first error of a table.
-    pub fn ask(&self, name: &str) -> Result<Report, AskError> {
+    pub fn ask(&self, name: &str) -> Result<RequestReport, AskError> {
         let contacts = self.contact_list()?;
         let has_rows = self.sweep.is_some() || !self.variants.is_empty();
         let mass = match self.mass_of(self.detailed_question(contacts.as_ref())) {
             Err(error) if has_rows && error.has_no_result() => None,
             mass => mass?,
         };
-        Ok(Report {
+        Ok(RequestReport {
             schema: "percuss.report/1",
             percuss: env!("CARGO_PKG_VERSION"),
             mass,
@@ -166,7 +167,7 @@ impl StudyFile {
         question
             .map(|question| requested_mass(&self.model, question, damping, &self.mass))
             .transpose()
-            .map_err(|error| error.in_table("mass"))
+            .map_err(|error| error.in_table(table_keys("mass")))
     }
 
     /// Effective mass at the contact of the study, with the results of `[mass]` and `[damping]`.
@@ -186,7 +187,8 @@ impl StudyFile {
         question: &MassQuestion,
     ) -> Result<(MassReport, DrawnMechanism), StudyError> {
         let damping = self.damping.as_ref().map(|damping| &damping.question);
-        mass_with_drawing(&self.model, question, damping, &self.mass).map_err(|error| error.in_table("mass"))
+        mass_with_drawing(&self.model, question, damping, &self.mass)
+            .map_err(|error| error.in_table(table_keys("mass")))
     }
 
     /// All contacts of a study with several, each with its damper.
@@ -216,7 +218,7 @@ impl StudyFile {
             (None, Some(contact)) => damp_contact(&self.model, contact, &damping.question),
             (None, None) => return Ok(None),
         };
-        report.map(Some).map_err(|error| error.in_table("damping"))
+        report.map(Some).map_err(|error| error.in_table(table_keys("damping")))
     }
 
     /// Damper at the stop of a joint.
@@ -240,7 +242,7 @@ impl StudyFile {
         asked
             .map(|(question, requested)| impact(&self.model, question, requested))
             .transpose()
-            .map_err(|error| error.in_table("impact"))
+            .map_err(|error| error.in_table(table_keys("impact")))
     }
 
     /// Extremes at the contact of the study.
@@ -252,7 +254,7 @@ impl StudyFile {
         asked
             .map(|(question, requested)| extremes(&self.model, question, requested))
             .transpose()
-            .map_err(|error| error.in_table("extremes"))
+            .map_err(|error| error.in_table(table_keys("extremes")))
     }
 
     /// Sweep of a study, ready to run, with the gradients that it requests. `question`: that of its rows,
@@ -266,7 +268,7 @@ impl StudyFile {
         question: &'a MassQuestion,
     ) -> Result<Sweep<'a>, StudyError> {
         let sweep = Sweep::new(&self.model, question, &requested.rows);
-        let sweep = sweep.map_err(|error| error.in_table("sweep"))?;
+        let sweep = sweep.map_err(|error| error.in_table(table_keys("sweep")))?;
         Ok(if requested.gradient { sweep.with_gradient() } else { sweep })
     }
 
@@ -286,7 +288,7 @@ impl StudyFile {
             rows.push(row);
             ControlFlow::Continue(())
         });
-        let end = end.map_err(|error| error.in_table("sweep"))?;
+        let end = end.map_err(|error| error.in_table(table_keys("sweep")))?;
         let diagnostics = self.model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
         Ok(Some(SweepReport { heading, rows, diagnostics }))
     }
@@ -316,7 +318,7 @@ impl StudyFile {
     /// As for [`map`] and [`map_point`].
     pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
         let found = self.map.as_ref().map(|requested| requested.question.answer(&self.model)).transpose();
-        found.map_err(|error| error.in_table("map"))
+        found.map_err(|error| error.in_table(table_keys("map")))
     }
 
     /// Safe speeds of `[safe_speed]`.
@@ -325,7 +327,7 @@ impl StudyFile {
     /// As for [`StudySafeSpeed::reports`](crate::StudySafeSpeed::reports).
     pub fn safe_speeds(&self) -> Result<Option<Vec<SafeSpeedReport>>, StudyError> {
         let found = self.safe_speed.as_ref().map(|requested| requested.reports(&self.model)).transpose();
-        found.map_err(|error| error.in_table("safe_speed"))
+        found.map_err(|error| error.in_table(table_keys("safe_speed")))
     }
 }
 

@@ -13,6 +13,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
+use crate::reports::answer_mass::StudyMass;
 use crate::reports::compare::Design;
 use crate::reports::impact::extremes_question::ExtremesQuestion;
 use crate::reports::impact::question::ImpactQuestion;
@@ -24,7 +25,6 @@ use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::impact::ImpactTable;
 use crate::study_file::tables::kinematics::StudyKinematics;
 use crate::study_file::tables::map::StudyMap;
-use crate::study_file::tables::mass::StudyMass;
 use crate::study_file::tables::report::StudyReport;
 use crate::study_file::tables::safe_speed::StudySafeSpeed;
 use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
@@ -148,7 +148,7 @@ pub enum StudyFileError {
         /// Line of the key, from 1; `None` if the key is not in the file.
         line: Option<usize>,
         /// Key of the value.
-        key: &'static str,
+        key: String,
         /// Reason.
         why: String,
     },
@@ -293,16 +293,21 @@ impl StudyReader<'_> {
     }
 
     /// Error of an invalid value; `place`: path of the key that gives the line.
-    fn value(&self, key: &'static str, place: &str, why: String) -> StudyFileError {
-        StudyFileError::Value { path: self.path.to_owned(), line: self.keys.line_of(place), key, why }
+    fn value(&self, key: &str, place: &str, why: String) -> StudyFileError {
+        StudyFileError::Value {
+            path: self.path.to_owned(),
+            line: self.keys.line_of(place),
+            key: key.to_owned(),
+            why,
+        }
     }
 
     /// Error of an invalid query, with the key of the invalid field.
     fn study_error(&self, error: &StudyError) -> StudyFileError {
-        let key = error.key().unwrap_or("model");
+        let key = error.key().unwrap_or_else(|| "model".to_owned());
         let why = error.message(Names::KEYS);
         let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
-        self.value(key, key, why)
+        self.value(&key, &key, why)
     }
 
     /// Error of an invalid design; `variant`: index and name of the variant, `None` for the model of the study.

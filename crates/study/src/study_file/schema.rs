@@ -1,8 +1,10 @@
 //! JSON schema of a study file, generated from the types that read the file, and the keys of the schema.
 
+use crate::question::field::TableKeys;
 use crate::study_file::text::StudyText;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Generated once.
@@ -17,6 +19,23 @@ static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
 /// errors.
 pub fn study_schema() -> &'static Value {
     &SCHEMA
+}
+
+/// Keys of a table of a study; empty for an unknown table.
+pub(crate) fn table_keys(table: &str) -> &'static TableKeys {
+    static TABLES: LazyLock<BTreeMap<String, TableKeys>> = LazyLock::new(|| {
+        let mut tables = BTreeMap::<String, TableKeys>::new();
+        for key in study_keys() {
+            if let Some((table, last)) = key.split_once('.')
+                && !last.contains('.')
+            {
+                tables.entry(table.to_owned()).or_default().0.push(key);
+            }
+        }
+        tables
+    });
+    static NONE: TableKeys = TableKeys(Vec::new());
+    TABLES.get(table).unwrap_or(&NONE)
 }
 
 /// Keys of a study file with the names of their tables: `contact.along_line.link`. Entries of a table of names,

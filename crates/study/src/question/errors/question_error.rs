@@ -2,9 +2,9 @@
 
 pub use crate::question::errors::fault::Fault;
 use crate::question::errors::refusal::flag;
-use crate::question::field::{Field, Names, assembly_error_message, key_in_table, key_of_table};
+use crate::question::field::{Field, Names, TableKeys, assembly_error_message};
 use percuss_contact::exports::ExportError;
-use percuss_contact::{ContactLawError, Parameter};
+use percuss_contact::{ContactLawError, LawParameter};
 use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
 use percuss_impact::ImpactError;
 use percuss_units::LengthUnit;
@@ -17,8 +17,8 @@ pub enum StudyError {
     /// Error in the evaluation of a table of a study.
     #[error("{error}")]
     InTable {
-        /// The table, such as `impact`.
-        table: &'static str,
+        /// Keys of the table.
+        table: &'static TableKeys,
         /// The error.
         error: Box<StudyError>,
     },
@@ -151,7 +151,7 @@ impl StudyError {
     }
 
     /// Same error in the evaluation of a table of a study.
-    pub(crate) fn in_table(self, table: &'static str) -> Self {
+    pub(crate) fn in_table(self, table: &'static TableKeys) -> Self {
         match self {
             StudyError::InTable { .. } => self,
             error => StudyError::InTable { table, error: Box::new(error) },
@@ -167,16 +167,16 @@ impl StudyError {
     }
 
     /// Key of the invalid or missing part of the question, with the name of its table; `None` if no part is at fault.
-    pub fn key(&self) -> Option<&'static str> {
-        let table = if let StudyError::InTable { table, .. } = self { table } else { "" };
+    pub fn key(&self) -> Option<String> {
+        let table = if let StudyError::InTable { table, .. } = self { Some(*table) } else { None };
         match self.without_table() {
-            StudyError::Input { field, .. } => Some(key_in_table(field.key(), table)),
+            StudyError::Input { field, .. } => Some(field.name_in(Names::Keys(table)).to_owned()),
             error => error.parameter().and_then(|parameter| parameter_key(parameter, table)),
         }
     }
 
     /// Number of a contact law or a simulator that is missing or invalid.
-    fn parameter(&self) -> Option<Parameter> {
+    fn parameter(&self) -> Option<LawParameter> {
         match self {
             StudyError::Damping(error) => error.parameter(),
             StudyError::Export(error) => error.parameter(),
@@ -253,9 +253,7 @@ impl StudyError {
                 let key = match names {
                     Names::Fields => None,
                     Names::Flags => other.parameter().and_then(|parameter| Some(flag(parameter.key()?))),
-                    Names::Keys(table) => {
-                        other.parameter().and_then(|found| parameter_key(found, table)).map(str::to_owned)
-                    }
+                    Names::Keys(table) => other.parameter().and_then(|found| parameter_key(found, table)),
                 };
                 format!("{other}{}", key.map_or_else(String::new, |key| format!(" ({key})")))
             }
@@ -263,10 +261,16 @@ impl StudyError {
     }
 }
 
-/// Key of a number in a table, or in the first table that has it.
-fn parameter_key(parameter: Parameter, table: &str) -> Option<&'static str> {
+/// Key of a number in a table, otherwise in the table of safe speeds or of dampers.
+fn parameter_key(parameter: LawParameter, table: Option<&'static TableKeys>) -> Option<String> {
+    use LawParameter::{Area, Energy, Force, Load, Momentum, Pressure, Region};
     let last = parameter.key()?;
-    [table, "damping", "safe_speed"].into_iter().find_map(|table| key_of_table(table, last))
+    let default = match parameter {
+        Force | Pressure | Area | Energy | Momentum | Load | Region => "safe_speed",
+        _ => "damping",
+    };
+    let own = table.and_then(|table| table.find(last));
+    Some(own.map_or_else(|| format!("{default}.{last}"), str::to_owned))
 }
 
 /// Message: the mechanism cannot reach a stop.

@@ -3,29 +3,13 @@
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, ANSWER};
 use crate::question::errors::refusal::InvalidKey;
+use crate::reports::answer_mass::StudyMass;
 use crate::reports::tolerance::{Sampling, Tolerance};
 use crate::values::quantities::PositiveMass;
 use crate::values::value::{NumberOrText, OneOrMany};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use std::str::FromStr;
-
-/// Options of a study for its contact, in addition to the effective mass.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StudyMass {
-    /// Expected effective mass, kg.
-    pub expect: Option<f64>,
-    /// Relative tolerance of the expected mass; `None` for the default of the command.
-    pub expect_tolerance: Option<f64>,
-    /// True if sensitivities of m̄ are requested.
-    pub explain: bool,
-    /// True if the coefficients of friction for sticking and jamming are requested.
-    pub friction_thresholds: bool,
-    /// Tolerances of the model's parts.
-    pub tolerance: Option<Tolerance>,
-    /// Random samples within the tolerances.
-    pub sampling: Option<Sampling>,
-}
 
 /// Tolerance of the expected mass, or of the model's data.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! New Gazebo (gz-sim) with its default physics, the dartsim plugin of gz-physics: rigid restitution.
 
-use crate::error::{Parameter, positive};
+use crate::error::{LawParameter, positive};
 use crate::exports::rigid;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
@@ -68,7 +68,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 
 /// Error: DART suppresses this rebound.
 fn check_rebound(e: f64, speed: f64) -> Result<(), ExportError> {
-    let speed = positive(Parameter::Speed, speed)?;
+    let speed = positive(LawParameter::Speed, speed)?;
     let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
     if e > 0.0 && e * speed <= limits::DART_SLOWEST_REBOUND {
         return Err(unreachable(

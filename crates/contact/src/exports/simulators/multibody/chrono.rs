@@ -3,7 +3,7 @@
 use crate::exports::export::check_single_precision;
 use crate::exports::linear::Linear;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
-use crate::{Damper, Parameter, Separation, kelvin_voigt};
+use crate::{Damper, LawParameter, Separation, kelvin_voigt};
 
 /// Chrono's mass of a body without a given mass, also of a fixed body, kg.
 const DEFAULT_MASS: f64 = 1.0;
@@ -60,7 +60,7 @@ pub(crate) const FACTS: Facts = Facts {
 pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let own = request.options.own_mass.ok_or(ExportError::Missing {
         tool: TOOL,
-        what: Parameter::OwnMass,
+        what: LawParameter::OwnMass,
         why: "the tool computes the damping from the masses of the two bodies, not from the effective mass",
     })?;
     let other = request.options.other_own_mass.unwrap_or(DEFAULT_MASS);
