@@ -486,3 +486,42 @@ def test_gradients_of_sweeps() -> None:
     rates = {name: (high.pose[name][0] - low.pose[name][0]) / (2 * step) for name in high.pose}
     # Central differences: step² of the third derivative.
     assert sum((at.gradient or {})[name][0] * rate for name, rate in rates.items()) == pytest.approx(slope, rel=1e-4)
+
+
+def test_ask_answers_the_tables_of_a_study() -> None:
+    model = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+    table = {"link": "coupler", "point": np.array([0.35, 0.1, 0.0]), "normal": [0, 1, 0]}
+    found = percuss.ask(
+        model,
+        {
+            "contact": table,
+            "mass": {"explain": True, "friction_thresholds": True, "tolerance": "mass=2%"},
+            "damping": {"restitution": 0.3, "stiffness": "200 N/mm"},
+            "impact": {"restitution": 0.3, "speed": "1 m/s"},
+            "extremes": {"range": "crank_hinge=0:1"},
+            "sweep": {"vary": "crank_hinge=0:0.5:4"},
+            "map": {"directions": 20},
+            "safe_speed": {"region": "chest", "force": 280},
+        },
+    )
+    damping = percuss.Damping(0.3, 2e5)
+    assert found["mass"].damper == percuss.mass(model, contact, damping=damping).damper
+    assert found["mass"].explanation == percuss.explain(model, contact)
+    assert found["mass"].friction_thresholds == percuss.friction_thresholds(model, contact)
+    assert found["mass"].tolerance == percuss.tolerate(model, contact, "mass=2%")
+    assert found["impact"] == percuss.impact(model, contact, 0.3, speed=1.0)
+    assert found["extremes"] == percuss.extremes(model, contact, ranges={"crank_hinge": (0.0, 1.0)})
+    assert found["sweep"] == percuss.sweep_report(model, contact, vary=["crank_hinge=0:0.5:4"])
+    assert found["map"] == percuss.map_point(model, contact, 20)
+    assert found["safe_speed"][0] == percuss.safe_speed(model, contact, "chest", force=280.0)
+    for tables, key in [
+        ({"impact": {"restitution": 0.3, "speed": 1, "stiffness": -5}}, "impact.stiffness"),
+        ({"extremes": {"speed": 1, "restitution": 0.3, "stiffness": -5, "quantity": "peak:crank_hinge"}}, "extremes.stiffness"),
+        ({"sweep": {"vary": "none=0:1:3"}}, "sweep.vary"),
+        ({"sweep": {"vary": "crank_hinge=0:1:3", "output": "rows.csv"}}, "sweep.output"),
+        ({"safe_speed": {"region": "chest", "force": -1}}, "safe_speed.force"),
+        ({"impakt": {}}, "impakt"),
+    ]:
+        with pytest.raises(percuss.InputError, match=key.replace(".", r"\.")):
+            percuss.ask(model, {"contact": table, **tables})

@@ -480,7 +480,7 @@ def test_a_changed_array_has_no_influence(order: str) -> None:
     ]
     for change in changes:
         q = np.array(given, order=order)  # type: ignore[call-overload]
-        portions = []
+        portions: list[int] = []
 
         def report(rows: int, _: int) -> None:
             if not portions:

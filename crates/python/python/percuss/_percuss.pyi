@@ -930,7 +930,8 @@ def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[st
     """Compares the designs of a study file: its model under a name, then its variants."""
 def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
     """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep; adds the impact and the extremes."""
-def ask(model: Model, request: str) -> str: ...
+def ask(model: Model, request: str) -> str:
+    """Results of the tables of a request, JSON."""
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Initial study file for a model, which the file refers to by a path."""
 def study_schema() -> str:
