@@ -222,7 +222,8 @@ impl ContactLawError {
             Self::SpeedNeeded { .. } => Some(LawParameter::Speed),
             Self::UnknownLaw { .. } => Some(LawParameter::Law),
             Self::UnknownRegion { .. } => Some(LawParameter::Region),
-            Self::Unreachable { .. } | Self::NotRepresentable { .. } => None,
+            Self::Unreachable { .. } => Some(LawParameter::Restitution),
+            Self::NotRepresentable { .. } => None,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Inertias that no mass inside the shapes of a link has.
+//! Inertias and centres of mass that are impossible inside the shapes of a link.
 
 use crate::meshes::files::MeshFolders;
 use crate::meshes::surface::bounding_box;
@@ -12,13 +12,13 @@ const HULL_SLACK: f64 = 2.0;
 /// Distance of a centre of mass outside the shapes, relative to their size, for the same reason.
 const COM_SLACK: f64 = 0.5;
 
-/// As [`COM_SLACK`] for the box of a mesh, which may show the cover of a link without its motor.
+/// Same distance for the box of a mesh, which may show the cover of a link without its motor.
 const MESH_COM_SLACK: f64 = 1.0;
 
 /// Number of steps of the search for a separating plane; each brings the point of the hull nearer to the centre of mass.
 const HULL_STEPS: usize = 100;
 
-/// Warnings for inertias that no mass in the convex hull of some shapes of a link has: with the centre of mass c,
+/// Warnings for inertias and centres of mass that are impossible inside the convex hull of some shapes of a link: with the centre of mass c,
 /// tr(I)/2 = ∫ |x − c|² dm ≤ m·max |x − c|², and c is in the hull. `shapes`: shapes of every link. `hull_of`: the shapes of the hull of a
 /// link; without shapes, or with a mesh among them, the link is left out.
 pub(crate) fn inertias_beyond_shapes<'s>(
@@ -29,7 +29,7 @@ pub(crate) fn inertias_beyond_shapes<'s>(
     beyond_hulls(mechanism, shapes, hull_of, COM_SLACK)
 }
 
-/// As [`inertias_beyond_shapes`], with the distance of a centre of mass outside the hull that is accepted.
+/// Same warnings with another accepted distance of the centre of mass outside the hull.
 fn beyond_hulls<'s>(
     mechanism: &Mechanism,
     shapes: &'s [Vec<Shape>],

@@ -48,7 +48,7 @@ pub(crate) struct LengthJoint {
 #[non_exhaustive]
 pub enum QposError {
     /// Wrong number of entries.
-    #[error("qpos has {got} numbers, and the joints of the model have {expected} positions")]
+    #[error("qpos has {got} numbers; expected {expected}, all positions of the MJCF that was read")]
     Count {
         /// Number of entries.
         got: usize,
@@ -56,7 +56,7 @@ pub enum QposError {
         expected: usize,
     },
     /// Wrong number of positions of the mechanism.
-    #[error("positions has room for {got} numbers; expected {expected}, the positions of all joints")]
+    #[error("the output has space for {got} positions; expected {expected}, the positions of all joints")]
     PositionCount {
         /// Length of the output.
         got: usize,
@@ -72,14 +72,14 @@ pub enum QposError {
         value: f64,
     },
     /// A quaternion is zero, or its norm is not a number in double precision.
-    #[error("the quaternion of joint \"{joint}\" is 0 or has no norm")]
+    #[error("the quaternion of joint \"{joint}\" has no norm; expected w, x, y, z of length 1")]
     Quaternion {
         /// The joint.
         joint: String,
     },
     /// The model has an aligned free body.
     #[error(
-        "MuJoCo moves the frame of an aligned free body (alignfree, align), and qpos refers to that frame"
+        "MuJoCo moves the frame of an aligned free body, and qpos refers to that frame; set alignfree=\"false\" in <compiler>, or align=\"false\" in <freejoint>"
     )]
     Aligned,
 }

@@ -213,7 +213,7 @@ fn four_bars_and_slider_cranks() {
 /// batch and on a path of the drivers.
 #[test]
 fn the_pose_at_a_stop_is_that_of_the_question() {
-    let mut stops = 0;
+    let (mut stops, mut paths) = (0, 0);
     for template in ["double-wishbone", "macpherson-strut", "semi-trailing-arm"] {
         let sheet = template_sheet(template, &TemplateOptions::default()).expect("a template");
         let model = Model::from_source(&Source::from_text("corner.toml", sheet), &LoadOptions::default());
@@ -250,10 +250,11 @@ fn the_pose_at_a_stop_is_that_of_the_question() {
                     let (mut answers, mut positions) = (Vec::new(), Vec::new());
                     assert_eq!(path.follow(&values, &mut answers, &mut positions), 1);
                     assert_eq!(own(answers[0].remarks), expected);
+                    paths += 1;
                 }
             }
             stops += 1;
         }
     }
-    assert!(stops >= 3, "{stops} stops");
+    assert!(stops >= 3 && paths >= 1, "{stops} stops, {paths} paths");
 }

@@ -126,7 +126,7 @@ impl KinematicsArgs {
 }
 
 /// True if a file name has the ending of a picture.
-pub fn is_picture(path: &str) -> bool {
+fn is_picture(path: &str) -> bool {
     let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     ending.is_some_and(|ending| ["svg", "png", "pdf"].contains(&ending.as_str()))
 }

@@ -22,7 +22,7 @@ pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, LanguageNa
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
-pub use kinematics::{KinematicsArgs, is_picture};
+pub use kinematics::KinematicsArgs;
 pub use map::MapArgs;
 pub use model::ModelArgs;
 pub use output::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat, WritingArgs};

@@ -1,7 +1,7 @@
 //! `percuss damp`, and the damper in the output of an effective mass.
 
 use crate::args::{CheckFormat, DampArgs};
-use crate::files::output::{record_input, write_file};
+use crate::files::output::{ending_of, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
@@ -17,7 +17,6 @@ use percuss_study::{
     DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, damp_stop, impact_history,
 };
 use std::fmt::Write;
-use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &DampArgs) -> Result<(), Failure> {
@@ -313,24 +312,21 @@ fn tools() -> String {
     table.to_string()
 }
 
+/// Endings of files of the force over time.
+pub const HISTORY_FILES: [&str; 4] = ["svg", "png", "pdf", "csv"];
+
 /// Writes the force history of the impact as a plot or as numbers.
 pub fn write_history(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
-    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let samples = || {
         impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
             .map_err(percuss_study::StudyError::from)
     };
-    let bytes = match ending.as_str() {
-        "svg" => history_sheet(report, &samples()?).to_svg().into_bytes(),
+    let bytes = match ending_of(path, &HISTORY_FILES)? {
+        "csv" => csv(&samples()?).into_bytes(),
         "png" => history_sheet(report, &samples()?).to_png(2.0)?,
         "pdf" => history_sheet(report, &samples()?).to_pdf()?,
-        "csv" => csv(&samples()?).into_bytes(),
-        _ => {
-            return Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .svg, .png, .pdf or .csv"
-            )));
-        }
+        _ => history_sheet(report, &samples()?).to_svg().into_bytes(),
     };
     write_file(path, &bytes)
 }

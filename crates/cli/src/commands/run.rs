@@ -11,7 +11,7 @@ use crate::commands::report;
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
 use crate::commands::sweep::{ReadySweep, SweepOutput};
-use crate::files::output::record_input;
+use crate::files::output::{check_writable, ending_of, record_input};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{note, with_findings, write_diagnostics, write_out};
@@ -29,18 +29,30 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     args.writing.apply();
     input_files(&study).for_each(|path| record_input(&path));
-    check_distinct_outputs(output_files(&study, args))?;
+    let outputs: Vec<(&'static str, String)> = output_files(&study, args).collect();
+    run_study(&study, args, &outputs).map_err(|failure| failure.in_study(&args.study, &study.keys, &outputs))
+}
+
+/// Checks the output files, and runs all questions of a study.
+fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String)]) -> Result<(), Failure> {
+    check_distinct_outputs(outputs.iter().cloned())?;
+    for (key, path) in outputs {
+        match *key {
+            "damping.output" => drop(ending_of(path, &damp::HISTORY_FILES)?),
+            "kinematics.output" => drop(ending_of(path, &kinematics::STUDY_FILES)?),
+            "map.output" => drop(map::formats(std::slice::from_ref(path))?),
+            _ => {}
+        }
+    }
     if !args.allow_outside {
-        output_files(&study, args)
-            .try_for_each(|(name, path)| check_inside_folder(&path, &study.folder, name))?;
+        outputs.iter().try_for_each(|(name, path)| check_inside_folder(path, &study.folder, name))?;
     }
     sweep::use_threads(args.threads);
-    let result = match (&args.report, args.format) {
-        (Some(path), _) => report::write(&study, args, path),
-        (None, Some(format)) => show_in_format(&study, format, args.strict),
-        (None, None) => run_all(&study, args),
-    };
-    result.map_err(|failure| failure.in_study(&args.study, &study.keys))
+    match (&args.report, args.format) {
+        (Some(path), _) => report::write(study, args, path),
+        (None, Some(format)) => show_in_format(study, format, args.strict),
+        (None, None) => run_all(study, args),
+    }
 }
 
 /// Input files named by any part of the study.
@@ -101,12 +113,13 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     let of_rows = study.question.as_ref().map(|question| study.question_of_rows(question));
     let designs = study.designs(&compare::study_name(&args.study));
     let mut prints: Vec<Print> = Vec::new();
+    let first = study.question.as_ref();
     if let (Some(question), Some(of_rows)) = (&study.question, &of_rows) {
         prints.push(contact_print(study, question, of_rows, &designs, strict)?);
     }
     if let Some(damping) = &study.damping
         && (damping.stop.is_some() || damping.output.is_some())
-        && let Some(report) = study.damper()?
+        && let Some(report) = with_findings(study.damper(), &study.model)?
     {
         prints.push(Box::new(move || {
             if damping.stop.is_some() {
@@ -119,23 +132,26 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
             }
         }));
     }
-    if let Some(report) = study.impact_report()? {
+    if let Some(report) = with_findings(study.impact_report(first), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
             rigid_impact::write(&report, CheckFormat::Text)
         }));
     }
-    if let Some(report) = study.extremes_report()? {
+    if let Some(report) = with_findings(study.extremes_report(first), &study.model)? {
         prints.push(Box::new(move || extremes::write(&report, CheckFormat::Text, strict)));
     }
-    if let (Some(requested), Some(report)) = (&study.kinematics, study.kinematics_report()?) {
+    let of_kinematics = with_findings(study.kinematics_report(), &study.model)?;
+    if let (Some(requested), Some(report)) = (&study.kinematics, of_kinematics) {
         prints.push(Box::new(move || kinematics::show_of_study(&report, requested, strict)));
     }
-    if let (Some(requested), Some(result)) = (&study.map, study.map_result()?) {
+    if let Some(requested) = &study.map {
         let output = map_output(requested, MassFormat::Text, strict)?;
+        output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
+        let Some(result) = with_findings(study.map_result(), &study.model)? else { return Ok(()) };
         prints.push(Box::new(move || map::write(&result, &output)));
     }
-    if let Some(reports) = study.safe_speeds()? {
+    if let Some(reports) = with_findings(study.safe_speeds(), &study.model)? {
         prints.push(Box::new(move || safe_speed::show(&reports, CheckFormat::Text, strict)));
     }
     prints.into_iter().try_for_each(|print| print())
@@ -228,6 +244,26 @@ fn note_left_out(study: &StudyFile, format: MassFormat) {
     }
 }
 
+/// Reports the tables whose results are omitted for a study without a contact: an output with `--format` contains the first of them.
+fn note_further_tables(study: &StudyFile) {
+    let tables = [
+        ("[damping]", study.damping.is_some()),
+        ("[map]", study.map.is_some()),
+        ("[safe_speed]", study.safe_speed.is_some()),
+        ("[kinematics]", study.kinematics.is_some()),
+    ];
+    let given: Vec<&str> =
+        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+    if let [first, others @ ..] = &given[..]
+        && !others.is_empty()
+    {
+        note(&format!(
+            "--format prints {first}, without {}; omit --format, or run the commands for these tables",
+            others.join(", ")
+        ));
+    }
+}
+
 /// Writes the findings of the impact and the extremes, except findings about the model.
 fn write_additional_findings(
     study: &StudyFile,
@@ -298,6 +334,7 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
         write_additional_findings(study, &additions, strict)?;
         return write_mass(study, report, &additions, format, strict);
     }
+    note_further_tables(study);
     let plain = match format {
         MassFormat::Text => Ok(CheckFormat::Text),
         MassFormat::Json => Ok(CheckFormat::Json),
@@ -314,8 +351,12 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
         let output = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
         return map::write(&result, &output);
     }
-    // The parser of studies refuses a study without any question.
-    study.safe_speeds()?.map_or(Ok(()), |reports| safe_speed::show(&reports, plain?, strict))
+    match study.safe_speeds()? {
+        Some(reports) => safe_speed::show(&reports, plain?, strict),
+        None => Err(Failure::bad_input(
+            "--format: only [kinematics] is given, which has no such output; omit --format, or use percuss kinematics",
+        )),
+    }
 }
 
 /// Output options of the map of a study.

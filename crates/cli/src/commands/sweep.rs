@@ -2,7 +2,7 @@
 
 use crate::args::SweepArgs;
 use crate::commands::mass::refuse_several_contacts;
-use crate::files::output::{Output, check_writable, record_input, write_file};
+use crate::files::output::{Output, check_writable, ending_of, record_input, write_file};
 use crate::files::parquet_rows;
 use crate::files::sweep_rows;
 use crate::files::table_style::TableStyle;
@@ -19,7 +19,6 @@ use percuss_study::{
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::cell::OnceCell;
-use std::path::Path;
 
 thread_local! {
     /// Threads of the runs on this thread; `None` if they cannot be created.
@@ -187,20 +186,16 @@ impl Format {
     /// Determines the format from the file extension; CSV on stdout.
     fn from_output(output: Option<&str>) -> Result<Self, Failure> {
         let Some(path) = output else { return Ok(Format::Csv) };
-        let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
-        match ending.to_ascii_lowercase().as_str() {
-            "csv" => Ok(Format::Csv),
-            "json" => Ok(Format::Json),
-            "jsonl" => Ok(Format::JsonLines),
-            "parquet" => Ok(Format::Parquet),
-            "svg" => Ok(Format::Svg),
-            "png" => Ok(Format::Png),
-            "pdf" => Ok(Format::Pdf),
-            "xlsx" => Ok(Format::Xlsx),
-            _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf"
-            ))),
-        }
+        Ok(match ending_of(path, &["csv", "xlsx", "json", "jsonl", "parquet", "svg", "png", "pdf"])? {
+            "xlsx" => Format::Xlsx,
+            "json" => Format::Json,
+            "jsonl" => Format::JsonLines,
+            "parquet" => Format::Parquet,
+            "svg" => Format::Svg,
+            "png" => Format::Png,
+            "pdf" => Format::Pdf,
+            _ => Format::Csv,
+        })
     }
 }
 

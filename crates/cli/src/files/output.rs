@@ -141,6 +141,19 @@ pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
     out.finish()
 }
 
+/// Ending of the name of an output file, in lower case.
+///
+/// # Errors
+/// An ending that is not one of `possible`.
+pub fn ending_of(path: &str, possible: &[&'static str]) -> Result<&'static str, Failure> {
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    possible.iter().find(|known| **known == ending).copied().ok_or_else(|| {
+        let all: Vec<String> = possible.iter().map(|ending| format!(".{ending}")).collect();
+        let (last, others) = all.split_last().map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
+        Failure::output(path, format!("its name must end in {} or {last}", others.join(", ")))
+    })
+}
+
 /// Refuses a file whose format is not part of this build.
 fn check_built(path: &str) -> Result<(), Failure> {
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
@@ -157,10 +170,13 @@ fn check_built(path: &str) -> Result<(), Failure> {
 /// Error for a format that is not part of this build.
 pub(super) fn not_built(path: &str, format: &str, feature: &str) -> Failure {
     let instead = if feature == "tables" { ".csv or .jsonl" } else { ".svg" };
-    Failure::bad_input(format!(
-        "--output {path}: this build of percuss writes no {format}; write {instead}, or build it with \
+    Failure::output(
+        path,
+        format!(
+            "this build of percuss writes no {format}; write {instead}, or build it with \
          `cargo build --release --features {feature}` (packages have everything)"
-    ))
+        ),
+    )
 }
 
 /// Refuses an input file, by any path or link, a file that percuss did not write, and a format that is not part of this build.
@@ -177,16 +193,15 @@ pub fn check_writable(path: &str) -> Result<(), Failure> {
     };
     if let Some(input) = INPUTS.with_borrow(|inputs| inputs.iter().find(|input| is_same(input)).cloned()) {
         let which = if input == path { String::new() } else { format!(" ({input})") };
-        return Err(Failure::bad_input(format!(
-            "--output {path}: this is an input file of the same run{which}; give another file"
-        )));
+        return Err(Failure::output(
+            path,
+            format!("this is an input file of the same run{which}; give another file"),
+        ));
     }
     if REPLACE_FOREIGN.get() || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))? {
         return Ok(());
     }
-    Err(Failure::bad_input(format!(
-        "--output {path}: the file exists and percuss did not write it; --force replaces it"
-    )))
+    Err(Failure::output(path, "the file exists and percuss did not write it; --force replaces it"))
 }
 
 /// Opens the output: a device or pipe directly, otherwise a new file in the same folder.

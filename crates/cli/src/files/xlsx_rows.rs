@@ -29,11 +29,14 @@ pub fn write(
     let (columns, rows) = (table.names().len(), sweep.count());
     if columns > MAX_COLUMNS || rows.is_some_and(|rows| rows >= MAX_ROWS) {
         let rows = rows.map_or_else(String::new, |rows| format!("{rows} rows, "));
-        return Err(Failure::bad_input(format!(
-            "--output {path}: {rows}{columns} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv or \
+        return Err(Failure::output(
+            path,
+            format!(
+                "{rows}{columns} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv or \
              .parquet",
-            MAX_ROWS - 1
-        )));
+                MAX_ROWS - 1
+            ),
+        ));
     }
     check_cells(path, rows.unwrap_or(0), columns)?;
     let unwritten = |error: XlsxError| xlsx_failure(path, &error);
@@ -59,12 +62,15 @@ pub fn workbook(
     rows: Vec<Vec<Cell>>,
 ) -> Result<Vec<u8>, Failure> {
     if columns.len() > MAX_COLUMNS || rows.len() >= MAX_ROWS {
-        return Err(Failure::bad_input(format!(
-            "--output {path}: {} rows, {} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv",
-            rows.len(),
-            columns.len(),
-            MAX_ROWS - 1
-        )));
+        return Err(Failure::output(
+            path,
+            format!(
+                "{} rows, {} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv",
+                rows.len(),
+                columns.len(),
+                MAX_ROWS - 1
+            ),
+        ));
     }
     check_cells(path, rows.len(), columns.len())?;
     let unwritten = |error: XlsxError| xlsx_failure(path, &error);
@@ -82,10 +88,13 @@ fn check_cells(path: &str, rows: usize, columns: usize) -> Result<(), Failure> {
     if cells <= MAX_CELLS {
         return Ok(());
     }
-    Err(Failure::bad_input(format!(
-        "--output {path}: {rows} rows of {columns} columns are {cells} cells; a workbook is written with at most {MAX_CELLS}; \
+    Err(Failure::output(
+        path,
+        format!(
+            "{rows} rows of {columns} columns are {cells} cells; a workbook is written with at most {MAX_CELLS}; \
          write .csv or .parquet"
-    )))
+        ),
+    ))
 }
 
 /// Failure of writing a workbook.

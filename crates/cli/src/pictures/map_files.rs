@@ -1,7 +1,7 @@
 //! Files of a map: PLY, glTF, pictures, tables.
 
 use crate::files::csv;
-use crate::files::output::Output;
+use crate::files::output::{Output, ending_of};
 use crate::files::table_style::TableStyle;
 use crate::pictures::ellipsoid;
 use crate::terminal::failure::Failure;
@@ -10,7 +10,6 @@ use percuss_dynamics::ContactStatus;
 use percuss_render::{RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
 use std::io::{self, Write};
-use std::path::Path;
 
 /// File format of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,20 +27,16 @@ pub enum MapFormat {
 impl MapFormat {
     /// Determines the format from the file extension.
     pub fn from_path(path: &str) -> Result<Self, Failure> {
-        let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
-        match ending.to_ascii_lowercase().as_str() {
-            "ply" => Ok(MapFormat::Ply),
-            "glb" => Ok(MapFormat::Glb),
-            "gltf" => Ok(MapFormat::Gltf),
-            "svg" => Ok(MapFormat::Svg),
-            "png" => Ok(MapFormat::Png),
-            "pdf" => Ok(MapFormat::Pdf),
-            "csv" => Ok(MapFormat::Csv),
-            "json" => Ok(MapFormat::Json),
-            _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .ply, .glb, .gltf, .png, .svg, .pdf, .csv or .json"
-            ))),
-        }
+        Ok(match ending_of(path, &["ply", "glb", "gltf", "png", "svg", "pdf", "csv", "json"])? {
+            "ply" => MapFormat::Ply,
+            "glb" => MapFormat::Glb,
+            "gltf" => MapFormat::Gltf,
+            "svg" => MapFormat::Svg,
+            "png" => MapFormat::Png,
+            "pdf" => MapFormat::Pdf,
+            "csv" => MapFormat::Csv,
+            _ => MapFormat::Json,
+        })
     }
 }
 
@@ -58,7 +53,7 @@ impl MapWriteError {
     pub fn failure(self, path: &str, out: &Output) -> Failure {
         match self {
             MapWriteError::Io(error) => out.failure(error),
-            MapWriteError::Other(message) => Failure::bad_input(format!("--output {path}: {message}")),
+            MapWriteError::Other(message) => Failure::output(path, message),
         }
     }
 }

@@ -16,6 +16,13 @@ use std::io::{self, Write};
 pub enum Failure {
     /// Invalid input, with the lines of the message: exit code 2.
     BadInput(Vec<String>),
+    /// Output file that cannot be written: exit code 2.
+    Output {
+        /// The file.
+        path: String,
+        /// Reason and remedy.
+        why: String,
+    },
     /// Valid question without a result: exit code 1.
     NoAnswer(String),
     /// Question without a result, or an invalid question: the error determines the exit code.
@@ -30,8 +37,13 @@ impl Failure {
         Failure::BadInput(vec![format!("error: {}", message.into())])
     }
 
-    /// Adds the file name of the study, and the line of the key at fault.
-    pub fn in_study(self, path: &str, keys: &StudyKeys) -> Self {
+    /// Output file that cannot be written, with the reason and the remedy.
+    pub fn output(path: impl Into<String>, why: impl Into<String>) -> Self {
+        Failure::Output { path: path.into(), why: why.into() }
+    }
+
+    /// Adds the file name of the study, and the line of the key at fault. `outputs`: keys and paths of the output files.
+    pub fn in_study(self, path: &str, keys: &StudyKeys, outputs: &[(&'static str, String)]) -> Self {
         // A message begins with its key.
         let position = |key: &str| match keys.line_of(key) {
             Some(line) => format!("{path}:{line}"),
@@ -51,6 +63,11 @@ impl Failure {
                 };
                 Failure::BadInput(lines.into_iter().map(of_study).collect())
             }
+            Failure::Output { path: file, why } => {
+                let key =
+                    outputs.iter().find(|(_, output)| *output == file).map_or("--output", |(key, _)| key);
+                Failure::BadInput(vec![format!("{}: error: {key} {file}: {why}", position(key))])
+            }
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
             Failure::Question(error) if error.has_no_result() => {
                 Failure::NoAnswer(format!("{path}: {}", error.message(Names::KEYS)))
@@ -69,6 +86,7 @@ impl Failure {
     pub fn report(self) -> u8 {
         let (lines, code) = match self {
             Failure::BadInput(lines) => (lines, 2),
+            Failure::Output { path, why } => (vec![format!("error: --output {path}: {why}")], 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
             Failure::Question(error) => {
                 let code = if error.has_no_result() { 1 } else { 2 };

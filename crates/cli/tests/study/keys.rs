@@ -280,3 +280,101 @@ fn a_study_answers_as_the_commands_do() {
     );
     assert_eq!(percuss(&format!("run {missed}")).code, 1);
 }
+
+/// Keys that a question needs beside the one with the wrong value; a key with an empty value is left out.
+const BESIDE: [(&str, &str); 29] = [
+    ("impact", "restitution=0.3 speed=1"),
+    ("impact.exponent", "stiffness=1e5"),
+    ("impact.law", "stiffness=1e5"),
+    ("impact.in_time", "stiffness=1e5"),
+    ("impact.gravity", "stiffness=1e5 in_time=true"),
+    ("impact.joint_spring", "stiffness=1e5 in_time=true"),
+    ("impact.also_restitution", "also='coupler:0.1,0,0:0,1,0'"),
+    ("impact.stiffness_ratio", "also='coupler:0.1,0,0:0,1,0'"),
+    ("impact.contact_exponent", "also='coupler:0.1,0,0:0,1,0'"),
+    ("impact.restitution_law", "friction=0.3"),
+    ("impact.point_error", "percussion='crank_hinge'"),
+    ("extremes.stiffness", "quantity='peak:crank_hinge' restitution=0.3 speed=1"),
+    ("extremes.restitution", "quantity='peak:crank_hinge' stiffness=1e5 speed=1"),
+    ("extremes.speed", "quantity='peak:crank_hinge' restitution=0.3 stiffness=1e5"),
+    ("extremes.exponent", "quantity='peak:crank_hinge' restitution=0.3 stiffness=1e5 speed=1"),
+    ("extremes.law", "quantity='peak:crank_hinge' restitution=0.3 stiffness=1e5 speed=1"),
+    ("sweep", "vary='crank_hinge=0:1:3'"),
+    ("sweep.random", "vary="),
+    ("sweep.seed", "vary= random=5"),
+    ("damping", "restitution=0.3 stiffness=1e5 speed=1"),
+    ("damping.own_mass", "for=['chrono']"),
+    ("safe_speed", "region='chest' force=200"),
+    ("safe_speed.area", "force= pressure=1e5"),
+    ("safe_speed.pressure", "force= area=1e-4"),
+    ("safe_speed.energy", "force="),
+    ("safe_speed.momentum", "force="),
+    ("map", "directions=20"),
+    ("map.edge", "directions= all=true"),
+    ("mass.seed", "tolerance='mass=2%' samples=10"),
+];
+
+/// Numbers that may be negative, and numbers whose error names another key or none: a different expected mass is no invalid input.
+const NOT_REFUSED: [&str; 4] = ["mass.expect", "impact.gravity", "impact.base_twist", "sweep.seed"];
+
+/// Every key of the tables of questions with a value of a wrong type, and every number with one out of its range: the message of a study
+/// begins with file and line and names the key, that of a request names the key, and nothing is printed.
+#[test]
+fn every_wrong_value_is_named_by_its_key() {
+    let folder = Scratch::new("wrong-values");
+    let schema: Value = serde_json::from_str(&percuss("schema").stdout).expect("JSON");
+    let model = root().join("models/four_bar.urdf");
+    let model = model.to_str().expect("UTF-8");
+    let loaded = percuss_study::Model::load(model, 1 << 20, &Default::default()).expect("the model");
+    let contact = "[contact]\nlink='coupler'\npoint=[0.35,0.1,0]\nnormal=[0,1,0]\n";
+    let mut tried = 0;
+    for table in ["impact", "extremes", "sweep", "damping", "safe_speed", "map", "mass"] {
+        let of_table = &schema["properties"][table];
+        let variants = of_table["anyOf"].as_array().cloned().unwrap_or_else(|| vec![of_table.clone()]);
+        let keys = variants.iter().find_map(|one| one.get("properties")?.as_object()).expect("keys");
+        for (key, kind) in keys {
+            let path = format!("{table}.{key}");
+            let kind = kind.to_string();
+            let is_number = kind.contains("number") || kind.contains("integer");
+            let is_list = kind.contains("\"array\"");
+            let mut values = vec![if kind.contains("boolean") { "'x'" } else { "[[1]]" }];
+            if is_number && !NOT_REFUSED.contains(&path.as_str()) {
+                values.push(if is_list { "[-1.0, -1.0]" } else { "-1" });
+            }
+            for value in values {
+                let beside =
+                    |name: &str| BESIDE.iter().find(|(of, _)| *of == name).map_or("", |(_, text)| text);
+                let mut given = std::collections::BTreeMap::new();
+                for word in [beside(table), beside(&path)].iter().flat_map(|text| text.split(' ')) {
+                    if let Some((name, value)) = word.split_once('=') {
+                        given.insert(name.to_owned(), value.to_owned());
+                    }
+                }
+                given.insert(key.clone(), value.to_owned());
+                let rows: Vec<String> = given
+                    .iter()
+                    .filter(|(_, value)| !value.is_empty())
+                    .map(|(key, value)| format!("{key} = {value}\n"))
+                    .collect();
+                let tables = format!("{contact}[{table}]\n{}", rows.concat());
+                let text = format!("[model]\npath='{model}'\n{tables}");
+                let file = folder.write("wrong.toml", &text);
+                let line = 1 + text
+                    .lines()
+                    .position(|row| row.starts_with(&format!("{key} = {value}")))
+                    .expect("it");
+                let outcome = percuss(&format!("run {file}"));
+                let shown = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+                assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{path} = {value}: {shown}");
+                assert!(shown.contains(&format!("{file}:{line}: error: ")), "{path} = {value}: {shown}");
+                assert!(shown.contains(&path), "{path} = {value}: {shown}");
+                let request: toml::Value = toml::from_str(&tables).expect("TOML");
+                let request = serde_json::to_string(&request).expect("JSON");
+                let error = percuss_study::ask(&loaded, &request).expect_err("an error").message();
+                assert!(error.contains(&path), "{path} = {value}: {error}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 100, "{tried}");
+}

@@ -132,8 +132,12 @@ pub fn check_page(page: &str) {
     }
     if std::env::var_os("PERCUSS_UPDATE").is_some() {
         if updated != text {
-            std::fs::write(&path, updated).expect("the page is written");
+            std::fs::write(&path, &updated).expect("the page is written");
         }
+        assert!(
+            updated != text || differences.is_empty(),
+            "{page}: correct these lines by hand:\n{differences}"
+        );
     } else {
         assert!(
             differences.is_empty(),

@@ -127,6 +127,7 @@ impl ExportError {
             Self::Contact(error) => error.parameter(),
             Self::Exponent { .. } => Some(LawParameter::Exponent),
             Self::Missing { what, .. } => Some(*what),
+            Self::Unreachable { .. } => Some(LawParameter::Restitution),
             Self::StepTooLong { .. } | Self::StepTooCoarse { .. } => Some(LawParameter::TimeStep),
             _ => None,
         }

@@ -138,7 +138,10 @@ impl Request {
     }
 
     /// Checks the range of every number.
-    pub(super) fn check(&self) -> Result<(), ExportError> {
+    ///
+    /// # Errors
+    /// [`ExportError::Contact`]: a number out of range.
+    pub fn check(&self) -> Result<(), ExportError> {
         unit_interval(LawParameter::Restitution, self.restitution)?;
         let accuracy = self.options.accuracy;
         if !limits::ACCURACIES.contains(&accuracy) {

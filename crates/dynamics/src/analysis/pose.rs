@@ -167,8 +167,7 @@ impl Pose {
         value < limits.lower - slack || value > limits.upper + slack
     }
 
-    /// True if a position outside the limits of a joint is probably in degrees: a hinge more than a turn from 0, which no hinge with
-    /// limits turns.
+    /// True if the position of a hinge is more than one turn from 0, rad. A position of a hinge with limits is then probably in degrees.
     pub fn is_many_turns(kind: JointKind, value: f64) -> bool {
         matches!(kind, JointKind::Revolute | JointKind::Continuous) && value.abs() > TAU
     }

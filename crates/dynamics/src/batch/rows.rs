@@ -216,8 +216,8 @@ impl Batch {
         let mut answer = match clear {
             Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
             None => {
-                let in_doubt = self.worker.kernel.is_some();
-                evaluate_row(&mut self.worker.workspace, &self.contact, positions, in_doubt, remarks)
+                let with_closing = self.worker.kernel.is_some();
+                evaluate_row(&mut self.worker.workspace, &self.contact, positions, with_closing, remarks)
             }
         };
         answer.remarks |= self.worker.limits.flags(|q| positions[q]);
@@ -509,19 +509,19 @@ impl Worker {
     }
 }
 
-/// Computes one configuration by the workspace. `in_doubt`: the lanes did not certify this configuration; of a mechanism without lanes no
-/// configuration is in doubt. `remarks`: findings that hold at every configuration.
+/// Computes one configuration by the workspace. `with_closing`: true if the lanes did not certify this configuration, so that its error has
+/// the part of the closing; false without lanes. `remarks`: findings that hold at every configuration.
 fn evaluate_row(
     workspace: &mut Workspace,
     contact: &Contact,
     positions: &[f64],
-    in_doubt: bool,
+    with_closing: bool,
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
         return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
     }
-    match workspace.evaluate(contact, in_doubt) {
+    match workspace.evaluate(contact, with_closing) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }

@@ -224,6 +224,7 @@ pub(crate) fn exports(
         speed: question.speed,
         ..Request::new(contact(question, mass)?, question.restitution)
     };
+    request.check().map_err(|error| StudyError::Export(Box::new(error)))?;
     let mut exports = BTreeMap::new();
     for tool in &question.tools {
         // Simulators support the stop of a joint, although it is a moment.

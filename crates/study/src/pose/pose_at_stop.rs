@@ -47,10 +47,7 @@ pub fn pose_at_stop(
     let resolved = question.resolve_contact(mechanism)?;
     let contact = match (question.named_contact(mechanism)?, question.spelled_contact(mechanism)?) {
         (Some(named), _) => Some(Contact::named(named, mechanism.root())),
-        (None, Some(FurtherContact::JointStop { joint, is_upper })) => {
-            let joint = mechanism.find_joint(&joint).map_err(|error| StudyError::input(Field::At, error))?;
-            Contact::joint_stop(mechanism, joint, is_upper)
-        }
+        (None, Some(stop @ FurtherContact::JointStop { .. })) => Some(stop.resolve(mechanism, Field::At)?),
         _ => None,
     };
     let contact = contact.ok_or_else(|| {

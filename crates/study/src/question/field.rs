@@ -136,6 +136,8 @@ pub enum Field {
     Sticking,
     /// Stiffness ratios of several contacts.
     StiffnessRatio,
+    /// Exponent of the contact forces of several contacts.
+    ContactExponent,
     /// Rates of driving joints before an impact.
     Rates,
     /// Velocity of a floating base before an impact.
@@ -213,6 +215,7 @@ impl Field {
             Field::RestitutionLaw => ("--restitution-law", "impact.restitution_law"),
             Field::Also => ("--also", "impact.also"),
             Field::Sticking => ("--sticking", "impact.sticking"),
+            Field::ContactExponent => ("--contact-exponent", "impact.contact_exponent"),
             Field::StiffnessRatio => ("--stiffness-ratio", "impact.stiffness_ratio"),
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),

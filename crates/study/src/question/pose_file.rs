@@ -131,7 +131,7 @@ struct InputRecordText {
 struct JointPositionsText(#[serde(deserialize_with = "value::positions")] Vec<(String, GivenPosition)>);
 
 /// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
-struct UniqueKeys;
+pub(crate) struct UniqueKeys;
 
 impl<'de> Deserialize<'de> for UniqueKeys {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {

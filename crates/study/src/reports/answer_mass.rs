@@ -18,6 +18,8 @@ use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::reports::tolerance::{Sampling, Tolerance, tolerances_of};
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
+use percuss_contact::ContactLawError;
+use percuss_contact::exports::ExportError;
 use percuss_dynamics::PointVelocity;
 
 /// Options of a study for its contact, in addition to the effective mass.
@@ -134,7 +136,9 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
     let mut report = build_mass_report(evaluated)?;
     let mut answer = damping_report(evaluated, damping);
     // The only requested simulator does not support this contact: the report keeps the mass and the damper.
-    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..]) {
+    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..])
+        && !matches!(**error, ExportError::Contact(ContactLawError::OutOfRange { .. }))
+    {
         let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));
         let finding = Finding::about_result(FindingKind::NoDamper, error.to_string());
         report.diagnostics.push(finding.into());

@@ -34,6 +34,10 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`], as for [`impact`](crate::impact) and [`extremes`](crate::extremes).
     pub fn additions(&self) -> Result<StudyAdditions, StudyError> {
-        Ok(StudyAdditions { impact: self.impact_report()?, extremes: self.extremes_report()? })
+        let question = self.question.as_ref();
+        Ok(StudyAdditions {
+            impact: self.impact_report(question)?,
+            extremes: self.extremes_report(question)?,
+        })
     }
 }

@@ -89,6 +89,9 @@ pub struct RequestReport {
     /// The contact at its pose, with the results of `[mass]` and the damper of `[damping]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<MassReport>,
+    /// Reason for a missing effective mass at the pose, for a study with a sweep or variants.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass_problem: Option<String>,
     /// All contacts of a study with several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contacts: Option<ContactListReport>,
@@ -134,18 +137,20 @@ impl StudyFile {
     pub fn ask(&self, name: &str) -> Result<RequestReport, AskError> {
         let contacts = self.contact_list()?;
         let has_rows = self.sweep.is_some() || !self.variants.is_empty();
-        let mass = match self.mass_of(self.detailed_question(contacts.as_ref())) {
-            Err(error) if has_rows && error.has_no_result() => None,
-            mass => mass?,
+        let question = self.detailed_question(contacts.as_ref());
+        let (mass, mass_problem) = match self.mass_of(question) {
+            Err(error) if has_rows && error.has_no_result() => (None, Some(error.message(Names::KEYS))),
+            mass => (mass?, None),
         };
         Ok(RequestReport {
             schema: "percuss.report/1",
             percuss: env!("CARGO_PKG_VERSION"),
             mass,
-            contacts,
+            mass_problem,
             damping: self.stop_damper()?,
-            impact: self.impact_report()?,
-            extremes: self.extremes_report()?,
+            impact: self.impact_report(question)?,
+            extremes: self.extremes_report(question)?,
+            contacts,
             sweep: self.sweep_report()?,
             comparison: self.comparison(name)?,
             kinematics: self.kinematics_report()?,
@@ -233,25 +238,28 @@ impl StudyFile {
         }
     }
 
-    /// Impact at the contact of the study.
+    /// Impact at a contact of the study.
     ///
     /// # Errors
     /// As for [`impact`].
-    pub fn impact_report(&self) -> Result<Option<ImpactReport>, StudyError> {
-        let asked = self.question.as_ref().zip(self.impact.as_ref());
-        asked
+    pub fn impact_report(&self, question: Option<&MassQuestion>) -> Result<Option<ImpactReport>, StudyError> {
+        let requested = question.zip(self.impact.as_ref());
+        requested
             .map(|(question, requested)| impact(&self.model, question, requested))
             .transpose()
             .map_err(|error| error.in_table(table_keys("impact")))
     }
 
-    /// Extremes at the contact of the study.
+    /// Extremes at a contact of the study.
     ///
     /// # Errors
     /// As for [`extremes`].
-    pub fn extremes_report(&self) -> Result<Option<ExtremesReport>, StudyError> {
-        let asked = self.question.as_ref().zip(self.extremes.as_ref());
-        asked
+    pub fn extremes_report(
+        &self,
+        question: Option<&MassQuestion>,
+    ) -> Result<Option<ExtremesReport>, StudyError> {
+        let requested = question.zip(self.extremes.as_ref());
+        requested
             .map(|(question, requested)| extremes(&self.model, question, requested))
             .transpose()
             .map_err(|error| error.in_table(table_keys("extremes")))
@@ -363,6 +371,7 @@ impl AskError {
     /// Message with the keys of the request.
     pub fn message(&self) -> String {
         match self {
+            Self::Request(StudyFileError::Value { key, why, .. }) => format!("{key}: {why}"),
             Self::Question(error) | Self::Kinematics(KinematicsError::Study(error)) => {
                 error.message(Names::KEYS)
             }

@@ -1,10 +1,11 @@
 //! Requests about a model in memory: the tables of a study as JSON.
 
 use crate::model::loading::Model;
+use crate::question::pose_file::UniqueKeys;
 use crate::study_file::answer::{AskError, RequestReport};
 use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::thresholds::LARGEST_STUDY;
-use percuss_formats::Source;
+use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use serde_json::Value;
 
 /// Name of a request in messages, and of its model in a comparison.
@@ -14,7 +15,7 @@ const REQUEST: &str = "request";
 /// have changes of the model, but no path. Paths are relative to the working directory. Nothing is written to files.
 ///
 /// # Errors
-/// [`AskError`]: invalid JSON, an unknown key, an invalid value, a key that names a file of the result, or an error of a table.
+/// [`AskError`]: invalid JSON, an unknown key, an invalid value, a key without an effect on a report, or an error of a table.
 ///
 /// # Examples
 /// ```
@@ -41,43 +42,59 @@ fn read_request(model: &Model, request: &str) -> Result<StudyFile, StudyFileErro
     if request.len() as u64 > LARGEST_STUDY {
         return refuse(REQUEST, format!("{} bytes; at most {LARGEST_STUDY} are read", request.len()));
     }
-    let mut value: Value = match serde_json::from_str(request) {
+    let read =
+        serde_json::from_str::<UniqueKeys>(request).and_then(|UniqueKeys| serde_json::from_str(request));
+    let mut value: Value = match read {
         Ok(value) => value,
         Err(error) => return refuse(REQUEST, format!("not JSON: {error}")),
     };
+    remove_nulls(&mut value);
     let Some(tables) = value.as_object_mut() else {
         return refuse(REQUEST, "a JSON object with the tables of a study is expected".to_owned());
     };
+    for (key, why) in NOT_IN_REQUESTS {
+        let mut steps = key.split('.');
+        let table = tables.get(steps.next().unwrap_or_default());
+        if table.is_some_and(|table| steps.next().is_none_or(|last| table.get(last).is_some())) {
+            return refuse(key, format!("{why}; remove this key"));
+        }
+    }
     let changes = tables.entry("model").or_insert_with(|| Value::Object(serde_json::Map::new()));
     if let Some(changes) = changes.as_object_mut() {
-        for key in ["path", "worksheet", "accept"] {
-            if changes.contains_key(key) {
-                let why =
-                    format!("`{key}` belongs to the reading of a file; the model of a request is given");
-                return refuse("model", why);
-            }
-        }
         changes.insert("path".to_owned(), Value::String(String::new()));
     }
-    for (key, table) in [
-        ("sweep.output", "sweep"),
-        ("damping.output", "damping"),
-        ("map.output", "map"),
-        ("kinematics.output", "kinematics"),
-    ] {
-        if tables.get(table).and_then(|table| table.get("output")).is_some_and(|output| !output.is_null()) {
-            return refuse(key, "a request writes no file: the result is in the report".to_owned());
-        }
-    }
-    remove_nulls(&mut value);
     let text = match toml::to_string(&value) {
         Ok(text) => text,
         Err(error) => return refuse(REQUEST, error.to_string()),
     };
     let source = Source::new(REQUEST, text.clone().into_bytes());
-    let read = StudyFile::from_text(REQUEST.to_owned(), &text, &source, Some(model), LARGEST_STUDY);
-    read.map_err(without_lines)
+    StudyFile::from_text(REQUEST.to_owned(), &text, &source, Some(model), DEFAULT_MAX_SIZE)
+        .map_err(without_lines)
 }
+
+const READ: &str = "the model of a request is already read";
+const NO_FILE: &str = "a request writes no file: the result is in the report";
+const NO_FORMAT: &str = "the numbers of a report are in SI units";
+
+/// Keys and tables of a study that have no effect on a report, with the reason.
+const NOT_IN_REQUESTS: [(&str, &str); 16] = [
+    ("model.path", READ),
+    ("model.worksheet", READ),
+    ("model.accept", READ),
+    ("sweep.output", NO_FILE),
+    ("damping.output", NO_FILE),
+    ("map.output", NO_FILE),
+    ("kinematics.output", NO_FILE),
+    ("sweep.unit", NO_FORMAT),
+    ("sweep.decimal", NO_FORMAT),
+    ("map.unit", NO_FORMAT),
+    ("map.decimal", NO_FORMAT),
+    ("sweep.title", NO_FILE),
+    ("sweep.x_limits", NO_FILE),
+    ("sweep.y_limits", NO_FILE),
+    ("mass.expect", "a report compares no masses: compare mass.effective_mass"),
+    ("report", "a request has no page"),
+];
 
 /// Removes the keys with the value null, which TOML does not have.
 fn remove_nulls(value: &mut Value) {
@@ -97,13 +114,16 @@ fn without_lines(error: StudyFileError) -> StudyFileError {
     match error {
         StudyFileError::Value { key, why, .. } => in_request(key, why),
         StudyFileError::Toml { message, .. } => {
-            in_request(REQUEST.to_owned(), message.lines().next().unwrap_or_default().to_owned())
+            let message = message.lines().next().unwrap_or_default();
+            match message.split_once(": ") {
+                Some((key, why)) => in_request(key.to_owned(), why.to_owned()),
+                None => in_request(REQUEST.to_owned(), message.to_owned()),
+            }
         }
-        StudyFileError::Keys { keys, .. } => {
-            let all: Vec<String> = keys
-                .iter()
-                .map(|unknown| format!("unknown key {:?}; {}", unknown.key, unknown.hint))
-                .collect();
+        StudyFileError::Keys { keys, more, .. } => {
+            let unknown = keys.iter().map(|key| format!("unknown key {:?}; {}", key.key, key.hint));
+            let more = (more > 0).then(|| format!("{more} more unknown keys"));
+            let all: Vec<String> = unknown.chain(more).collect();
             in_request(REQUEST.to_owned(), all.join("; "))
         }
         other => other,

@@ -43,7 +43,8 @@ impl StudyResults {
     /// Computes the results of all questions of a study.
     pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
         let listed = study.contact_list()?;
-        let (mass, mechanism, contents) = match study.detailed_question(listed.as_ref()) {
+        let question = study.detailed_question(listed.as_ref());
+        let (mass, mechanism, contents) = match question {
             Some(question) => {
                 let (mass, mechanism) = study.mass_with_drawing(question)?;
                 (Some(mass), mechanism, None)
@@ -63,8 +64,8 @@ impl StudyResults {
             mechanism,
             contents,
             stop: study.stop_damper()?,
-            impact: study.impact_report()?,
-            extremes: study.extremes_report()?,
+            impact: study.impact_report(question)?,
+            extremes: study.extremes_report(question)?,
             sweep,
             compared,
             tolerances,

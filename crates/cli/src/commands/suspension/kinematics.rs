@@ -1,8 +1,8 @@
 //! Command `percuss kinematics`.
 
-use crate::args::{KinematicsArgs, KinematicsFormat, is_picture};
+use crate::args::{KinematicsArgs, KinematicsFormat};
 use crate::files::csv;
-use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::output::{check_writable, ending_of, record_input, write_file};
 use crate::files::own_files::KINEMATIC_AXES;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::kinematics_figure::kinematics_figure;
@@ -74,6 +74,9 @@ pub fn show_of_study(
     check_rows(report)
 }
 
+/// Endings of the files of a study.
+pub const STUDY_FILES: [&str; 6] = ["csv", "json", "txt", "svg", "png", "pdf"];
+
 /// Writes the file that a study names.
 pub fn write_output(
     report: &KinematicsReport,
@@ -81,17 +84,11 @@ pub fn write_output(
     path: &str,
 ) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
-    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
-    let format = match ending.as_str() {
-        _ if is_picture(path) => return write_picture(report, !requested.columns.is_empty(), path),
+    let format = match ending_of(path, &STUDY_FILES)? {
         "csv" => KinematicsFormat::Csv,
         "json" => KinematicsFormat::Json,
         "txt" => KinematicsFormat::Table,
-        _ => {
-            return Err(Failure::bad_input(format!(
-                "kinematics.output {path}: its name must end in .csv, .json, .txt, .svg, .png or .pdf"
-            )));
-        }
+        _ => return write_picture(report, !requested.columns.is_empty(), path),
     };
     write_file(path, text_of(report, format).as_bytes())
 }

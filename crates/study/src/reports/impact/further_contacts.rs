@@ -51,6 +51,9 @@ impl TouchingContact {
                 format!("stop of {joint}")
             }
             FurtherContact::Resolved(contact) => {
+                let root = mechanism.root();
+                let named = mechanism.contacts().iter().find(|named| Contact::named(named, root) == *contact);
+                gap = named.and_then(|named| Some(Gap::new(pose, named)?.at(pose)));
                 let name = |link| mechanism.link(link).name().to_owned();
                 sides(&name(contact.link), &contact.against.map(name))
             }

@@ -270,6 +270,9 @@ fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
             StudyError::input(Field::Also, error)
         }
         ImpactError::NoConsistentSubset => StudyError::input(Field::Sticking, error),
+        ImpactError::OutOfRange { got, .. } if question.contact_exponent == Some(got) => {
+            StudyError::input(Field::ContactExponent, error)
+        }
         ImpactError::ContactValues { .. } | ImpactError::OutOfRange { .. } => {
             StudyError::input(Field::StiffnessRatio, error)
         }

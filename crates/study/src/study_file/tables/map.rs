@@ -132,8 +132,12 @@ impl MapTable {
         }
         let mut conditions = contact.clone();
         conditions.estimate = None;
+        let of_surfaces = [("map.edge", self.edge.is_some()), ("map.package", !self.package.is_empty())];
         let question = match self.directions {
             Some(count) => {
+                if let Some((key, _)) = of_surfaces.into_iter().find(|(_, is_given)| *is_given) {
+                    return refuse(key, "it belongs to a map of surfaces; remove it, or remove `directions`");
+                }
                 let [link] = &links[..] else {
                     return refuse(
                         "map.directions",
