@@ -5,7 +5,8 @@ use crate::terminal::text::short_number;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
-    AxisLimits, Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn,
+    AxisLimits, Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, SweepHeading, SweepRow,
+    VariedColumn,
 };
 use percuss_suspension::LengthUnit;
 use std::ops::ControlFlow;
@@ -54,105 +55,148 @@ pub fn sweep_figure(
     requested: &StudyFigure,
     bar: &ProgressBar,
 ) -> Result<(Figure, SweepEnd), Failure> {
-    let heading = sweep.heading().clone();
-    let (outer, varied) = match &heading.varied[..] {
-        [varied] => (None, varied),
-        [outer, varied] if heading.continuation != Continuation::Path && heading.seed.is_none() => {
-            (Some(outer), varied)
-        }
-        _ => {
-            return Err(Failure::bad_input(
-                "--output: a picture shows one range, or one curve for each value of the first of two ranges; \
-                 give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl",
-            ));
-        }
-    };
-    let (scale, unit) = axis_unit(varied, heading.length_unit);
-    let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
-    // One curve per value of the outer range.
-    let mut masses: Vec<(f64, Curve)> = Vec::new();
-    let mut marks = Vec::new();
-    // Value of the axis and gap of the last row.
-    let mut last: Option<(f64, f64)> = None;
+    let mut curves = SweepCurves::new(sweep.heading())?;
     let end = sweep.run(&mut |row| {
         bar.inc(1);
+        if curves.add(&row) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })?;
+    Ok((curves.figure(question, requested)?, end))
+}
+
+/// Data of a picture, collected row by row.
+pub struct SweepCurves {
+    heading: SweepHeading,
+    /// True for two ranges: one curve for each value of the first.
+    has_outer: bool,
+    /// Factor from SI to the unit of the axis.
+    scale: f64,
+    unit: &'static str,
+    /// One curve per value of the outer range.
+    masses: Vec<(f64, Curve)>,
+    estimates: Curve,
+    ratios: Curve,
+    marks: Vec<Mark>,
+    /// Value of the axis and gap of the last row.
+    last: Option<(f64, f64)>,
+}
+
+impl SweepCurves {
+    /// No rows yet.
+    ///
+    /// # Errors
+    /// More varied numbers than a picture shows.
+    pub fn new(heading: &SweepHeading) -> Result<Self, Failure> {
+        let is_grid = heading.continuation != Continuation::Path && heading.seed.is_none();
+        let varied = match &heading.varied[..] {
+            [varied] => varied,
+            [_, varied] if is_grid => varied,
+            _ => {
+                return Err(Failure::bad_input(
+                    "--output: a picture shows one range, or one curve for each value of the first of two ranges; \
+                     give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl",
+                ));
+            }
+        };
+        let (scale, unit) = axis_unit(varied, heading.length_unit);
+        Ok(Self {
+            has_outer: heading.varied.len() > 1,
+            heading: heading.clone(),
+            scale,
+            unit,
+            masses: Vec::new(),
+            estimates: Curve::new(),
+            ratios: Curve::new(),
+            marks: Vec::new(),
+            last: None,
+        })
+    }
+
+    /// Adds a row; false if the picture would have too many curves.
+    pub fn add(&mut self, row: &SweepRow) -> bool {
         let values = row.varied.values();
-        let x = scale * values.last().copied().unwrap_or_default();
-        let of = if outer.is_some() { values[0] } else { 0.0 };
-        if masses.last().is_none_or(|(last, _)| *last != of) {
-            masses.push((of, Curve::new()));
+        let x = self.scale * values.last().copied().unwrap_or_default();
+        let of = if self.has_outer { values[0] } else { 0.0 };
+        if self.masses.last().is_none_or(|(last, _)| *last != of) {
+            if self.masses.len() > MAX_CURVES {
+                return false;
+            }
+            self.masses.push((of, Curve::new()));
         }
-        if masses.len() > MAX_CURVES {
-            return ControlFlow::Break(());
-        }
-        if let Some((_, curve)) = masses.last_mut() {
+        if let Some((_, curve)) = self.masses.last_mut() {
             curve.push((x, row.effective_mass));
         }
-        estimates.push((x, row.estimate));
-        ratios.push((x, row.motion_ratio));
+        self.estimates.push((x, row.estimate));
+        self.ratios.push((x, row.motion_ratio));
         let gap = row.gap.flatten();
         // Between two rows the gap is nearly linear in the travel.
-        if let (Some((last_x, last_gap)), Some(gap)) = (last, gap)
+        if let (Some((last_x, last_gap)), Some(gap)) = (self.last, gap)
             && last_gap * gap <= 0.0
             && last_gap != gap
-            && outer.is_none()
+            && !self.has_outer
         {
             let touch = last_x + (x - last_x) * last_gap / (last_gap - gap);
-            marks.push(Mark { x: touch, label: "touch".into() });
+            self.marks.push(Mark { x: touch, label: "touch".into() });
         }
-        last = gap.filter(|gap| *gap != 0.0).map(|gap| (x, gap));
-        if row.singular_pose == Some(true) && marks.len() < MAX_MARKS {
-            marks.push(Mark { x, label: "singular".into() });
+        self.last = gap.filter(|gap| *gap != 0.0).map(|gap| (x, gap));
+        if row.singular_pose == Some(true) && self.marks.len() < MAX_MARKS {
+            self.marks.push(Mark { x, label: "singular".into() });
         }
-        ControlFlow::Continue(())
-    })?;
-    let series = |name: &str, style, points| Series { name: name.into(), style, points };
-    let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
-    if masses.len() > MAX_CURVES {
-        return Err(Failure::bad_input(format!(
-            "--output: the first range has more than {MAX_CURVES} values, and each value is one curve; use fewer \
-             values, or give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl"
-        )));
+        self.masses.len() <= MAX_CURVES
     }
-    let mut first: Vec<Series> = masses
-        .into_iter()
-        .map(|(value, curve)| match outer {
+
+    /// Picture of the rows.
+    ///
+    /// # Errors
+    /// Too many curves.
+    pub fn figure(self, question: &MassQuestion, requested: &StudyFigure) -> Result<Figure, Failure> {
+        let Self { heading, has_outer, unit, masses, estimates, ratios, marks, .. } = self;
+        let series = |name: &str, style, points| Series { name: name.into(), style, points };
+        let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
+        if masses.len() > MAX_CURVES {
+            return Err(Failure::bad_input(format!(
+                "--output: the first range has more than {MAX_CURVES} values, and each value is one curve; use fewer \
+                 values, or give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl"
+            )));
+        }
+        let outer = heading.varied.first().filter(|_| has_outer);
+        let of_value = |(value, curve): (f64, Curve)| match outer {
             None => series("effective mass", Style::Line, curve),
             Some(outer) => {
                 let (scale, unit) = axis_unit(outer, heading.length_unit);
                 let name = format!("{} = {} {unit}", outer.name, short_number(scale * value));
                 series(name.trim_end(), Style::Line, curve)
             }
+        };
+        let mut first: Vec<Series> = masses.into_iter().map(of_value).collect();
+        // With several curves, the estimate would be a single line running back and forth.
+        let alone = !has_outer;
+        if alone && is_drawn(&estimates) {
+            first.push(series(&estimate_name(question), Style::Dashed, estimates));
+        }
+        let mut panels = vec![Panel {
+            y_label: format!("m̄ ({})", heading.unit),
+            series: first,
+            y_limits: requested.y_limits.map(AxisLimits::ends),
+        }];
+        if alone && is_drawn(&ratios) {
+            let of = motion_ratio_name(heading.motion_ratio_of.as_deref());
+            let ratio = series(&of, Style::Line, ratios);
+            panels.push(Panel {
+                y_label: format!("motion ratio, {of}"),
+                series: vec![ratio],
+                ..Panel::default()
+            });
+        }
+        let varied = heading.varied.last().map_or("", |varied| varied.name.as_str());
+        Ok(Figure {
+            title: requested.title.clone().unwrap_or_else(|| {
+                format!("Effective mass at {}", heading.contact.as_ref().unwrap_or(&heading.link))
+            }),
+            x_limits: requested.x_limits.map(AxisLimits::ends),
+            subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
+            x_label: if unit.is_empty() { varied.to_owned() } else { format!("{varied} ({unit})") },
+            panels,
+            marks,
         })
-        .collect();
-    // With several curves, the estimate would be a single line running back and forth.
-    let alone = outer.is_none();
-    if alone && is_drawn(&estimates) {
-        first.push(series(&estimate_name(question), Style::Dashed, estimates));
     }
-    let mut panels = vec![Panel {
-        y_label: format!("m̄ ({})", heading.unit),
-        series: first,
-        y_limits: requested.y_limits.map(AxisLimits::ends),
-    }];
-    if alone && is_drawn(&ratios) {
-        let of = motion_ratio_name(heading.motion_ratio_of.as_deref());
-        let ratio = series(&of, Style::Line, ratios);
-        panels.push(Panel {
-            y_label: format!("motion ratio, {of}"),
-            series: vec![ratio],
-            ..Panel::default()
-        });
-    }
-    let figure = Figure {
-        title: requested.title.clone().unwrap_or_else(|| {
-            format!("Effective mass at {}", heading.contact.as_ref().unwrap_or(&heading.link))
-        }),
-        x_limits: requested.x_limits.map(AxisLimits::ends),
-        subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
-        x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
-        panels,
-        marks,
-    };
-    Ok((figure, end))
 }

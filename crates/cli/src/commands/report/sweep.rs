@@ -6,12 +6,11 @@ use crate::files::csv::SweepTable;
 use crate::files::html::Page;
 use crate::files::table_style::TableStyle;
 use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
-use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name, sweep_figure};
+use crate::pictures::sweep_figure::{SweepCurves, axis_unit, motion_ratio_name};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number};
-use indicatif::ProgressBar;
-use percuss_study::{Input, StudyFile, StudySweep, Sweep, SweepEnd};
+use percuss_study::{Input, StudyFile, StudySweep, SweepEnd};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -49,8 +48,13 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
     let (mut least, mut greatest) = (None::<f64>, None::<f64>);
     let mut rows: Vec<[String; 3]> = Vec::new();
     let mut values = Vec::new();
+    let mut curves = SweepCurves::new(sweep.heading()).ok();
     let end = sweep.run(&mut |row| {
         csv += &table.row(&row);
+        // A picture with too many curves is not drawn; its rows are no longer kept.
+        if curves.as_mut().is_some_and(|curves| !curves.add(&row)) {
+            curves = None;
+        }
         if let Some(m) = row.effective_mass {
             least = Some(least.map_or(m, |l| l.min(m)));
             greatest = Some(greatest.map_or(m, |g| g.max(m)));
@@ -70,9 +74,8 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
         }
         ControlFlow::Continue(())
     })?;
-    let again = Sweep::new(&study.model, question, &requested.rows)?;
-    let picture = match sweep_figure(again, question, &requested.figure, &ProgressBar::hidden()) {
-        Ok((mut figure, _)) => {
+    let picture = match curves.map(|curves| curves.figure(question, &requested.figure)) {
+        Some(Ok(mut figure)) => {
             // A report shows no path of the machine.
             let model = Path::new(&figure.subtitle).file_name();
             figure.subtitle = model.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -88,7 +91,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
             if figure.panels.is_empty() { Err(caption) } else { Ok((figure.to_svg(), caption)) }
         }
         // The picture cannot show this sweep; the table contains it.
-        Err(_) => Err(
+        None | Some(Err(_)) => Err(
             "No picture: a picture shows one range, or one curve for each value of the first of two ranges."
                 .to_owned(),
         ),
