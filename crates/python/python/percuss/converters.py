@@ -459,10 +459,13 @@ def _unnamed_joint(model: Model, other: Any, number: int) -> str:
     name = f"joint {number}"
     by_child = {joint.child: joint for joint in model.joints}
     body = int(other.jnt_bodyid[number])
-    found = by_child.get(str(other.body(body).name))
-    # The last joint of a body moves the link of the body, the joints before it massless links.
-    for _ in range(int(other.body_jntadr[body]) + int(other.body_jntnum[body]) - 1 - number):
-        found = found and by_child.get(found.parent)
+    found = by_child.get(str(other.body(body).name) or f"body{body}")
+    # The last joint of a body moves the link of the body, the joints before it massless links; a joint with a position is followed by a
+    # fixed one.
+    left = int(other.body_jntadr[body]) + int(other.body_jntnum[body]) - 1 - number
+    while found is not None and (left > 0 or found.kind == "fixed"):
+        left -= found.kind != "fixed"
+        found = by_child.get(found.parent)
     return name if found is None or any(joint.name == name for joint in model.joints) else found.name
 
 

@@ -40,6 +40,8 @@ impl TableKeys {
     pub(crate) fn own<'a>(&'a self, key: &'a str) -> &'a str {
         match key.rsplit_once('.') {
             Some(("model" | "contact" | "pose" | "conditions", _)) | None => key,
+            // The file of positions of a search for extremes has the key `path`.
+            Some((_, "input")) => self.find("input").or_else(|| self.find("path")).unwrap_or(key),
             Some((_, last)) => self.find(last).unwrap_or(key),
         }
     }

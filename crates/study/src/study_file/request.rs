@@ -48,7 +48,10 @@ fn read_request(model: &Model, request: &str) -> Result<StudyFile, StudyFileErro
         Ok(value) => value,
         Err(error) => return refuse(REQUEST, format!("not JSON: {error}")),
     };
-    remove_nulls(&mut value);
+    remove_nulls(&mut value, 2);
+    if let Some(key) = null_in(&value) {
+        return refuse(&key, "null is no value here; remove it".to_owned());
+    }
     let Some(tables) = value.as_object_mut() else {
         return refuse(REQUEST, "a JSON object with the tables of a study is expected".to_owned());
     };
@@ -96,15 +99,29 @@ const NOT_IN_REQUESTS: [(&str, &str); 16] = [
     ("report", "a request has no page"),
 ];
 
-/// Removes the keys with the value null, which TOML does not have.
-fn remove_nulls(value: &mut Value) {
+/// Removes tables and keys with the value null, which TOML does not have; `depth`: 2 for the tables.
+fn remove_nulls(value: &mut Value, depth: usize) {
     match value {
-        Value::Object(table) => {
+        Value::Object(table) if depth > 0 => {
             table.retain(|_, value| !value.is_null());
-            table.values_mut().for_each(remove_nulls);
+            table.values_mut().for_each(|value| remove_nulls(value, depth - 1));
         }
-        Value::Array(list) => list.iter_mut().for_each(remove_nulls),
+        // Several tables of one name.
+        Value::Array(list) if depth == 1 => list.iter_mut().for_each(|value| remove_nulls(value, depth)),
         _ => {}
+    }
+}
+
+/// Key whose value contains null.
+fn null_in(value: &Value) -> Option<String> {
+    match value {
+        Value::Null => Some(String::new()),
+        Value::Array(list) => list.iter().find_map(null_in),
+        Value::Object(table) => table.iter().find_map(|(key, value)| {
+            let below = null_in(value)?;
+            Some(if below.is_empty() { key.clone() } else { format!("{key}.{below}") })
+        }),
+        _ => None,
     }
 }
 

@@ -196,6 +196,10 @@ impl DampingTable {
         question
             .choose(law, self.exponent.map(|exponent| exponent.0), separation)
             .map_err(|error| InvalidKey::new("damping.law", error.to_string()))?;
+        if separation.is_some() && question.law != Law::KelvinVoigt {
+            let why = "it is the end of a contact with the law kelvin-voigt; remove it, or give that `law`";
+            return Err(InvalidKey::new("damping.separation", why));
+        }
         question.speed = self.speed.map(|speed| speed.0.value);
         let options = &mut question.options;
         options.accuracy = self.accuracy.map_or(options.accuracy, |accuracy| accuracy.0);

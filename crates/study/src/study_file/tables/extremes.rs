@@ -172,6 +172,15 @@ impl ExtremesTable {
             (Some(GivenPath::Range(range)), _) => Some(RowSource::from(range)),
             (None, motion) => motion.map(RowSource::from),
         };
+        let names = self.range.iter().map(|range| range.joint.as_str());
+        if let Some(twice) =
+            names.clone().enumerate().find(|(i, name)| names.clone().take(*i).any(|other| other == *name))
+        {
+            return refuse(
+                "extremes.range",
+                &format!("joint \"{}\" is given twice; give it one range", twice.1),
+            );
+        }
         if path.is_some() && !(self.range.is_empty() && self.keep.is_empty()) {
             return refuse(
                 "extremes.path",
