@@ -2432,7 +2432,7 @@ percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table
  "impact": …}, each with the report of the command in docs/reference/OUTPUTS.md. SI units. Paths in the request are relative to the working directory.
  Free the report with percuss_report_free.
 
- Errors: PERCUSS_ERROR_ARGUMENT: invalid JSON, an unknown key, or an invalid value; the message begins with the key.
+ Errors: PERCUSS_ERROR_ARGUMENT: invalid JSON, an unknown key, or an invalid value; the message contains the key.
  PERCUSS_ERROR_CONTACT: a valid question without a result.
 
  Pointers:

@@ -48,7 +48,7 @@ pub(crate) struct LengthJoint {
 #[non_exhaustive]
 pub enum QposError {
     /// Wrong number of entries.
-    #[error("qpos has {got} numbers; expected {expected}, all positions of the MJCF that was read")]
+    #[error("qpos has {got} numbers; expected {expected}, the positions of all joints")]
     Count {
         /// Number of entries.
         got: usize,

@@ -515,13 +515,15 @@ def test_ask_answers_the_tables_of_a_study() -> None:
     assert found["sweep"] == percuss.sweep_report(model, contact, vary=["crank_hinge=0:0.5:4"])
     assert found["map"] == percuss.map_point(model, contact, 20)
     assert found["safe_speed"][0] == percuss.safe_speed(model, contact, "chest", force=280.0)
-    for tables, key in [
+    wrong: list[tuple[dict[str, Any], str]] = [
         ({"impact": {"restitution": 0.3, "speed": 1, "stiffness": -5}}, "impact.stiffness"),
         ({"extremes": {"speed": 1, "restitution": 0.3, "stiffness": -5, "quantity": "peak:crank_hinge"}}, "extremes.stiffness"),
         ({"sweep": {"vary": "none=0:1:3"}}, "sweep.vary"),
         ({"sweep": {"vary": "crank_hinge=0:1:3", "output": "rows.csv"}}, "sweep.output"),
         ({"safe_speed": {"region": "chest", "force": -1}}, "safe_speed.force"),
         ({"impakt": {}}, "impakt"),
-    ]:
+        ({"pose": {"set": {"crank_hinge": None}}}, "pose.set.crank_hinge"),
+    ]
+    for tables, key in wrong:
         with pytest.raises(percuss.InputError, match=key.replace(".", r"\.")):
             percuss.ask(model, {"contact": table, **tables})

@@ -198,7 +198,7 @@ fn keyframes_are_named_poses() {
     let check = percuss(&format!("check {file}"));
     assert!(check.stdout.contains("named poses            home, drawn (--pose NAME)"), "{}", check.stdout);
     assert!(
-        check.stderr.contains("qpos has 2 numbers, and the joints of the model have 14 positions"),
+        check.stderr.contains("qpos has 2 numbers; expected 14, the positions of all joints"),
         "{}",
         check.stderr
     );
