@@ -180,8 +180,11 @@ impl Sweep {
 pub struct Scratch(PathBuf);
 
 impl Scratch {
+    /// New temporary folder; tests with the same name have different folders.
     pub fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("percuss-cli-{}-{name}", std::process::id()));
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let (process, count) = (std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+        let folder = std::env::temp_dir().join(format!("percuss-cli-{process}-{count}-{name}"));
         std::fs::create_dir_all(&folder).expect("a temporary folder");
         Self(folder)
     }
