@@ -12,6 +12,7 @@ use percuss_oracle::linkage::{self, Linkage};
 use percuss_oracle::{alter, zoo};
 use percuss_tests::bench::{Bench, TOL, along, mass};
 use percuss_tests::rig::Rig;
+use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
 #[test]
@@ -125,6 +126,64 @@ fn the_route_that_answers_states_the_closing_error() {
     assert!(response.remarks.contains(&Remark::IndefiniteMassMatrix), "{response:?}");
     let closing = response.error.expect("finite").closing.expect("known");
     assert!(closing < 1e-9 * mass(&response), "{closing:e} of {} kg", mass(&response));
+}
+
+/// Linkages with one degree of freedom, link masses over fourteen decades, and normals nearly across the motion of the point: the routes
+/// agree within their stated errors.
+#[test]
+fn routes_agree_within_their_errors_over_many_decades() {
+    let mut random = StdRng::seed_from_u64(90_061);
+    let mut compared = 0;
+    for linkage in [linkage::four_bar, linkage::slider_crank, linkage::antiparallelogram, linkage::six_bar] {
+        for _ in 0..60 {
+            let linkage = linkage();
+            let (mut links, joints) = alter::describe(&linkage.mechanism);
+            let (closures, couplings) = alter::describe_loops(&linkage.mechanism);
+            for inertial in links.iter_mut().filter_map(|link| link.inertial.as_mut()) {
+                let factor = 10.0_f64.powf(random.random_range(-7.0..7.0));
+                inertial.mass *= factor;
+                inertial.about_com *= factor;
+            }
+            let link = links[random.random_range(1..links.len())].name.clone();
+            let mechanism = alter::build_with_loops("decades", links, joints, closures, couplings);
+            let rig = Rig::new(Linkage { mechanism, ..linkage });
+            let (pose, link) = (rig.closed(), rig.mechanism.find_link(&link).expect("a link"));
+            let contact = |normal: Vector3<f64>| {
+                let at = Contact::new(link, [0.11, -0.07, 0.03], normal);
+                at.normal(Direction::Along(normal, Frame::World))
+            };
+            let speed = |normal: Vector3<f64>| match rig.respond(&pose, &contact(normal)).effective_mass {
+                EffectiveMass::Finite(m) => 1.0 / m.sqrt(),
+                _ => 0.0,
+            };
+            // Velocity of the point per unit energy, up to its sign: magnitudes along the axes, signs along the diagonals.
+            let mut velocity = Vector3::new(speed(Vector3::x()), speed(Vector3::y()), speed(Vector3::z()));
+            for k in 1..3 {
+                let mut diagonal = Vector3::x();
+                diagonal[k] = 1.0;
+                let [sum, difference] = [1.0, -1.0].map(|sign| (velocity.x + sign * velocity[k]).abs());
+                let shown = speed(diagonal.normalize()) * 2.0_f64.sqrt();
+                if (shown - difference).abs() < (shown - sum).abs() {
+                    velocity[k] = -velocity[k];
+                }
+            }
+            let Some(along) = velocity.try_normalize(0.0) else { continue };
+            let across = along.cross(&Vector3::new(0.3, -0.5, 0.8)).normalize();
+            let normal = across + along * 10.0_f64.powf(random.random_range(-4.0..0.0));
+            let by = |route| pose.respond_by_route(&contact(normal.normalize()), RouteChoice::Only(route));
+            let answers = [Route::Dense, Route::Articulated].map(|route| by(route).expect("an answer"));
+            let [EffectiveMass::Finite(dense), EffectiveMass::Finite(recursive)] =
+                answers.each_ref().map(|answer| answer.effective_mass)
+            else {
+                continue;
+            };
+            let stated: f64 = answers.iter().filter_map(|answer| answer.effective_mass_error()).sum();
+            let name = rig.mechanism.name();
+            assert!((dense - recursive).abs() <= stated, "{name}: {dense} {recursive} ± {stated:e}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 200, "{compared}");
 }
 
 #[test]

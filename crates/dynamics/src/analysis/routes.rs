@@ -556,7 +556,14 @@ impl RouteInput<'_> {
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
         let RecursionWorkspace { recursion, budget, .. } = workspace;
-        let errors = self.impulse(&twists, &velocities).dense_errors(budget, recursion, &sizes, &u, 1.0 / m);
+        let errors = self.impulse(&twists, &velocities).dense_errors(
+            budget,
+            recursion,
+            &sizes,
+            &u,
+            solution.row_sensitivity,
+            1.0 / m,
+        );
         if solution.massless_couples { errors.with_frozen(1.0) } else { errors }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::model::interruption;
 use crate::tolerances::{IMMOVABLE, INDEFINITE_PIVOT, ROOT_ENERGY, ROUTE_ROUNDINGS};
+use faer::linalg::solvers::SolveLstsq;
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
 
@@ -46,6 +47,10 @@ pub(crate) struct LeastEnergySolution {
     pub closing_speed: f64,
     /// Number of massless directions.
     pub massless_directions: usize,
+    /// Sensitivity of m̄ to the rounding of A and j, relative to m̄ and in units of ε: 2‖v‖(‖j‖ + Σ |λᵢ|‖Aᵢ‖), with the multipliers λ of a
+    /// unit impulse. Orthogonal transformations perturb each row relative to its norm in the scaled coordinates (Higham, Accuracy and
+    /// Stability of Numerical Algorithms, 2002, theorem 19.4), so that entries of heavy coordinates lose digits.
+    pub row_sensitivity: f64,
     /// True if a direction with an energy below rounding couples to the solution. Such a direction, if not dropped,
     /// may reduce m̄ to zero.
     pub massless_couples: bool,
@@ -77,6 +82,7 @@ impl LeastEnergy<'_> {
             closing_speed: self.closing_speed(&kernel, &scales),
             massless_directions: n - rank,
             massless_couples: false,
+            row_sensitivity: 0.0,
         };
         if solution.closing_speed <= IMMOVABLE {
             return solution;
@@ -94,9 +100,41 @@ impl LeastEnergy<'_> {
                 solution.has_massless_motion && self.massless_couples(&scales, &found);
             (found.minimum, found.velocity)
         };
+        if let Minimum::Finite(m) | Minimum::Stationary(m) = minimum {
+            solution.row_sensitivity = self.row_sensitivity(&mass, &row, &scaled, &scales, m);
+        }
         solution.minimum = minimum;
         solution.velocity = (0..n).map(|k| scaled[(k, 0)] * scales[k]).collect();
         solution
+    }
+
+    /// [`LeastEnergySolution::row_sensitivity`] of the velocities `scaled` at unit closing speed, in scaled coordinates.
+    fn row_sensitivity(
+        &self,
+        mass: &Mat<f64>,
+        row: &Mat<f64>,
+        scaled: &Mat<f64>,
+        scales: &[f64],
+        m: f64,
+    ) -> f64 {
+        let mut size = row.norm_l2();
+        let (rows, n) = self.constraints.shape();
+        if rows > 0 && self.constraints.amax() > 0.0 {
+            // Mu + Aᵀλ = jᵀ for a unit impulse, with u = v/m̄.
+            let momentum = mass * scaled * faer::Scale(1.0 / m);
+            let forces = row.transpose() - &momentum;
+            let transposed = self.transposed_constraints(scales);
+            let multipliers = transposed.col_piv_qr().solve_lstsq(&forces);
+            let norm = |i: usize| (0..n).map(|k| transposed[(k, i)].powi(2)).sum::<f64>().sqrt();
+            size += (0..rows).map(|i| multipliers[(i, 0)].abs() * norm(i)).sum::<f64>();
+        }
+        2.0 * scaled.norm_l2() * size
+    }
+
+    /// Aᵀ in scaled coordinates.
+    fn transposed_constraints(&self, scales: &[f64]) -> Mat<f64> {
+        let (m, n) = self.constraints.shape();
+        Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] * scales[r])
     }
 
     /// True if the energy changes along a direction classified as massless: its gradient zᵀMv exceeds the rounding of
@@ -147,8 +185,7 @@ impl LeastEnergy<'_> {
         if m == 0 || self.constraints.amax() == 0.0 {
             return Mat::identity(n, n);
         }
-        let transposed = Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] * scales[r]);
-        let q = transposed.col_piv_qr().compute_Q();
+        let q = self.transposed_constraints(scales).col_piv_qr().compute_Q();
         q.get(.., m.min(n)..).to_owned()
     }
 
