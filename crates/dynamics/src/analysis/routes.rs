@@ -556,14 +556,8 @@ impl RouteInput<'_> {
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
         let RecursionWorkspace { recursion, budget, .. } = workspace;
-        let errors = self.impulse(&twists, &velocities).dense_errors(
-            budget,
-            recursion,
-            &sizes,
-            &u,
-            solution.row_sensitivity,
-            1.0 / m,
-        );
+        let (impulse, result) = (self.impulse(&twists, &velocities), (1.0 / m, solution.row_sensitivity));
+        let errors = impulse.dense_errors(budget, recursion, &sizes, &u, result);
         if solution.massless_couples { errors.with_frozen(1.0) } else { errors }
     }
 

@@ -490,15 +490,14 @@ impl UnitImpulse<'_> {
     }
 
     /// Errors of the dense route: a backward error of n ε in M scaled to unit diagonal, and in the rows A and j. `mass_size`: term sizes of
-    /// the diagonal entries of M. `row_sensitivity`: that of the solution.
+    /// the diagonal entries of M. The last argument: 1/m̄ and the sensitivity to the rows.
     pub fn dense_errors(
         &self,
         workspace: &mut BudgetWorkspace,
         recursion: &Recursion<1>,
         mass_size: &[f64],
         coordinates: &[f64],
-        row_sensitivity: f64,
-        response: f64,
+        (response, row_sensitivity): (f64, f64),
     ) -> RelativeErrors {
         let mut sum = self.data_errors(workspace, recursion, FrameErrorMode::Accumulated);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
