@@ -45,6 +45,27 @@ fn a_constant_mass_gives_the_closed_form() {
     }
 }
 
+/// A mass that is quadratic in the penetration: the slopes are those of parabolas, so that points at unequal distances give what many equal
+/// ones give, apart from the first and the last interval.
+#[test]
+fn unequal_distances_give_the_same_impact() {
+    let (mass, speed) = (3.0, 0.5);
+    let contact = CompliantContact::new(mass, STIFFNESS).expect("a contact");
+    for damper in dampers(contact, 0.5, speed) {
+        let depth = 3.0 * damper.impact(contact, speed).expect("an impact").max_penetration;
+        let at = |part: f64| (part * depth, mass * (1.0 + 2.0 * part + 6.0 * part * part));
+        let equal: Vec<_> = (0..=200).map(|i| at(f64::from(i) / 200.0)).collect();
+        let unequal: Vec<_> = (0..=9).map(|i| at((f64::from(i) / 9.0).powi(2))).collect();
+        let [equal, unequal] = [equal, unequal].map(|profile| {
+            impact_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end")
+        });
+        let change = |one: f64, other: f64| (one / other - 1.0).abs();
+        // The chord in place of the tangent of the first interval, 1/81 of the depth.
+        assert!(change(unequal.restitution, equal.restitution) < 2e-5, "{unequal:?} {equal:?}");
+        assert!(change(unequal.max_penetration, equal.max_penetration) < 2e-5, "{unequal:?} {equal:?}");
+    }
+}
+
 /// A bar on a hinge hits a plane with its tip. With the angle q as the coordinate, the equation of motion is
 /// I q̈ = −F L cos q with δ = L (sin q − sin q₀): no effective mass occurs in it.
 #[test]
