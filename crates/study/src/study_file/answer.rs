@@ -130,7 +130,8 @@ impl RequestReport {
 }
 
 impl StudyFile {
-    /// Results of all tables. A pose without a result is no error for a study with a sweep or variants.
+    /// Results of all tables. `name`: name of the study's own model in a comparison. For a study with a sweep or variants, a pose without a
+    /// result is no error: `mass_problem` has the reason.
     ///
     /// # Errors
     /// The first error of a table.
