@@ -5,6 +5,7 @@
 
 mod args;
 mod commands;
+mod document;
 mod files;
 mod pictures;
 mod terminal;

@@ -1,6 +1,6 @@
 //! Figure in the style of `percuss sweep` with invented numbers: `cargo run -p percuss-render --example sweep -- FILE.png`.
 
-use percuss_render::{Figure, Mark, Panel, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Picture, Series, Style};
 use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -2,7 +2,7 @@
 //!
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each panel has [`Series`] with possibly
 //! missing values. `layout` converts the figure to strokes, dots, patches and texts (`scene`), and `svg` writes
-//! the scene: [`Figure::to_svg`]. [`Figure::to_png`] and [`Figure::to_pdf`] convert this SVG with resvg and
+//! the scene: [`Picture::to_svg`]. [`Picture::to_png`] and [`Picture::to_pdf`] convert this SVG with resvg and
 //! svg2pdf, if the crate has its feature `convert`. SVG text stays text, in Roboto if installed and otherwise in the reader's sans-serif; PNG and PDF
 //! use the embedded Roboto, so no installed fonts are needed.
 //!
@@ -27,6 +27,7 @@ mod figure;
 mod font;
 mod limits;
 mod palette;
+mod picture;
 mod raster;
 mod scene;
 mod skin;
@@ -38,4 +39,5 @@ pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, Drawn
 pub use figure::sheet::Sheet;
 pub use figure::tornado::{Tornado, TornadoBar};
 pub use figure::{Figure, Mark, Panel, Series, Style};
+pub use picture::Picture;
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

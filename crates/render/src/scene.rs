@@ -11,12 +11,12 @@ pub(crate) type Point = (f64, f64);
 
 /// Page with its items, from back to front.
 #[derive(Clone, Debug)]
-pub(crate) struct Scene {
-    pub width: f64,
-    pub height: f64,
+pub struct Scene {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
     /// Description of the picture for screen readers.
-    pub caption: String,
-    pub items: Vec<Item>,
+    pub(crate) caption: String,
+    pub(crate) items: Vec<Item>,
 }
 
 /// Item of a page.
@@ -68,26 +68,26 @@ pub(crate) enum Anchor {
 
 impl Scene {
     /// Adds polylines, if there are any.
-    pub fn lines(&mut self, chains: Vec<Vec<Point>>, stroke: Stroke) {
+    pub(crate) fn lines(&mut self, chains: Vec<Vec<Point>>, stroke: Stroke) {
         if !chains.is_empty() {
             self.items.push(Item::Lines { chains, stroke });
         }
     }
 
     /// Adds dots, if there are any.
-    pub fn dots(&mut self, centres: Vec<Point>, radius: f64, colour: Colour) {
+    pub(crate) fn dots(&mut self, centres: Vec<Point>, radius: f64, colour: Colour) {
         if !centres.is_empty() {
             self.items.push(Item::Dots { centres, radius, colour });
         }
     }
 
     /// Adds an invisible disc with a text for the pointer.
-    pub fn hover(&mut self, at: Point, radius: f64, title: String) {
+    pub(crate) fn hover(&mut self, at: Point, radius: f64, title: String) {
         self.items.push(Item::Hover { at, radius, title });
     }
 
     /// Adds a centred text on a patch of paper colour, so that lines below do not cross it.
-    pub fn text_on_paper(&mut self, content: String, at: Point, font: Font, colour: Colour) {
+    pub(crate) fn text_on_paper(&mut self, content: String, at: Point, font: Font, colour: Colour) {
         let half = 0.5 * width(&content, font) + 3.0;
         let (top, bottom) = (at.1 - 0.85 * font.size, at.1 + 0.3 * font.size);
         self.items.push(Item::Patch { from: (at.0 - half, top), to: (at.0 + half, bottom), colour: PAPER });
@@ -95,7 +95,7 @@ impl Scene {
     }
 
     /// Adds a text, unless it is empty.
-    pub fn text(&mut self, content: String, at: Point, anchor: Anchor, font: Font, colour: Colour) {
+    pub(crate) fn text(&mut self, content: String, at: Point, anchor: Anchor, font: Font, colour: Colour) {
         if !content.is_empty() {
             self.items.push(Item::Text(Text { content, at, anchor, font, colour }));
         }

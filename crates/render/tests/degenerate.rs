@@ -1,6 +1,6 @@
 //! Figures without data, with too few data or with invalid data are drawn without an error.
 
-use percuss_render::{Figure, Mark, Panel, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Picture, Series, Style};
 use rand::rngs::StdRng;
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};

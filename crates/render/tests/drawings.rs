@@ -1,7 +1,8 @@
 //! Drawings in two views: positions of the items, and random or invalid input.
 
 use percuss_render::{
-    Drawing, DrawnArrow, DrawnCircle, DrawnLine, DrawnSymbol, SkinMark, SymbolKind, Tornado, TornadoBar,
+    Drawing, DrawnArrow, DrawnCircle, DrawnLine, DrawnSymbol, Picture, SkinMark, SymbolKind, Tornado,
+    TornadoBar,
 };
 use roxmltree::Document;
 

@@ -1,6 +1,6 @@
 //! Contents of a picture and their positions; equality of the two back ends.
 
-use percuss_render::{Figure, Mark, Panel, RenderError, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Picture, RenderError, Series, Style};
 use resvg::tiny_skia::Pixmap;
 use roxmltree::Document;
 

@@ -1,6 +1,6 @@
 //! Contents of pictures and files of skins, including skins without facets.
 
-use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
+use percuss_render::{Picture, Skin, SkinFacet, SkinMark, SkinPiece};
 
 /// Tetrahedron with a value on three of its four facets.
 fn skin() -> Skin {

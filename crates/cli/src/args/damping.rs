@@ -49,9 +49,9 @@ pub struct DampArgs {
     /// List the simulators and exit.
     #[arg(long, exclusive = true, help_heading = "Lists")]
     pub list_tools: bool,
-    /// Force over time: .svg .png .pdf .csv
+    /// Force over time: .csv .xlsx .parquet .svg .png .pdf
     ///
-    /// The figure shows the force over time and over penetration; CSV contains its numbers.
+    /// The figure shows the force over time and over penetration; CSV, XLSX and Parquet contain its numbers.
     #[arg(long, short, value_name = "FILE", requires = "speed", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]

@@ -16,10 +16,10 @@ pub struct ImpactArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub impact: ImpactTable,
-    /// Impact in time, or --reflected over a range: .svg .png .pdf .csv
+    /// Impact in time, or --reflected over a range: .csv .xlsx .parquet .svg .png .pdf
     ///
     /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time. The
-    /// figure of a range shows the inertia, free and held. CSV contains the numbers. For a range, .xlsx and .parquet are accepted too.
+    /// figure of a range shows the inertia, free and held. CSV, XLSX and Parquet contain the numbers.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     /// Format of the result.

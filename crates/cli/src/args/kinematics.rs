@@ -92,28 +92,6 @@ impl KinematicsArgs {
         Ok(question)
     }
 
-    /// True if the output is a picture.
-    pub fn is_picture(&self) -> bool {
-        let path = self.output.as_deref().filter(|_| self.solve.is_empty());
-        self.format.is_none() && path.is_some_and(is_picture)
-    }
-
-    /// Format of the result, from the flag or the ending of the file.
-    pub fn format(&self) -> Result<KinematicsFormat, Failure> {
-        let ending =
-            self.output.as_deref().filter(|_| self.solve.is_empty()).and_then(|path| path.rsplit_once('.'));
-        match (self.format, ending.map(|(_, ending)| ending.to_ascii_lowercase()).as_deref()) {
-            (Some(format), _) => Ok(format),
-            (None, Some("csv")) => Ok(KinematicsFormat::Csv),
-            (None, Some("json")) => Ok(KinematicsFormat::Json),
-            _ if self.is_picture() => Ok(KinematicsFormat::Table),
-            (None, None | Some("txt")) => Ok(KinematicsFormat::Table),
-            (None, Some(other)) => Err(Failure::bad_input(format!(
-                "--output: a file that ends in .{other} is not written; use .csv, .json, .txt, .svg, .png or .pdf, or give --format"
-            ))),
-        }
-    }
-
     /// Search for coordinates, if the flags request one.
     pub fn search(&self) -> Result<Option<TargetSearch>, Failure> {
         let Length(within) = self.within;
@@ -123,10 +101,4 @@ impl KinematicsArgs {
         let search = TargetSearch { unknowns: self.solve.clone(), targets: self.required.clone(), within };
         Ok((!self.solve.is_empty()).then_some(search))
     }
-}
-
-/// True if a file name has the ending of a picture.
-fn is_picture(path: &str) -> bool {
-    let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
-    ending.is_some_and(|ending| ["svg", "png", "pdf"].contains(&ending.as_str()))
 }

@@ -1,11 +1,10 @@
 //! Command `percuss check`.
 
-use crate::args::{CheckArgs, CheckFormat};
-use crate::terminal::escape::line;
+use crate::args::CheckArgs;
+use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::write_diagnostics;
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::wrap_hanging;
 use percuss_mechanism::Severity;
 use percuss_study::{CheckReport, RelationTermRecord, check};
 use std::fmt::Write;
@@ -15,14 +14,21 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let report = check(&model)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-    match args.format {
-        CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&text(&report)),
-    }
+    document::print(&report, args.format, || document(&report))
+}
+
+/// Properties of a model, and tables of links, joints and loops.
+pub fn document(report: &CheckReport) -> Document<'_> {
+    let mut out = Document::default();
+    let poses = (!report.poses.is_empty())
+        .then(|| ("named poses", format!("{} (--pose NAME)", report.poses.join(", "))));
+    out.facts(facts(report).into_iter().chain(poses));
+    tables(report).into_iter().for_each(|table| out.table(table));
+    out
 }
 
 /// Properties of a model, one line each.
-pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
+fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
     let movable = report.pose.len();
     [
         ("mechanism", report.name.clone()),
@@ -37,14 +43,7 @@ pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
 }
 
 /// Tables of links, joints and loops.
-pub struct Tables {
-    pub links: Table<3>,
-    pub joints: Table<6>,
-    pub loops: Table<4>,
-}
-
-/// Builds the tables.
-pub fn tables(report: &CheckReport) -> Tables {
+fn tables(report: &CheckReport) -> [Table; 3] {
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {
         let mass = if link.has_inertial { format!("{} kg", number(link.mass)) } else { "massless".into() };
@@ -80,7 +79,7 @@ pub fn tables(report: &CheckReport) -> Tables {
         };
         loops.row([closure.name.clone(), kind, between, closure.rows.to_string()]);
     }
-    Tables { links, joints, loops }
+    [links, joints, loops]
 }
 
 /// Sum of the joints of a relation, each with its coefficient.
@@ -98,24 +97,6 @@ fn relation_text(joints: &[RelationTermRecord]) -> String {
         let _ = write!(text, "{sign}{factor}{joint}");
     }
     text
-}
-
-/// Report as text.
-fn text(report: &CheckReport) -> String {
-    let mut out = String::new();
-    for (name, value) in facts(report) {
-        out += &(wrap_hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
-    }
-    if !report.poses.is_empty() {
-        let poses = format!("{:<22} {} (--pose NAME)", "named poses", line(&report.poses.join(", ")));
-        out += &(wrap_hanging(&poses, 23) + "\n");
-    }
-    let Tables { links, joints, loops } = tables(report);
-    let _ = write!(out, "\n{links}\n{joints}");
-    if !report.closures.is_empty() {
-        let _ = write!(out, "\n{loops}");
-    }
-    out
 }
 
 /// Number of redundant rows, with the loops that contain them.

@@ -2,10 +2,11 @@
 
 use crate::args::{CompareArgs, MassFormat};
 use crate::commands::contact_list::NO_MOTION_RATIO;
+use crate::document::Document;
+use crate::files::contents::Contents;
 use crate::files::csv::{self, Cell};
-use crate::files::output::{record_input, write_file};
+use crate::files::output::record_input;
 use crate::files::table_style::{ColumnUnit, TableStyle};
-use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name};
 use crate::terminal::design_changes;
@@ -13,14 +14,13 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number};
-use crate::terminal::wrap::wrap_message;
-use percuss_render::{Figure, Mark, Panel, Series, Style};
+use percuss_render::{Figure, Mark, Panel, Picture, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, MassQuestion, Model,
     Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
 };
 use percuss_suspension::LengthUnit;
-use std::fmt::{Display, Write as _};
+use std::fmt::Display;
 use std::path::Path;
 
 /// Runs the command.
@@ -149,14 +149,19 @@ pub fn write(
     let ComparisonOutput { output, table: style, format, strict, figure: requested } = *output;
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
-        let bytes = file_bytes(report, path, style, requested)?;
         designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| record_input(&input.path));
-        write_file(path, &bytes)?;
+        write_contents(report, path, style, requested)?;
     }
     match format {
         MassFormat::Json => write_json(report)?,
-        MassFormat::Csv => write_out(&table(report, style))?,
-        MassFormat::Text => write_out(&text(report))?,
+        MassFormat::Csv => {
+            let (columns, rows) = table_cells(report, style);
+            write_out(&csv::styled_table(&columns, &rows, style))?;
+        }
+        MassFormat::Text => {
+            let title = of_designs(report, report.designs.len());
+            write_out(&format!("effective mass of {title}\n\n{}", document(report).text()))?;
+        }
     }
     if report.designs.iter().all(|design| design.status.is_none()) {
         return Err(Failure::NoAnswer("no design has a result".into()));
@@ -167,7 +172,7 @@ pub fn write(
 /// Writes the file of a comparison, without text and findings.
 pub fn write_output(report: &ComparisonReport, output: &ComparisonOutput) -> Result<(), Failure> {
     let ComparisonOutput { output, table, figure, .. } = *output;
-    output.map_or(Ok(()), |path| write_file(path, &file_bytes(report, path, table, figure)?))
+    output.map_or(Ok(()), |path| write_contents(report, path, table, figure))
 }
 
 /// Failure of a comparison; the names of fields are flags or keys.
@@ -197,7 +202,7 @@ fn percent(x: f64) -> String {
 
 /// Table with one row per design: m̄, its difference to the reference, the range of the difference, and the links with the largest
 /// shares. For several contacts of one design, motion ratios and ranges of m̄ replace the differences.
-pub fn design_table(report: &ComparisonReport) -> Table<5> {
+fn design_table(report: &ComparisonReport) -> Table {
     let most = |design: &DesignRecord| {
         let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
         most.collect::<Vec<_>>().join(", ")
@@ -244,26 +249,21 @@ fn of_designs(report: &ComparisonReport, count: impl Display) -> String {
     format!("{count} {}", if has_designs { "designs" } else { "contacts" }).trim_start().to_owned()
 }
 
-/// Report as text.
-fn text(report: &ComparisonReport) -> String {
-    let title = of_designs(report, report.designs.len());
-    let mut out = format!("effective mass of {title}\n\n{}", design_table(report));
-    for sentence in design_changes::sentences(report).into_iter().chain(remarks(report)) {
-        let _ = write!(out, "\n{}", wrap_message(&sentence));
-    }
-    if report.designs.iter().any(|design| design.reference.is_some()) || !remarks(report).is_empty() {
-        out.push('\n');
-    }
+/// Table of the designs, their differences in words, remarks, and reasons of missing results.
+pub fn document(report: &ComparisonReport) -> Document<'_> {
+    let mut out = Document::default();
+    out.table(design_table(report));
+    design_changes::sentences(report).into_iter().chain(remarks(report)).for_each(|text| out.paragraph(text));
     for design in &report.designs {
         if let Some(error) = &design.error {
-            let _ = writeln!(out, "\n{}", wrap_message(&format!("{}: {error}", design.name)));
+            out.problem(format!("{}: {error}", design.name));
         }
     }
     out
 }
 
 /// Remarks about the table: designs whose stops touch at different travels of the wheel, and missing motion ratios.
-pub fn remarks(report: &ComparisonReport) -> Vec<String> {
+fn remarks(report: &ComparisonReport) -> Vec<String> {
     let mut remarks = Vec::new();
     for design in &report.designs {
         let Some(reference) = design.reference.map(|at| &report.designs[at]) else { continue };
@@ -338,47 +338,23 @@ fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Ve
     (header, report.rows.iter().map(row).collect())
 }
 
-/// Table as CSV.
-fn table(report: &ComparisonReport, style: TableStyle) -> String {
-    let (header, rows) = table_cells(report, style);
-    let line = |row: &Vec<Cell>| {
-        let cells: Vec<String> = row.iter().map(|cell| csv::styled_cell(cell, style)).collect();
-        csv::styled_line(&cells, style)
-    };
-    csv::styled_line(&header, style) + &rows.iter().map(line).collect::<String>()
-}
-
-/// Contents of the output file, in the format of its extension.
-fn file_bytes(
+/// Writes a file with the table or the figure of a comparison.
+fn write_contents(
     report: &ComparisonReport,
     path: &str,
     style: TableStyle,
     requested: &StudyFigure,
-) -> Result<Vec<u8>, Failure> {
-    let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
-    let clipped = || {
+) -> Result<(), Failure> {
+    let table = || table_cells(report, style);
+    let picture = || {
         let mut figure = figure(report, requested)?;
         note_clipping(&mut figure);
-        Ok::<Figure, Failure>(figure)
+        Ok(Box::new(figure) as Box<dyn Picture>)
     };
-    match ending.to_ascii_lowercase().as_str() {
-        "csv" => Ok(table(report, style).into_bytes()),
-        "xlsx" => {
-            let (columns, rows) = table_cells(report, style);
-            xlsx_rows::workbook(path, "comparison", &columns, rows)
-        }
-        "json" => {
-            let text = serde_json::to_string_pretty(report);
-            let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
-            Ok((text + "\n").into_bytes())
-        }
-        "svg" => Ok(clipped()?.to_svg().into_bytes()),
-        "png" => clipped()?.to_png(2.0).map_err(Failure::from),
-        "pdf" => clipped()?.to_pdf().map_err(Failure::from),
-        _ => Err(Failure::bad_input(format!(
-            "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
-        ))),
-    }
+    // Records have text keys and no other source of errors.
+    let json = || serde_json::to_string_pretty(report).unwrap_or_default() + "\n";
+    let (table, picture, json) = (Some(&table as _), Some(&picture as _), Some(&json as _));
+    Contents { name: "comparison", style, table, picture, json }.write(path)
 }
 
 /// Figure of each contact, if there are several: m̄ of all designs at this contact over the range, with the motion ratio below.

@@ -1,19 +1,18 @@
 //! `percuss mass --at all`: the named contacts of a model in one table.
 
 use crate::args::MassFormat;
+use crate::document::Document;
 use crate::files::csv;
 use crate::files::table_style::round_to_digits;
 use crate::terminal::explanation::body_of;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::{wrap_hanging, wrap_message};
 use percuss_study::{
     ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
     contact_list,
 };
 use percuss_suspension::LengthUnit;
-use std::fmt::Write;
 
 /// Significant digits of masses and damping coefficients in the text.
 const DIGITS: i32 = 6;
@@ -35,7 +34,7 @@ pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Re
     match format {
         MassFormat::Json => write_json(report),
         MassFormat::Csv => write_out(&table_as_csv(report)),
-        MassFormat::Text => write_out(&text(report)),
+        MassFormat::Text => write_out(&document(report).text()),
     }
 }
 
@@ -62,7 +61,7 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
 }
 
 /// Table of masses, gaps, wheel travels and motion ratios.
-pub fn mass_table(report: &ContactListReport) -> Table<6> {
+fn mass_table(report: &ContactListReport) -> Table {
     let unit = report.contacts.iter().find_map(named).map_or(LengthUnit::Millimetre, |named| named.unit);
     let [gap, travel] = ["gap", "wheel travel"].map(|name| format!("{name}, {}", unit.name()));
     let mut table = Table::new(["contact", "m̄, kg", &gap, &travel, "contact/wheel", "on"]);
@@ -84,12 +83,12 @@ pub fn mass_table(report: &ContactListReport) -> Table<6> {
     table
 }
 
-/// Table of dampers, with the reason for a missing one; `None` without dampers. No damper is chosen for an impact at parts that always
+/// Table of dampers, with the reason for a missing one; empty without dampers. No damper is chosen for an impact at parts that always
 /// touch.
-pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
+fn damper_table(report: &ContactListReport) -> Table {
     let is_requested = report.contacts.iter().any(|contact| numbers(contact)[4].is_some());
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
-    for contact in &report.contacts {
+    for contact in report.contacts.iter().filter(|_| is_requested) {
         let text = match (named(contact), numbers(contact)) {
             (Some(named), _) if named.always_touches() => "none: its parts always touch".to_owned(),
             (_, [.., Some(damping)]) => number(round_to_digits(damping, DIGITS)),
@@ -98,19 +97,18 @@ pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
         };
         dampers.row([contact.name.clone(), text]);
     }
-    is_requested.then_some(dampers)
+    dampers
 }
 
-/// The list as text: a table, and the reasons of missing results below it.
-fn text(report: &ContactListReport) -> String {
-    let mut out = mass_table(report).to_string();
-    if let Some(dampers) = damper_table(report) {
-        let _ = write!(out, "\n{dampers}");
-    }
-    out += &format!("\n{}", explanation(report));
+/// Tables of masses and dampers, the meaning of their columns, and the reasons of missing results.
+pub fn document(report: &ContactListReport) -> Document<'_> {
+    let mut out = Document::default();
+    out.table(mass_table(report));
+    out.table(damper_table(report));
+    out.paragraph(explanation(report));
     for contact in &report.contacts {
         if let Some(problem) = &contact.problem {
-            let _ = writeln!(out, "\n{}", wrap_hanging(&format!("{}: {problem}", contact.name), 2));
+            out.problem(format!("{}: {problem}", contact.name));
         }
     }
     out
@@ -122,15 +120,17 @@ pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given if more than 
                                    percuss kinematics all ratios.";
 
 /// Meaning of the columns.
-pub fn explanation(report: &ContactListReport) -> String {
+fn explanation(report: &ContactListReport) -> String {
     let mut out = String::new();
     let all = || report.contacts.iter().filter_map(named);
     out += if all().any(|named| named.brought_to_touch) || all().all(|named| named.gap.is_none()) {
-        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless a pose is given.\n"
+        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the upward travel of the wheel at the touch. A \
+         contact without a gap is evaluated at the pose as drawn, unless a pose is given."
     } else {
-        "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
+        "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a penetration."
     };
-    out += "\"contact/wheel\" is the motion ratio: the closing of the contact per upward travel\nof the wheel, negative for a contact that closes while the wheel moves down.\n";
+    out += "\n\"contact/wheel\" is the motion ratio: the closing of the contact per upward travel of the wheel, negative for a contact \
+            that closes while the wheel moves down.";
     let has_no_ratio = |contact: &ListedContact| {
         contact.report.as_ref().and_then(|report| report.effective_mass).is_some()
             && numbers(contact)[3].is_none()
@@ -138,10 +138,10 @@ pub fn explanation(report: &ContactListReport) -> String {
     let ratios = report.contacts.iter().filter_map(|contact| contact.report.as_ref());
     let held = ratios.flat_map(|report| &report.motion_ratios).find_map(|ratio| ratio.held.as_ref());
     if let Some(joint) = held {
-        let _ = writeln!(out, "The ratio is given with the joint {joint} held, which moves in the impact.");
+        out += &format!("\nThe ratio is given with the joint {joint} held, which moves in the impact.");
     }
     if report.contacts.iter().any(has_no_ratio) && all().any(|named| !named.wheel_travel.is_empty()) {
-        let _ = writeln!(out, "{}", wrap_message(NO_MOTION_RATIO));
+        out += &format!("\n{NO_MOTION_RATIO}");
     }
     out
 }

@@ -1,16 +1,18 @@
 //! `percuss damp`, and the damper in the output of an effective mass.
 
 use crate::args::{CheckFormat, DampArgs};
-use crate::files::output::{ending_of, record_input, write_file};
-use crate::terminal::escape;
+use crate::document::{self, Document};
+use crate::files::contents::Contents;
+use crate::files::csv::Cell;
+use crate::files::output::record_input;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics, write_out};
 use crate::terminal::text::{Table, number, short_number, upper_bound};
 use crate::terminal::units::ContactUnits;
-use crate::terminal::wrap::{fact_line, wrap_hanging};
-use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
+use crate::terminal::wrap::wrap_hanging;
+use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
@@ -74,22 +76,60 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
 
 /// Writes a report.
 pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure> {
-    match format {
-        CheckFormat::Json => write_json(report),
-        CheckFormat::Text => {
-            let (name, value) = headline(report);
-            let mut out = fact_line(name, &value);
-            let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
-            contact.iter().for_each(|(name, value)| out += &fact_line(name, &escape::line(value)));
-            out += &damper(report);
-            out += &exports(report);
-            write_out(&out)
+    document::print(report, format, || {
+        let mut out = Document::default();
+        let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+        out.facts([headline(report)].into_iter().chain(contact).chain(facts(report)));
+        add_exports(report, &mut out);
+        out
+    })
+}
+
+/// Adds the parameters of all requested simulators.
+pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
+    for (name, export) in &report.exports {
+        out.heading(format!("{} ({name})", export.title));
+        if let Some(error) = &export.error {
+            out.problem(format!("  cannot: {error}"));
+            continue;
+        }
+        out.facts(export_facts(export).into_iter().map(|(name, value)| (format!("  {name}"), value)));
+        for snippet in &export.snippets {
+            out.code(snippet.title, &*snippet.text);
+        }
+        if !export.sources.is_empty() {
+            out.note(format!("  sources: {}", export.sources.join("; ")));
         }
     }
 }
 
+/// Section of a damper on a page, with the history of the impact.
+pub fn document<'a>(
+    report: &'a DampingReport,
+    question: &'a DampingQuestion,
+) -> Result<Document<'a>, Failure> {
+    let mut out = Document::default();
+    out.facts(report.stop.is_some().then(|| headline(report)).into_iter().chain(facts(report)));
+    if report.damper.speed.is_some() {
+        let samples = samples(report, question)?;
+        let caption = "Force over time, and over the penetration; the loop encloses the energy that is lost.";
+        let figure = move || history_sheet(report, &samples).to_svg();
+        out.picture(figure, "Force over time and over penetration", caption);
+    } else {
+        out.note("Without damping.speed there is no force to draw.");
+    }
+    add_exports(report, &mut out);
+    Ok(out)
+}
+
+/// Force history of the impact.
+fn samples(report: &DampingReport, question: &DampingQuestion) -> Result<Vec<Sample>, Failure> {
+    let samples = impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES);
+    Ok(samples.map_err(percuss_study::StudyError::from)?)
+}
+
 /// Name and value of the effective mass, or of the effective inertia for a rotational stop.
-pub fn headline(report: &DampingReport) -> (&'static str, String) {
+fn headline(report: &DampingReport) -> (&'static str, String) {
     let units = units(report);
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
@@ -100,16 +140,6 @@ const SMALL: f64 = 1e3;
 /// Units of the contact of a report.
 fn units(report: &DampingReport) -> ContactUnits {
     ContactUnits::new(report.is_moment)
-}
-
-/// Text of [`facts`], one line each.
-pub fn damper(report: &DampingReport) -> String {
-    facts(report).iter().map(|(name, value)| fact_line(name, &escape::line(value))).collect()
-}
-
-/// Parameters of all requested simulators as text.
-pub fn exports(report: &DampingReport) -> String {
-    report.exports.iter().map(|(name, export)| export_text(name, export)).collect()
 }
 
 /// Damper, impact and validity as names with values.
@@ -214,29 +244,8 @@ fn unit_power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-/// Parameters, errors, assumptions and snippets of one simulator.
-pub fn export_text(name: &str, export: &ExportRecord) -> String {
-    let mut out = format!("\n{} ({name})\n", export.title);
-    if let Some(error) = &export.error {
-        return out + &wrap_hanging(&format!("  cannot: {error}"), 4) + "\n";
-    }
-    for (name, value) in export_facts(export) {
-        out += &fact_line(&format!("  {name}"), &escape::line(&value));
-    }
-    for snippet in &export.snippets {
-        let _ = writeln!(out, "  {}:", snippet.title);
-        for text in snippet.text.lines() {
-            let _ = writeln!(out, "    {text}");
-        }
-    }
-    if !export.sources.is_empty() {
-        out += &(wrap_hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
-    }
-    out
-}
-
 /// Parameters, errors and assumptions of one simulator.
-pub fn export_facts(export: &ExportRecord) -> Vec<(String, String)> {
+fn export_facts(export: &ExportRecord) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut line = |name: &str, text: &str| facts.push((name.to_owned(), text.to_owned()));
     line("integrates", export.law);
@@ -312,36 +321,22 @@ fn tools() -> String {
     table.to_string()
 }
 
-/// Endings of files of the force over time.
-pub const HISTORY_FILES: [&str; 4] = ["svg", "png", "pdf", "csv"];
-
 /// Writes the force history of the impact as a plot or as numbers.
 pub fn write_history(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
-    let samples = || {
-        impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
-            .map_err(percuss_study::StudyError::from)
+    let samples = samples(report, question)?;
+    let table = || {
+        let row = |s: &Sample| [s.time, s.penetration, s.rate, s.force].map(Cell::Number).to_vec();
+        let names = ["time", "penetration", "rate", "force"].map(str::to_owned).to_vec();
+        (names, samples.iter().map(row).collect())
     };
-    let bytes = match ending_of(path, &HISTORY_FILES)? {
-        "csv" => csv(&samples()?).into_bytes(),
-        "png" => history_sheet(report, &samples()?).to_png(2.0)?,
-        "pdf" => history_sheet(report, &samples()?).to_pdf()?,
-        _ => history_sheet(report, &samples()?).to_svg().into_bytes(),
-    };
-    write_file(path, &bytes)
-}
-
-/// Samples as CSV.
-fn csv(samples: &[Sample]) -> String {
-    let mut out = "time,penetration,rate,force\n".to_owned();
-    for s in samples {
-        let _ = writeln!(out, "{},{},{},{}", s.time, s.penetration, s.rate, s.force);
-    }
-    out
+    let picture = || Ok(Box::new(history_sheet(report, &samples)) as Box<dyn Picture>);
+    Contents { name: "impact", table: Some(&table), picture: Some(&picture), ..Contents::default() }
+        .write(path)
 }
 
 /// Force over time, and over penetration; the loop encloses the dissipated energy.
-pub fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
     let (units, factor) = (units(report), SMALL);
     let panel = |x: &dyn Fn(&Sample) -> f64| Panel {

@@ -2,16 +2,15 @@
 
 use crate::args::{MapArgs, MassFormat};
 use crate::commands::sweep::use_threads;
+use crate::document::Document;
 use crate::files::output::{Output, check_writable, record_input};
 use crate::files::table_style::TableStyle;
 use crate::pictures::map_files::{self, MapFormat};
-use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
-use crate::terminal::wrap::{fact_line, wrap_hanging};
+use percuss_render::Picture;
 use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, MapResult, PointMapReport};
-use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), Failure> {
@@ -95,7 +94,7 @@ fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure
     write_diagnostics(&report.diagnostics, output.strict)?;
     write_directions(report, &output.formats, output.table)?;
     match output.format {
-        MassFormat::Text => write_out(&point_text(report)),
+        MassFormat::Text => write_out(&directions_document(report).text()),
         MassFormat::Json => write_json(report),
         MassFormat::Csv => {
             let mut bytes = Vec::new();
@@ -115,7 +114,7 @@ fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
     }
     write_surfaces(answer, &output.formats, output.table)?;
     match output.format {
-        MassFormat::Text => write_out(&text(answer)),
+        MassFormat::Text => write_out(&surfaces_document(answer).text()),
         MassFormat::Json => write_json(&answer.report),
         MassFormat::Csv => {
             let mut out = Output::open(None)?;
@@ -126,7 +125,7 @@ fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
 }
 
 /// Table of links, one row each.
-pub fn links(report: &MapReport) -> Table<8> {
+fn links(report: &MapReport) -> Table {
     let mut table = Table::new([
         "link",
         "contacts",
@@ -156,30 +155,45 @@ pub fn links(report: &MapReport) -> Table<8> {
     table
 }
 
-/// Explanation of the table of links.
-pub const LINKS_EXPLANATION: &str = "One contact in each facet, along its outward normal; points in the link frame.\n\
-                            The mean is the reciprocal of the area mean of 1/m.\n";
+/// Title of the section of a map.
+pub fn title(result: &MapResult) -> &'static str {
+    match result {
+        MapResult::Surfaces(_) => "Over the surface",
+        MapResult::Directions(_) => "In all directions at a point",
+    }
+}
 
-/// Map of surfaces as text.
-fn text(answer: &MapAnswer) -> String {
+/// Map with its picture, table and conditions.
+pub fn document(result: &MapResult) -> Document<'_> {
+    match result {
+        MapResult::Surfaces(answer) => surfaces_document(answer),
+        MapResult::Directions(report) => directions_document(report),
+    }
+}
+
+/// Map of surfaces.
+fn surfaces_document(answer: &MapAnswer) -> Document<'_> {
     let report = &answer.report;
-    let mut out = links(report).to_string();
-    out += "\n";
-    out += LINKS_EXPLANATION;
-    out += &winding_changes(report);
+    let mut out = Document::default();
+    out.picture(|| map_files::skin(answer).to_svg(), "Effective mass over the surface", "");
+    out.table(links(report));
+    out.paragraph(
+        "One contact in each facet, along its outward normal; points in the link frame.\n\
+         The mean is the reciprocal of the area mean of 1/m.",
+    );
+    report.links.iter().filter_map(winding_changes).for_each(|text| out.note(text));
     let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
         Some(mass) => format!("a free body of {} kg", number(mass)),
         None => "the ground".into(),
     });
-    out.push('\n');
-    out += &fact_line("against", &line(&against));
-    out += &fact_line("base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
-    if let Some(worst) = worst {
-        out += &fact_line("relative errors", &format!("below {}", upper_bound(worst)));
-    }
-    out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
-           See docs/explanation/LIMITS.md and docs/howto/MAPS.md.\n"
+    let worst = worst.map(|worst| ("relative errors", format!("below {}", upper_bound(worst))));
+    out.facts([("against", against), ("base", report.conditions.base.to_owned())].into_iter().chain(worst));
+    out.paragraph(
+        "Not included: friction, compliance of the links, several impacts at once.\n\
+         See docs/explanation/LIMITS.md and docs/howto/MAPS.md.",
+    );
+    out
 }
 
 /// Number of contacts without a finite mass, by status.
@@ -190,31 +204,23 @@ fn counts_without_finite_mass(link: &LinkMap) -> String {
     some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Changes made to the orientation of meshes.
-fn winding_changes(report: &MapReport) -> String {
-    let mut out = String::new();
-    for link in &report.links {
-        let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else {
-            continue;
-        };
-        let mut done = Vec::new();
-        if o.turned > 0 {
-            done.push(format!("{} triangles were reversed", o.turned));
-        }
-        if o.open > 0 {
-            done.push(format!(
-                "{} of {} pieces are open; their normals point away from the centre of the mesh",
-                o.open, o.pieces
-            ));
-        }
-        if o.conflicting > 0 {
-            done.push(format!("{} pieces cannot be oriented consistently", o.conflicting));
-        }
-        let text =
-            format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
-        out += &(wrap_hanging(&text, 2) + "\n");
+/// Changes made to the orientation of the mesh of a link, if any.
+fn winding_changes(link: &LinkMap) -> Option<String> {
+    let o = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0)?;
+    let mut done = Vec::new();
+    if o.turned > 0 {
+        done.push(format!("{} triangles were reversed", o.turned));
     }
-    out
+    if o.open > 0 {
+        done.push(format!(
+            "{} of {} pieces are open; their normals point away from the centre of the mesh",
+            o.open, o.pieces
+        ));
+    }
+    if o.conflicting > 0 {
+        done.push(format!("{} pieces cannot be oriented consistently", o.conflicting));
+    }
+    Some(format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; ")))
 }
 
 /// Rounds to 0.1 mm.
@@ -222,49 +228,35 @@ fn round_point(p: &[f64; 3]) -> String {
     triple(&p.map(|x| (x * 1e4).round() / 1e4))
 }
 
-/// Map at a point as text.
-fn point_text(report: &PointMapReport) -> String {
-    let mut out = String::new();
-    for (name, value) in point_facts(report) {
-        out += &fact_line(name, &value);
-    }
-    out += "\nprincipal effective masses (the belted ellipsoid)\n";
-    let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
-    for [mass, link, world] in principal_rows(report) {
-        table.row([format!("  {mass}"), link, world]);
-    }
-    out += &table.to_string();
+/// Map of the directions at a point.
+fn directions_document(report: &PointMapReport) -> Document<'_> {
+    let mut out = Document::default();
+    let point = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
+    out.facts([("point", point), ("in the world", format!("{} m", triple(&report.point_world)))]);
+    out.heading("principal effective masses (the belted ellipsoid)");
     if report.principal.is_empty() {
-        out += "  none: a direction has no result\n";
+        out.note("  none: a direction has no result");
     }
-    let mut extremes = extreme_facts(report);
-    let (name, count) = extremes.remove(0);
-    let _ = writeln!(out, "\n{name:<20} {count}");
-    for (name, value) in extremes {
-        out += &fact_line(name, &value);
-    }
-    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
-           See docs/howto/MAPS.md.\n"
+    let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
+    report.principal.iter().for_each(|principal| table.row(principal_row(principal)));
+    out.table(table);
+    out.facts(extreme_facts(report));
+    out.paragraph(
+        "1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
+         See docs/howto/MAPS.md.",
+    );
+    out
 }
 
-/// Point of a map of directions.
-pub fn point_facts(report: &PointMapReport) -> [(&'static str, String); 2] {
-    let point_of = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
-    [("point", point_of), ("in the world", format!("{} m", triple(&report.point_world)))]
-}
-
-/// Principal effective masses, each with its direction in the link and in the world.
-pub fn principal_rows(report: &PointMapReport) -> Vec<[String; 3]> {
-    let row = |p: &DirectionMass| {
-        let [link, world] =
-            [p.direction_link, p.direction_world].map(|direction| triple(&direction.map(round_component)));
-        [mass(p), link, world]
-    };
-    report.principal.iter().map(row).collect()
+/// Principal effective mass, with its direction in the link and in the world.
+fn principal_row(p: &DirectionMass) -> [String; 3] {
+    let [link, world] =
+        [p.direction_link, p.direction_world].map(|direction| triple(&direction.map(round_component)));
+    [format!("  {}", mass(p)), link, world]
 }
 
 /// Number of directions, then the smallest and the largest mass.
-pub fn extreme_facts(report: &PointMapReport) -> Vec<(&'static str, String)> {
+fn extreme_facts(report: &PointMapReport) -> Vec<(&'static str, String)> {
     let finite = report.directions.iter().filter_map(|d| Some((d.effective_mass?, d)));
     let (mut least, mut most) = (None::<(f64, &DirectionMass)>, None::<(f64, &DirectionMass)>);
     for (m, d) in finite {

@@ -1,21 +1,21 @@
 //! Command `percuss mass`.
 
 use crate::args::{MassArgs, MassFormat};
-use crate::commands::contact_list;
+use crate::commands::{contact_list, damp, sensitivity};
+use crate::document::Document;
 use crate::files::csv;
-use crate::terminal::escape::line;
 use crate::terminal::explanation::{self, estimate_ratio, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
+use crate::terminal::part_names;
 use crate::terminal::report::{
     note, notes_are_shown, with_findings, write_diagnostics, write_json, write_out,
 };
-use crate::terminal::text::{bar, number, triple, upper_bound, within_uncertainty};
+use crate::terminal::text::{number, triple, upper_bound, within_uncertainty};
 use crate::terminal::units::ContactUnits;
-use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, FrictionThresholdsRecord, MassQuestion, MassReport, Model, SheetPoint,
-    Status, StudyAdditions, StudyMass, WithAdditions, contact_names, requested_mass,
+    DampingQuestion, FrictionThresholdsRecord, MassQuestion, MassReport, Model, SheetPoint, Status,
+    StudyAdditions, StudyMass, WithAdditions, contact_names, requested_mass,
 };
 use std::fmt::Write;
 
@@ -141,44 +141,52 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
 
 /// Report as text.
 fn text(report: &MassReport, expected: Option<f64>) -> String {
-    let mut out = String::new();
-    out += &fact_line(ContactUnits::new(report.contact.is_moment).name, &headline(report));
-    if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
+    let mut out = Document::default();
+    let expected = expected.zip(report.effective_mass).map(|(expected, m)| {
         let off = (m / expected - 1.0).abs();
-        out += &fact_line(
-            "expected",
-            &format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit),
-        );
+        ("expected", format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit))
+    });
+    let name = ContactUnits::new(report.contact.is_moment).name;
+    out.facts([(name, headline(report))].into_iter().chain(expected));
+    out.facts(facts(report));
+    add_estimate(report, &mut out);
+    out.facts(report.damper.iter().flat_map(damp::facts));
+    add_contributions(report, &mut out);
+    add_explanation(report, &mut out);
+    out.paragraph(
+        "Not included: friction, compliance of the links, several impacts at once.\nGravity, springs, dampers and speed have no effect: a \
+         finite force does no work in an instantaneous impact. See docs/explanation/LIMITS.md.",
+    );
+    report.damper.iter().for_each(|damper| damp::add_exports(damper, &mut out));
+    out.text()
+}
+
+/// Sections of a page about a contact: conditions, contributions, estimate, motion ratios, sensitivities, tolerances.
+pub fn document(report: &MassReport) -> Document<'_> {
+    let mut out = Document::default();
+    out.section("Contact and conditions");
+    match report.point_in_sheet.as_ref().filter(|_| !report.contact.is_moment) {
+        Some(contact) => out.facts(part_names::facts(report, contact)),
+        None => out.facts(conditions(report).into_iter().chain([method(report)])),
     }
-    out.push('\n');
-    for (name, value) in facts(report) {
-        out += &fact_line(name, &line(&value));
+    add_contributions(report, &mut out);
+    add_estimate(report, &mut out);
+    if !report.motion_ratios.is_empty() {
+        out.section("Motion ratios");
+        out.facts(report.motion_ratios.iter().map(|ratio| (ratio.link.clone(), motion_ratio(ratio))));
     }
-    if let Some(estimate) = &report.estimate {
-        out += &estimate_text(estimate);
-    }
-    if let Some(damper) = &report.damper {
-        out.push('\n');
-        out += &crate::commands::damp::damper(damper);
-    }
-    if report.effective_mass.is_some() {
-        out += &contribution_text(report);
-    }
-    out += &report
-        .explanation
-        .as_ref()
-        .map_or_else(String::new, |found| explanation::explanation(found, report.unit));
-    out += &report
-        .tolerance
-        .as_ref()
-        .map_or_else(String::new, |found| explanation::tolerances(found, report.unit));
-    out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
-            Gravity, springs, dampers and speed have no effect: a finite force does no work\n\
-            in an instantaneous impact. See docs/explanation/LIMITS.md.\n";
-    if let Some(damper) = &report.damper {
-        out += &crate::commands::damp::exports(damper);
-    }
+    add_explanation(report, &mut out);
     out
+}
+
+/// Adds the sensitivities and the effects of the tolerances.
+fn add_explanation<'a>(report: &'a MassReport, out: &mut Document<'a>) {
+    if let Some(explained) = &report.explanation {
+        sensitivity::add_sensitivities(explained, report.unit, out);
+    }
+    if let Some(tolerances) = &report.tolerance {
+        sensitivity::add_tolerances(tolerances, report.unit, out);
+    }
 }
 
 /// m̄, or the outcome in words.
@@ -206,29 +214,31 @@ pub fn headline(report: &MassReport) -> String {
     }
 }
 
-/// Classical estimate, its error, and the contributions that it leaves out.
-fn estimate_text(record: &EstimateRecord) -> String {
-    let links = line(&record.links.join(", ")).into_owned();
-    let first = line(&record.links[0]);
+/// Adds the classical estimate, its error, and the contributions that it leaves out.
+fn add_estimate(report: &MassReport, out: &mut Document<'_>) {
+    let Some(record) = &report.estimate else { return };
+    out.section("The classical estimate");
+    let first = &record.links[0];
     let Some(estimate) = record.estimate else {
         let none = format!("none: the speed of the point on {first} is undetermined");
-        return format!("\n{}", fact_line("estimate", &none));
+        return out.facts([("estimate", none)]);
     };
     let off =
         record.error_percent.map_or_else(String::new, |p| format!("   ({:+.2} %)", without_rounding(p)));
-    let mut out = format!("\n{}", fact_line("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
-    let takes =
-        format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
-    out += &fact_line("  takes", &takes);
-    out += &fact_line("  motion ratio", &line(&estimate_ratio(record)));
-    if let Some(share) = record.share_left_out {
+    let links = record.links.join(", ");
+    let share = record.share_left_out.map(|share| {
         let percent = without_rounding(100.0 * share);
-        out += &fact_line(
-            "  leaves out",
-            &format!("{percent:.2} % of the effective mass, contributed by other links"),
-        );
-    }
-    out
+        ("  leaves out", format!("{percent:.2} % of the effective mass, contributed by other links"))
+    });
+    let facts = [
+        ("estimate m_K/l²", format!("{} kg{off}", number(estimate))),
+        (
+            "  takes",
+            format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link)),
+        ),
+        ("  motion ratio", estimate_ratio(record)),
+    ];
+    out.facts(facts.into_iter().chain(share));
 }
 
 /// Percentage in which a value that rounds to zero has no sign.
@@ -416,27 +426,22 @@ fn error_suffix(report: &MassReport) -> String {
     }
 }
 
-/// Contribution of each link, largest first; negligible ones are counted.
-fn contribution_text(report: &MassReport) -> String {
+/// Adds the contribution of each link, largest first; negligible ones are counted.
+fn add_contributions(report: &MassReport, out: &mut Document<'_>) {
+    if report.effective_mass.is_none() {
+        return;
+    }
     let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
     let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
     let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
-    let all = links.chain(rotors).chain(other);
-    let mut all: Vec<(String, f64)> = all.map(|(name, share)| (line(&name).into_owned(), share)).collect();
-    all.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let (shown, rest): (Vec<_>, Vec<_>) =
-        all.into_iter().partition(|(_, share)| share.abs() >= limits::MIN_CONTRIBUTION);
-    let width = shown.iter().map(|(name, _)| wrap::width(name)).max().unwrap_or(0).max(20);
-    let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
-    // Long names shorten the bars.
-    let bars = limits::BAR_WIDTH.min(wrap::WIDTH.saturating_sub(width + 13));
-    for (name, share) in &shown {
-        let pad = " ".repeat(width - wrap::width(name));
-        let row = format!("  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, bars));
-        let _ = writeln!(out, "{}", row.trim_end());
+    let mut shown: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
+    shown.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let all = shown.len();
+    shown.retain(|(_, share)| share.abs() >= limits::MIN_CONTRIBUTION);
+    out.section("Contribution of each link");
+    let rest = all - shown.len();
+    out.shares(["link", "share of the kinetic energy"], shown);
+    if rest > 0 {
+        out.note(format!("  and {rest} of less than {} %", 100.0 * limits::MIN_CONTRIBUTION));
     }
-    if !rest.is_empty() {
-        let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::MIN_CONTRIBUTION);
-    }
-    out
 }

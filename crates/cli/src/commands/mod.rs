@@ -11,5 +11,6 @@ pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod report;
 pub(crate) mod run;
+pub(crate) mod sensitivity;
 pub(crate) mod suspension;
 pub(crate) mod sweep;

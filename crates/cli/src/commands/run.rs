@@ -11,6 +11,7 @@ use crate::commands::report;
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
 use crate::commands::sweep::{ReadySweep, SweepOutput};
+use crate::files::contents::TABLES_AND_PICTURES;
 use crate::files::output::{check_writable, ending_of, record_input};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
@@ -38,8 +39,8 @@ fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String
     check_distinct_outputs(outputs.iter().cloned())?;
     for (key, path) in outputs {
         match *key {
-            "damping.output" => drop(ending_of(path, &damp::HISTORY_FILES)?),
-            "kinematics.output" => drop(ending_of(path, &kinematics::STUDY_FILES)?),
+            "damping.output" => drop(ending_of(path, &TABLES_AND_PICTURES)?),
+            "kinematics.output" => drop(kinematics::file_ending(path)?),
             "map.output" => drop(map::formats(std::slice::from_ref(path))?),
             _ => {}
         }

@@ -2,6 +2,7 @@
 
 use crate::args::SweepArgs;
 use crate::commands::mass::refuse_several_contacts;
+use crate::files::contents::{PICTURES, picture_bytes};
 use crate::files::output::{Output, check_writable, ending_of, record_input, write_file};
 use crate::files::parquet_rows;
 use crate::files::sweep_rows;
@@ -155,17 +156,12 @@ fn write(
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
         Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
         Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
-        Format::Svg | Format::Png | Format::Pdf => sweep_figure(sweep, question, destination.figure, bar)?,
+        Format::Picture => sweep_figure(sweep, question, destination.figure, bar)?,
     };
     let mut figure = figure;
     note_clipping(&mut figure);
-    let bytes = match format {
-        Format::Png => figure.to_png(2.0)?,
-        Format::Pdf => figure.to_pdf()?,
-        _ => figure.to_svg().into_bytes(),
-    };
     // A picture always has an output file, because the file name determines the format.
-    write_file(path, &bytes)?;
+    write_file(path, &picture_bytes(&figure, ending_of(path, &PICTURES)?)?)?;
     Ok(end)
 }
 
@@ -177,9 +173,7 @@ enum Format {
     JsonLines,
     Parquet,
     Xlsx,
-    Svg,
-    Png,
-    Pdf,
+    Picture,
 }
 
 impl Format {
@@ -191,9 +185,7 @@ impl Format {
             "json" => Format::Json,
             "jsonl" => Format::JsonLines,
             "parquet" => Format::Parquet,
-            "svg" => Format::Svg,
-            "png" => Format::Png,
-            "pdf" => Format::Pdf,
+            "svg" | "png" | "pdf" => Format::Picture,
             _ => Format::Csv,
         })
     }

@@ -297,12 +297,12 @@ pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quote(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// CSV text of a table: header and rows, in the default style.
-pub fn table(columns: &[String], rows: &[Vec<Cell>]) -> String {
-    let style = TableStyle::default();
-    let row =
-        |cells: &Vec<Cell>| line(&cells.iter().map(|cell| styled_cell(cell, style)).collect::<Vec<_>>());
-    line(columns) + &rows.iter().map(row).collect::<String>()
+/// CSV text of a table: header and rows; numbers are rounded already.
+pub fn styled_table(columns: &[String], rows: &[Vec<Cell>], style: TableStyle) -> String {
+    let row = |cells: &Vec<Cell>| {
+        styled_line(&cells.iter().map(|cell| styled_cell(cell, style)).collect::<Vec<_>>(), style)
+    };
+    styled_line(columns, style) + &rows.iter().map(row).collect::<String>()
 }
 
 /// Formats a number with the decimal sign of the style.
@@ -311,7 +311,7 @@ pub fn styled_number(x: f64, style: TableStyle) -> String {
 }
 
 /// Formats a cell; numbers are rounded already.
-pub fn styled_cell(cell: &Cell, style: TableStyle) -> String {
+fn styled_cell(cell: &Cell, style: TableStyle) -> String {
     match cell {
         Cell::Number(x) => styled_number(*x, style),
         Cell::Text(text) => text.clone().into_owned(),

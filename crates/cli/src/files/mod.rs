@@ -1,5 +1,6 @@
 //! Output files: text, CSV, XLSX, Parquet, HTML, pictures.
 
+pub(crate) mod contents;
 pub(crate) mod csv;
 pub(crate) mod html;
 #[cfg(not(feature = "tables"))]
@@ -8,7 +9,6 @@ pub(crate) mod output;
 pub(crate) mod own_files;
 #[cfg(feature = "tables")]
 pub(crate) mod parquet_rows;
-pub(crate) mod picture;
 pub(crate) mod sweep_rows;
 pub(crate) mod table_style;
 #[cfg(feature = "tables")]

@@ -7,7 +7,7 @@ use crate::pictures::ellipsoid;
 use crate::terminal::failure::Failure;
 use crate::terminal::text::short_number;
 use percuss_dynamics::ContactStatus;
-use percuss_render::{RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
+use percuss_render::{Picture, RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
 use std::io::{self, Write};
 

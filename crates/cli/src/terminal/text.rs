@@ -86,7 +86,7 @@ pub fn triple(v: &[f64; 3]) -> String {
 }
 
 /// Bar of `width` cells for a share between 0 and 1.
-pub fn bar(share: f64, width: usize) -> String {
+fn bar(share: f64, width: usize) -> String {
     let eighths = (share.clamp(0.0, 1.0) * width as f64 * 8.0).round() as usize;
     let mut text = "█".repeat(eighths / 8);
     if let Some(part) = (eighths % 8).checked_sub(1) {
@@ -97,54 +97,66 @@ pub fn bar(share: f64, width: usize) -> String {
 
 /// Table with columns as wide as their contents. If a line is too wide, the last column is wrapped between words; if
 /// even this is too narrow, columns continue in further lines of the row.
-pub struct Table<const N: usize> {
-    rows: Vec<[String; N]>,
+pub struct Table {
+    rows: Vec<Vec<String>>,
 }
 
-impl<const N: usize> Table<N> {
+impl Table {
     /// Creates a table with its header.
-    pub fn new(header: [&str; N]) -> Self {
-        Self { rows: vec![header.map(str::to_owned)] }
+    pub fn new<const N: usize>(header: [&str; N]) -> Self {
+        Self { rows: vec![header.map(str::to_owned).to_vec()] }
     }
 
     /// Adds a row.
-    pub fn row(&mut self, cells: [String; N]) {
-        self.rows.push(cells.map(|cell| line(&cell).into_owned()));
+    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
+        self.rows.push(cells.into());
+    }
+
+    /// Creates a table of rows, starting with the header.
+    pub fn from_rows<R: Into<Vec<String>>>(rows: impl IntoIterator<Item = R>) -> Self {
+        Self { rows: rows.into_iter().map(Into::into).collect() }
     }
 
     /// Rows, starting with the header.
-    pub fn rows(&self) -> &[[String; N]] {
+    pub fn rows(&self) -> &[Vec<String>] {
         &self.rows
     }
 
+    /// True without a row below the header.
+    pub fn is_empty(&self) -> bool {
+        self.rows.len() < 2
+    }
+
     /// Ranges of columns for each line of a row.
-    fn column_bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
-        let words = self.rows.iter().flat_map(|row| row[N - 1].split(' ').map(width));
+    fn column_bands(rows: &[Vec<String>], widths: &[usize]) -> Vec<std::ops::Range<usize>> {
+        let words = rows.iter().filter_map(|row| row.last()).flat_map(|cell| cell.split(' ').map(width));
         let last = words.max().unwrap_or(0).max(limits::MIN_COLUMN);
         let (mut bands, mut start, mut used) = (Vec::new(), 0, 0);
-        for i in 0..N {
-            let needed = if i + 1 == N { widths[i].min(last) } else { widths[i] };
+        for (i, wide) in widths.iter().enumerate() {
+            let needed = if i + 1 == widths.len() { (*wide).min(last) } else { *wide };
             if i > start && used + needed > WIDTH {
                 bands.push(start..i);
                 (start, used) = (i, limits::BAND_INDENT);
             }
             used += needed + 2;
         }
-        bands.push(start..N);
+        bands.push(start..widths.len());
         bands
     }
 }
 
-impl<const N: usize> fmt::Display for Table<N> {
+impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut widths = [0; N];
-        for row in &self.rows {
+        let escaped = |row: &Vec<String>| row.iter().map(|cell| line(cell).into_owned()).collect();
+        let rows: Vec<Vec<String>> = self.rows.iter().map(escaped).collect();
+        let mut widths = vec![0; rows.first().map_or(0, Vec::len)];
+        for row in &rows {
             for (widest, cell) in widths.iter_mut().zip(row) {
                 *widest = (*widest).max(width(cell));
             }
         }
-        let bands = self.column_bands(&widths);
-        for row in &self.rows {
+        let bands = Self::column_bands(&rows, &widths);
+        for row in &rows {
             for band in &bands {
                 let mut text = " ".repeat(if band.start == 0 { 0 } else { limits::BAND_INDENT });
                 let (mut column, mut last) = (0, 0);
@@ -156,16 +168,27 @@ impl<const N: usize> fmt::Display for Table<N> {
                 let text = text.trim_end();
                 // A continued line is omitted if empty.
                 if band.start == 0 || !text.is_empty() {
-                    writeln!(
-                        f,
-                        "{}",
-                        if last + 1 == N { wrap_hanging(text, column) } else { text.to_owned() }
-                    )?;
+                    let is_last = last + 1 == widths.len();
+                    writeln!(f, "{}", if is_last { wrap_hanging(text, column) } else { text.to_owned() })?;
                 }
             }
         }
         Ok(())
     }
+}
+
+/// Names with bars and percentages.
+pub fn bars(shares: &[(String, f64)]) -> String {
+    let names: Vec<_> = shares.iter().map(|(name, _)| line(name)).collect();
+    let widest = names.iter().map(|name| width(name)).max().unwrap_or(0).max(20);
+    // Long names shorten the bars.
+    let bars = limits::BAR_WIDTH.min(WIDTH.saturating_sub(widest + 13));
+    let row = |(name, (_, share)): (&std::borrow::Cow<str>, &(String, f64))| {
+        let pad = " ".repeat(widest - width(name));
+        let row = format!("  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, bars));
+        format!("{}\n", row.trim_end())
+    };
+    names.iter().zip(shares).map(row).collect()
 }
 
 /// Quotes a word for the shell of this system, if necessary.

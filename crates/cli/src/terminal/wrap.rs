@@ -1,6 +1,7 @@
 //! Lines of at most 80 columns. Words are never broken: a wider path or name is on a line of its own and can be
 //! copied.
 
+use crate::terminal::escape;
 use textwrap::core::display_width;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
@@ -34,8 +35,18 @@ pub fn wrap_hanging(text: &str, indent: usize) -> String {
 
 /// Formats `name   value` with a line feed; the value has its own column.
 pub fn fact_line(name: &str, value: &str) -> String {
-    let padding = " ".repeat((VALUE_COLUMN - 1).saturating_sub(width(name)));
-    wrap_hanging(&format!("{name}{padding} {value}"), VALUE_COLUMN) + "\n"
+    fact_lines(&[(name, value)])
+}
+
+/// Formats names with values, one below the other.
+pub fn fact_lines<N: AsRef<str>, V: AsRef<str>>(facts: &[(N, V)]) -> String {
+    let widest = facts.iter().map(|(name, _)| width(name.as_ref())).max().unwrap_or(0);
+    let column = VALUE_COLUMN.max(widest + 2);
+    let line = |(name, value): &(N, V)| {
+        let padding = " ".repeat(column - width(name.as_ref()));
+        wrap_hanging(&format!("{}{padding}{}", name.as_ref(), escape::line(value.as_ref())), column) + "\n"
+    };
+    facts.iter().map(line).collect()
 }
 
 /// Wraps a diagnostic. Continuation lines are indented, so that each line without indentation begins a message.

@@ -249,7 +249,7 @@ pub fn map_report<'py>(
     let read = Arc::clone(&model.read);
     let work = move || {
         let answer = study::map(&read, &question)?;
-        let picture = percuss_cli::map_skin(&answer).to_svg();
+        let picture = percuss_render::Picture::to_svg(&percuss_cli::map_skin(&answer));
         Ok((answer, picture))
     };
     let (answer, picture) = abandonable(py, true, work)?.map_err(errors::study)?;

@@ -28,7 +28,7 @@ use percuss::{
     Assembly as Assembled, BatchDerivatives, BatchPositions, Configuration, Contact as Resolved, DrivenPath,
     JointId, Pose as Posed, RemarkFlags, RowAnswer, RowHandler, RowPath,
 };
-use percuss_render::{Figure, Panel, Series, Style};
+use percuss_render::{Figure, Panel, Picture, Series, Style};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 use rayon::prelude::*;

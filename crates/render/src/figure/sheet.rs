@@ -1,35 +1,15 @@
 //! Output of figures: one on a page, or several one below the other with separate axes.
 
-use crate::backend::RenderError;
 use crate::figure::Figure;
 use crate::figure::layout;
+use crate::picture::Laid;
 use crate::scene::{Item, Point, Scene};
-use crate::{convert, svg};
 
-impl Figure {
-    /// Returns the figure as an SVG document, 900 page units wide and about 300 high per panel.
-    ///
-    /// Cost: linear in the number of points. The length of the document is bounded by the number of series, not
+impl Laid for Figure {
+    /// Figure of 900 page units in width and about 300 in height per panel. The length of its SVG is bounded by the number of series, not
     /// of points.
-    pub fn to_svg(&self) -> String {
-        svg::write(&layout::layout_figure(self))
-    }
-
-    /// Returns the figure as a PNG with `scale` pixels per page unit: 1 for a small screen, 2 for a sharp
-    /// screen or for print.
-    ///
-    /// # Errors
-    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
-    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        convert::png(&self.to_svg(), scale)
-    }
-
-    /// Returns the figure as a PDF of one page with embedded fonts.
-    ///
-    /// # Errors
-    /// Errors of the PDF writer.
-    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        convert::pdf(&layout::layout_figure(self))
+    fn layout_scene(&self) -> Scene {
+        layout::layout_figure(self)
     }
 }
 
@@ -40,28 +20,7 @@ pub struct Sheet {
     pub figures: Vec<Figure>,
 }
 
-impl Sheet {
-    /// Returns the sheet as an SVG document.
-    pub fn to_svg(&self) -> String {
-        svg::write(&self.layout_scene())
-    }
-
-    /// Returns the sheet as a PNG with `scale` pixels per page unit.
-    ///
-    /// # Errors
-    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
-    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        convert::png(&self.to_svg(), scale)
-    }
-
-    /// Returns the sheet as a PDF of one page with embedded fonts.
-    ///
-    /// # Errors
-    /// Errors of the PDF writer.
-    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        convert::pdf(&self.layout_scene())
-    }
-
+impl Laid for Sheet {
     /// Stacks the scenes of the figures on one page.
     fn layout_scene(&self) -> Scene {
         let mut scenes = self.figures.iter().map(layout::layout_figure);
@@ -104,6 +63,7 @@ fn shifted_down(item: Item, down: f64) -> Item {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Picture;
     use crate::{Panel, Series};
 
     fn figure(title: &str) -> Figure {

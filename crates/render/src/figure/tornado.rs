@@ -1,12 +1,11 @@
 //! Tornado chart: first-order effects of many numbers as horizontal bars about zero, largest first.
 
-use crate::backend::RenderError;
 use crate::figure::axis::{Axis, drawable};
 use crate::font::Font;
 use crate::palette::{Colour, GRID, INK, MINOR_GRID, SERIES, SOFT_INK, ZERO};
+use crate::picture::Laid;
 use crate::scene::{Anchor, Item, Scene, pixel_centre, solid};
 use crate::text::{fit_to_width, medium, regular, width};
-use crate::{convert, svg};
 
 const WIDTH: f64 = 900.0;
 const MARGIN: f64 = 28.0;
@@ -53,20 +52,7 @@ pub struct TornadoBar {
     pub value: String,
 }
 
-impl Tornado {
-    /// Returns the chart as an SVG document.
-    pub fn to_svg(&self) -> String {
-        svg::write(&self.layout_scene())
-    }
-
-    /// Returns the chart as a PNG with `scale` pixels per page unit.
-    ///
-    /// # Errors
-    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
-    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        convert::png(&self.to_svg(), scale)
-    }
-
+impl Laid for Tornado {
     /// Lays out title, legend, names and bars.
     fn layout_scene(&self) -> Scene {
         let width_available = WIDTH - 2.0 * MARGIN;
@@ -123,7 +109,9 @@ impl Tornado {
         scene.height = (bottom + 54.0).ceil();
         scene
     }
+}
 
+impl Tornado {
     /// Draws the names of both directions with their colours.
     fn draw_legend(&self, scene: &mut Scene, y: f64) {
         let mut x = MARGIN;

@@ -3,12 +3,10 @@
 use super::Skin;
 use super::colour::{Scale, viridis};
 use super::raster::View;
-use crate::backend::RenderError;
-use crate::convert;
 use crate::limits::MAX_MARKS;
 use crate::palette::{INK, PAPER, SOFT_INK, ZERO};
+use crate::picture::Laid;
 use crate::scene::{Anchor, Item, Scene, solid};
-use crate::svg;
 use crate::text::{fit_to_width, medium, regular, width};
 
 /// Width of the page, in page units.
@@ -22,28 +20,7 @@ const PIXELS_PER_UNIT: usize = 2;
 const AZIMUTHS: [f64; 2] = [35.0, 215.0];
 const ELEVATION: f64 = 22.0;
 
-impl Skin {
-    /// Returns the picture as an SVG document; the views are images.
-    pub fn to_svg(&self) -> String {
-        svg::write(&self.layout_scene())
-    }
-
-    /// Returns the picture as a PNG with `scale` pixels per page unit.
-    ///
-    /// # Errors
-    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
-    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        convert::png(&self.to_svg(), scale)
-    }
-
-    /// Returns the picture as a PDF of one page with embedded fonts; the views are images.
-    ///
-    /// # Errors
-    /// Errors of the PDF writer.
-    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        convert::pdf(&self.layout_scene())
-    }
-
+impl Laid for Skin {
     /// Lays out title, both views and colour scale on one page.
     fn layout_scene(&self) -> Scene {
         let scale = Scale::of(self);
@@ -71,7 +48,9 @@ impl Skin {
         self.draw_colour_scale(&scale, &mut scene);
         scene
     }
+}
 
+impl Skin {
     /// Draws the labelled points visible in this view; points hidden in all views are drawn as rings in the first.
     fn draw_labels(&self, views: &[View], i: usize, left: f64, scene: &mut Scene) {
         for mark in self.marks.iter().take(MAX_MARKS) {

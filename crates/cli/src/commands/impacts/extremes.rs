@@ -1,13 +1,12 @@
 //! Command `percuss extremes`.
 
 use crate::args::{CheckFormat, ExtremesArgs};
+use crate::document::{self, Document};
 use crate::files::output::record_input;
-use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::units::ContactUnits;
-use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, RowSource, Status, extremes};
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
@@ -28,37 +27,36 @@ pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
 /// Writes extremes and their findings.
 pub fn write(report: &ExtremesReport, format: CheckFormat, strict: bool) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
-    match format {
-        CheckFormat::Json => write_json(report),
-        CheckFormat::Text => write_out(&text(report)),
-    }
+    document::print(report, format, || document(report))
 }
 
-/// Report as text.
-fn text(report: &ExtremesReport) -> String {
-    let facts: String = facts(report).iter().map(|(name, value)| fact_line(name, &line(value))).collect();
-    format!("{facts}\n{}", wrap_lines(note(report)))
+/// Extremes with their positions, and the limits of the search.
+pub fn document(report: &ExtremesReport) -> Document<'_> {
+    let mut out = Document::default();
+    out.facts(facts(report));
+    out.paragraph(note(report));
+    out
 }
 
 /// Limits of the search.
-pub fn note(report: &ExtremesReport) -> &'static str {
+fn note(report: &ExtremesReport) -> &'static str {
     match report.path {
         Some(_) => {
-            "Local searches from the best samples of the path: an extreme between two samples can be missed.\n"
+            "Local searches from the best samples of the path: an extreme between two samples can be missed."
         }
         None if report.least.is_stopped || report.most.is_stopped => {
             "Local searches from several starts: no proof of a global extreme. The limit of work ended a search: vary fewer joints \
-             (--range).\n"
+             (--range)."
         }
         None => {
             "Local searches from several starts: no proof of a global extreme. If few starts agree, increase their number \
-             (--starts).\n"
+             (--starts)."
         }
     }
 }
 
 /// Extremes with their positions, and the ranges of the search.
-pub fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
+fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
         facts.push((name, value(report, record)));

@@ -1,13 +1,13 @@
 //! Impact in time: facts, table of the bearings, figure and CSV.
 
-use crate::files::output::{record_input, write_file};
+use crate::files::contents::{Cells, Contents};
+use crate::files::csv::Cell;
+use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
 use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::units::ContactUnits;
-use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
+use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, ReactionPlace};
-use std::fmt::Write;
-use std::path::Path;
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
 const SHOWN_FORCE: f64 = 1e-3;
@@ -70,9 +70,8 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     facts
 }
 
-/// Peak forces of the bearings in time beside their estimates; `None` unless requested.
-pub fn bearing_table(report: &ImpactReport) -> Option<Table<4>> {
-    let found = report.in_time.as_ref()?;
+/// Peak forces of the bearings in time beside their estimates.
+pub fn bearing_table(found: &ImpactTimeRecord) -> Table {
     let mut table = Table::new(["bearing in time", "peak N", "at ms", "estimate N"]);
     for bearing in found.bearings.iter().filter(|bearing| is_loaded(bearing, found)) {
         let mark = if bearing.open_components.contains(&true) { " (determinate components)" } else { "" };
@@ -83,7 +82,7 @@ pub fn bearing_table(report: &ImpactReport) -> Option<Table<4>> {
             short_number(bearing.estimate),
         ]);
     }
-    Some(table)
+    table
 }
 
 fn is_loaded(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
@@ -94,66 +93,33 @@ fn is_loaded(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
 pub fn write_history(report: &ImpactReport, path: &str) -> Result<(), Failure> {
     report.mass.inputs.iter().for_each(|input| record_input(&input.path));
     let Some(found) = &report.in_time else { return Ok(()) };
-    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
-    let bytes = match ending.as_str() {
-        "svg" => sheet(report, found).to_svg().into_bytes(),
-        "png" => sheet(report, found).to_png(2.0)?,
-        "pdf" => sheet(report, found).to_pdf()?,
-        "csv" => csv(found).into_bytes(),
-        _ => {
-            return Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .svg, .png, .pdf or .csv"
-            )));
-        }
-    };
-    write_file(path, &bytes)
+    let table = || cells(found);
+    let picture = || Ok(Box::new(sheet(report, found)) as Box<dyn Picture>);
+    Contents { name: "impact", table: Some(&table), picture: Some(&picture), ..Contents::default() }
+        .write(path)
 }
 
 /// One row for each time: contact, effective mass, joint rates, bearing forces.
-fn csv(found: &ImpactTimeRecord) -> String {
-    let quoted = |name: &str| {
-        if name.contains([',', '"', '\n', '\r']) {
-            format!("\"{}\"", name.replace('"', "\"\""))
-        } else {
-            name.to_owned()
-        }
-    };
-    let mut out = "time,penetration,rate,force,effective_mass".to_owned();
+fn cells(found: &ImpactTimeRecord) -> Cells {
+    let mut names = ["time", "penetration", "rate", "force", "effective_mass"].map(str::to_owned).to_vec();
     for motion in &found.joints {
-        let count = motion.rates.first().map_or(0, Vec::len);
-        for k in 0..count {
-            let name = if count == 1 {
-                format!("rate of {}", motion.joint)
-            } else {
-                format!("rate {k} of {}", motion.joint)
-            };
-            let _ = write!(out, ",{}", quoted(&name));
+        match motion.rates.first().map_or(0, Vec::len) {
+            1 => names.push(format!("rate of {}", motion.joint)),
+            count => names.extend((0..count).map(|k| format!("rate {k} of {}", motion.joint))),
         }
     }
-    for bearing in &found.bearings {
-        let name = format!("force at {}", place_name(bearing.place, &bearing.name));
-        let _ = write!(out, ",{}", quoted(&name));
-    }
-    out.push('\n');
-    for k in 0..found.times.len() {
-        let _ = write!(
-            out,
-            "{},{},{},{},{}",
-            found.times[k],
-            found.penetration[k],
-            found.closing_speed[k],
-            found.force[k],
-            found.effective_mass[k].map_or_else(String::new, |mass| mass.to_string())
-        );
-        for rate in found.joints.iter().flat_map(|motion| &motion.rates[k]) {
-            let _ = write!(out, ",{rate}");
-        }
-        for bearing in &found.bearings {
-            let _ = write!(out, ",{}", bearing.force[k]);
-        }
-        out.push('\n');
-    }
-    out
+    let force =
+        |bearing: &BearingForceRecord| format!("force at {}", place_name(bearing.place, &bearing.name));
+    names.extend(found.bearings.iter().map(force));
+    let row = |k: usize| {
+        let contact = [found.times[k], found.penetration[k], found.closing_speed[k], found.force[k]];
+        let mut row = contact.map(Cell::Number).to_vec();
+        row.push(Cell::from_value(found.effective_mass[k]));
+        row.extend(found.joints.iter().flat_map(|motion| &motion.rates[k]).map(|rate| Cell::Number(*rate)));
+        row.extend(found.bearings.iter().map(|bearing| Cell::Number(bearing.force[k])));
+        row
+    };
+    (names, (0..found.times.len()).map(row).collect())
 }
 
 /// Figure of the impact in time: forces, penetration, effective mass.

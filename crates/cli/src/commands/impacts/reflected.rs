@@ -1,21 +1,19 @@
 //! Reflected inertias as text, table and figure; command `percuss impact --reflected` without a contact.
 
-use crate::args::{CheckFormat, ImpactArgs};
-use crate::files::csv::{self, Cell};
-use crate::files::output::{check_writable, record_input, write_file};
-use crate::files::{parquet_rows, xlsx_rows};
-use crate::terminal::escape::line;
+use crate::args::ImpactArgs;
+use crate::document::{self, Document};
+use crate::files::contents::{Cells, Contents};
+use crate::files::csv::Cell;
+use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::{number, rounded, short_number};
-use crate::terminal::wrap::fact_line;
-use percuss_render::{Figure, Panel, Series, Sheet, Style};
+use percuss_render::{Figure, Panel, Picture, Series, Sheet, Style};
 use percuss_study::{
     Dimension, Input, MimicJointRecord, MimicSubstituteRecord, ReflectedRangeRecord, ReflectedRecord,
     ReflectedReport, Status, reflected_inertias,
 };
-use std::path::Path;
 
 /// Runs `percuss impact --reflected` without a contact.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
@@ -27,14 +25,11 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     if let Some(path) = &args.output {
         write_ranges(&report.reflected_over, &report.inputs, path)?;
     }
-    match args.format {
-        CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&text(&report)),
-    }
+    document::print(&report, args.format, || document(&report))
 }
 
-/// Report without a contact as text.
-fn text(report: &ReflectedReport) -> String {
+/// Reflected inertias without a contact.
+fn document(report: &ReflectedReport) -> Document<'_> {
     let ReflectedReport { reflected_inertia, reflected_over, drivers, conditions, .. } = report;
     let mut facts = facts(reflected_inertia, reflected_over);
     facts.push(("base", conditions.base.to_owned()));
@@ -42,7 +37,9 @@ fn text(report: &ReflectedReport) -> String {
     if !conditions.lock.is_empty() {
         facts.push(("locked joints", conditions.lock.join(", ")));
     }
-    facts.into_iter().map(|(name, value)| fact_line(name, &line(&value))).collect()
+    let mut out = Document::default();
+    out.facts(facts);
+    out
 }
 
 /// Reflected inertias as text.
@@ -161,28 +158,20 @@ pub fn write_ranges(ranges: &[ReflectedRangeRecord], inputs: &[Input], path: &st
         return Err(no_output(path));
     }
     inputs.iter().for_each(|input| record_input(&input.path));
-    check_writable(path)?;
-    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
-    let drawn = || sheet(ranges, inputs.first().map_or("", |input| &input.path));
-    let (columns, rows) = table(ranges);
-    let bytes = match ending.as_str() {
-        "svg" => drawn().to_svg().into_bytes(),
-        "png" => drawn().to_png(2.0)?,
-        "pdf" => drawn().to_pdf()?,
-        "csv" => csv::table(&columns, &rows).into_bytes(),
-        "xlsx" => xlsx_rows::workbook(path, "reflected inertia", &columns, rows)?,
-        "parquet" => return parquet_rows::write_table(path, &columns, &rows),
-        _ => {
-            return Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .svg, .png, .pdf, .csv, .xlsx or .parquet"
-            )));
-        }
-    };
-    write_file(path, &bytes)
+    let table = || cells(ranges);
+    let model = inputs.first().map_or("", |input| &input.path);
+    let picture = || Ok(Box::new(sheet(ranges, model)) as Box<dyn Picture>);
+    Contents {
+        name: "reflected inertia",
+        table: Some(&table),
+        picture: Some(&picture),
+        ..Contents::default()
+    }
+    .write(path)
 }
 
-/// Columns and rows of the table: one row for each position of each joint.
-fn table(ranges: &[ReflectedRangeRecord]) -> (Vec<String>, Vec<Vec<Cell>>) {
+/// One row for each position of each joint.
+fn cells(ranges: &[ReflectedRangeRecord]) -> Cells {
     let columns = ["joint", "position", "free", "held", "mimic_tree"].map(str::to_owned).to_vec();
     let row = |range: &ReflectedRangeRecord, k: usize| {
         let tree = range.substitute.as_ref().map(|found| found.inertias[k]);

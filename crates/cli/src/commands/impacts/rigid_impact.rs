@@ -3,17 +3,23 @@
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::impacts::{in_time, reflected, simultaneous};
 use crate::commands::mass::facts as mass_facts;
-use crate::terminal::escape::line;
+use crate::document::{self, Document};
+use crate::pictures::impulses;
 use crate::terminal::explanation::friction_thresholds;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
-use crate::terminal::wrap::{fact_line, wrap_lines};
-use percuss_study::{FrictionRecord, ImpactReport, JointConstraintKind, ReactionRecord, Status, impact};
+use percuss_render::Picture;
+use percuss_study::{
+    DrawnMechanism, FrictionRecord, ImpactReport, JointConstraintKind, ReactionRecord, Status, impact,
+};
 
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
 const SMALL_MOTION_FORCE: f64 = 0.01;
+
+/// Impulse in a bearing, relative to the largest, below which the table of magnitudes has no row.
+const SHOWN_IMPULSE: f64 = 1e-3;
 
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
@@ -46,58 +52,72 @@ fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
 
 /// Writes a report.
 pub fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
-    match format {
-        CheckFormat::Json => write_json(report),
-        CheckFormat::Text => write_out(&text(report)),
-    }
+    document::print(report, format, || {
+        let mut out = document(report, None);
+        out.facts(mass_facts(&report.mass));
+        out
+    })
 }
 
-/// Report as text.
-fn text(report: &ImpactReport) -> String {
-    let mut out = String::new();
+/// Impact: several contacts, results, masses, laws, bearings, rates, impact in time. A page has pictures with the mechanism.
+pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechanism>) -> Document<'a> {
+    let mut out = Document::default();
     if let Some(several) = &report.simultaneous {
-        out += &simultaneous::text(report, several);
+        simultaneous::add(report, several, mechanism, &mut out);
         if several.contacts.len() > 1 {
-            out += &format!("\nImpact of {} alone\n", line(&several.contacts[0].name));
+            out.heading(format!("Impact of {} alone", several.contacts[0].name));
         }
     }
-    for (name, value) in results(report) {
-        out += &fact_line(name, &line(&value));
+    out.facts(results(report));
+    if let Some(mechanism) = mechanism {
+        let svg = || impulses::of_contact(report, mechanism).to_svg();
+        out.large_picture(svg, "Impulses in the mechanism", impulses::caption(report));
     }
-    out.push('\n');
-    for (name, value) in mass_facts(&report.mass) {
-        out += &fact_line(name, &line(&value));
-    }
-    if !report.mass_states.is_empty() {
-        out += &format!("\n{}{}", mass_table(report), wrap_lines(mass_note(report)));
-    }
+    out.table(mass_table(report));
+    out.note(mass_note(report));
     if let Some(table) = law_table(report) {
-        out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
+        out.table(table);
+        out.note(law_note(report));
     }
-    out += &format!("\n{}", rate_table(report));
+    out.table(rate_table(report));
     let reactions = reaction_table(report);
     // A free body has no joints.
-    if reactions.rows().len() > 1 {
-        out += &format!("\n{reactions}{}", wrap_lines(&legend(report)));
+    if !reactions.is_empty() {
+        if mechanism.is_some() {
+            out.table(bearing_table(report));
+        }
+        out.table(reactions);
+        out.note(legend(report));
     }
-    out += &in_time::bearing_table(report).map_or_else(String::new, |table| format!("\n{table}"));
-    out += &gear_table(report).map_or_else(String::new, |table| format!("\n{table}"));
-    if let Some(table) = joint_constraint_table(report) {
-        out += &format!("\n{table}{}", wrap_lines(&joint_constraint_note(report)));
+    if let Some(found) = &report.in_time {
+        out.table(in_time::bearing_table(found));
+        let figure = || in_time::sheet(report, found).to_svg();
+        out.picture(figure, "Forces and penetration over time", "");
+    }
+    out.table(gear_table(report));
+    let constraints = joint_constraint_table(report);
+    if !constraints.is_empty() {
+        out.table(constraints);
+        out.note(joint_constraint_note(report));
+    }
+    if !report.reflected_over.is_empty() {
+        let figure = || reflected::sheet(&report.reflected_over, "").to_svg();
+        out.picture(figure, "Reflected inertia over the position of the joint", "");
     }
     let friction = if report.friction.is_some() { "" } else { "friction, " };
     let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
-    out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
-    out += match report.in_time {
-        None => "Gravity, springs and dampers have no effect during an instantaneous impact.\n",
-        Some(_) => "The impact in time includes the given gravity and joint springs.\n",
+    let forces = match report.in_time {
+        None => "Gravity, springs and dampers have no effect during an instantaneous impact.",
+        Some(_) => "The impact in time includes the given gravity and joint springs.",
     };
-    out += "See docs/howto/IMPACT.md.\n";
+    out.paragraph(format!(
+        "Not included: {friction}compliance of the links{several}.\n{forces}\nSee docs/howto/IMPACT.md."
+    ));
     out
 }
 
 /// Impulse, energy, masses and additional results.
-pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
+fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let is_moment = report.mass.contact.is_moment;
     let ContactUnits { name: mass_name, mass: mass_unit, impulse, speed, force, length, .. } =
         ContactUnits::new(is_moment);
@@ -255,7 +275,7 @@ fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'st
 }
 
 /// Masses by the state of rotors and joints.
-pub fn mass_table(report: &ImpactReport) -> Table<3> {
+fn mass_table(report: &ImpactReport) -> Table {
     let mut table = Table::new(["mass, kg", "sliding point", "sticking point"]);
     let shown = |status: Status, mass: Option<f64>| mass.map_or_else(|| status.name().to_owned(), number);
     for state in &report.mass_states {
@@ -274,18 +294,18 @@ pub fn mass_table(report: &ImpactReport) -> Table<3> {
 }
 
 /// Explanation of the last row of the masses, if it is smaller than the second row.
-pub fn mass_note(report: &ImpactReport) -> &'static str {
+fn mass_note(report: &ImpactReport) -> &'static str {
     let [_, coupled, locked] = &report.mass_states[..] else { return "" };
     let sliding = coupled.sliding.zip(locked.sliding);
     if sliding.is_some_and(|(coupled, locked)| locked < coupled) {
-        "The body of the last row has no bearings on the ground; here these bearings increase the effective mass of the mechanism.\n"
+        "The body of the last row has no bearings on the ground; here these bearings increase the effective mass of the mechanism."
     } else {
         ""
     }
 }
 
 /// Laws of restitution side by side; `None` without friction.
-pub fn law_table(report: &ImpactReport) -> Option<Table<5>> {
+fn law_table(report: &ImpactReport) -> Option<Table> {
     let friction = report.friction.as_ref()?;
     let mut table =
         Table::new(["law of restitution", "impulse N·s", "friction N·s", "separation m/s", "energy loss J"]);
@@ -305,7 +325,7 @@ pub fn law_table(report: &ImpactReport) -> Option<Table<5>> {
 }
 
 /// Explanation of the laws of restitution.
-pub fn law_note(report: &ImpactReport) -> String {
+fn law_note(report: &ImpactReport) -> String {
     let used = report.friction.iter().flat_map(|f| f.laws.iter().filter(|law| law.law == f.law));
     let warning = if used.into_iter().any(|law| law.creates_energy) {
         "Warning: the law that is used creates energy; its result is not valid. "
@@ -314,12 +334,12 @@ pub fn law_note(report: &ImpactReport) -> String {
     };
     format!(
         "{warning}Rigid contact without tangential compliance: a ball with a soft surface can spin back. The laws differ in the meaning \
-         of the restitution (docs/howto/IMPACT.md).\n"
+         of the restitution (docs/howto/IMPACT.md)."
     )
 }
 
 /// Rates of the joints and of a floating base.
-pub fn rate_table(report: &ImpactReport) -> Table<4> {
+fn rate_table(report: &ImpactReport) -> Table {
     let mut table = Table::new(["rate, rad/s or m/s", "before", "after", ""]);
     let values = report.rates.iter().flat_map(|r| r.before.iter().chain(&r.after));
     let largest = values.fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -338,8 +358,49 @@ pub fn rate_table(report: &ImpactReport) -> Table<4> {
     table
 }
 
+/// Table of the loaded bearings by magnitude: impulse and moment, and with a contact law their peaks. Open components make a magnitude a
+/// lower bound.
+fn bearing_table(report: &ImpactReport) -> Table {
+    let magnitude =
+        |components: &[Option<f64>; 3]| components.iter().flatten().map(|v| v * v).sum::<f64>().sqrt();
+    let shown = |components: &[Option<f64>; 3], size: f64| {
+        let value = magnitude(components);
+        let value = if value > SHOWN_IMPULSE * size { short_number(value) } else { "0".to_owned() };
+        let is_open = components.iter().any(Option::is_none);
+        if is_open { format!("{value} or more") } else { value }
+    };
+    let largest = |of: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
+        report.reactions.iter().map(|record| magnitude(of(record))).fold(0.0, f64::max)
+    };
+    let (force, moment) = largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
+    let mut bearings: Vec<&ReactionRecord> = report
+        .reactions
+        .iter()
+        .filter(|record| {
+            magnitude(&record.force) > SHOWN_IMPULSE * force
+                || magnitude(&record.moment) > SHOWN_IMPULSE * moment
+        })
+        .collect();
+    bearings.sort_by(|a, b| magnitude(&b.force).total_cmp(&magnitude(&a.force)));
+    let law = report.contact_law.as_ref().filter(|_| report.reactions.iter().all(|r| r.peak_force.is_some()));
+    let peak = law.map(|law| law.peak_force / report.impulse);
+    let mut header = vec!["bearing", "from", "on", "force N·s", "moment N·m·s"];
+    header.extend(peak.iter().flat_map(|_| ["peak force N", "peak moment N·m"]));
+    let mut rows: Vec<Vec<String>> = vec![header.into_iter().map(str::to_owned).collect()];
+    for record in bearings {
+        let link = |name: &Option<String>| name.clone().unwrap_or_else(|| "ground".to_owned());
+        let mut row = vec![place(record), link(&record.from), link(&record.on)];
+        row.extend([shown(&record.force, force), shown(&record.moment, moment)]);
+        if let (Some(factor), Some(f), Some(m)) = (peak, &record.peak_force, &record.peak_moment) {
+            row.extend([shown(f, factor * force), shown(m, factor * moment)]);
+        }
+        rows.push(row);
+    }
+    Table::from_rows(rows)
+}
+
 /// Table of reactions.
-pub fn reaction_table(report: &ImpactReport) -> Table<4> {
+fn reaction_table(report: &ImpactReport) -> Table {
     let largest = |components: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
         let all = report.reactions.iter().flat_map(move |r| components(r).iter().flatten());
         all.fold(0.0, |most: f64, v| most.max(v.abs()))
@@ -370,7 +431,7 @@ pub fn reaction_table(report: &ImpactReport) -> Table<4> {
 
 /// Largest impulse (N·s) and moment impulse (N·m·s) of the reactions and of the contact. `force`, `moment`: largest of the reactions.
 /// An impulse and a moment impulse are converted into each other by the characteristic length.
-pub fn largest_impulses(report: &ImpactReport, force: f64, moment: f64) -> (f64, f64) {
+fn largest_impulses(report: &ImpactReport, force: f64, moment: f64) -> (f64, f64) {
     let size = report.mass.characteristic_length;
     let impulse = if report.mass.contact.is_moment { report.impulse / size } else { report.impulse };
     let force = force.max(impulse);
@@ -392,11 +453,11 @@ fn component(value: Option<f64>, size: f64) -> String {
 }
 
 /// Explanation of the table of reactions.
-pub fn legend(report: &ImpactReport) -> String {
+fn legend(report: &ImpactReport) -> String {
     let mut legend = "Rates of a ball joint are the angular velocity of its child in the axes of the child. Reactions are the action of the \
                       parent on the child, along two transverse axes and the axis of the joint; the moment refers to the origin of \
                       the child. The ground acts along the axes of the root link. --format json contains all axes and points. Joints \
-                      without any reaction are left out.\n"
+                      without any reaction are left out."
         .to_owned();
     let mut open: Vec<&str> =
         report.reactions.iter().flat_map(|r| r.open_by.iter().map(String::as_str)).collect();
@@ -404,8 +465,8 @@ pub fn legend(report: &ImpactReport) -> String {
     open.dedup();
     if !open.is_empty() {
         legend += &format!(
-            "?: indeterminate; redundant constraints leave the component open: {}.\n",
-            line(&open.join(", "))
+            "\n?: indeterminate; redundant constraints leave the component open: {}.",
+            open.join(", ")
         );
     }
     legend
@@ -416,19 +477,19 @@ fn place(record: &ReactionRecord) -> String {
     in_time::place_name(record.place, &record.name)
 }
 
-/// Table of the impulses in gears; `None` if no gear has an impulse.
-pub fn gear_table(report: &ImpactReport) -> Option<Table<2>> {
+/// Table of the impulses in gears; empty if no gear has an impulse.
+fn gear_table(report: &ImpactReport) -> Table {
     let mut table = Table::new(["drive", "impulse in the gear (N·m·s, N·s)"]);
     let scale = drive_scale(report);
     for record in report.reactions.iter().filter(|record| record.gear.iter().any(|gear| *gear != 0.0)) {
         let gear: Vec<String> = record.gear.iter().map(|v| component(Some(*v), scale)).collect();
         table.row([record.name.clone(), gear.join(", ")]);
     }
-    (table.rows().len() > 1).then_some(table)
+    table
 }
 
-/// Table of the impulses of locks, mimics and couplings on their joints; `None` if all impulses are zero.
-pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
+/// Table of the impulses of locks, mimics and couplings on their joints; empty if all impulses are zero.
+fn joint_constraint_table(report: &ImpactReport) -> Table {
     let mut table = Table::new(["constraint of joints", "impulses (N·m·s, N·s)"]);
     let scale = drive_scale(report);
     let is_loaded = |v: &Option<f64>| v.is_none_or(|v| rounded(v, scale) != 0.0);
@@ -443,11 +504,11 @@ pub fn joint_constraint_table(report: &ImpactReport) -> Option<Table<2>> {
         };
         table.row([place, impulses.join(", ")]);
     }
-    (table.rows().len() > 1).then_some(table)
+    table
 }
 
 /// Names of the constraints that leave impulses of locks, mimics and couplings open; empty if all impulses are determinate.
-pub fn joint_constraint_note(report: &ImpactReport) -> String {
+fn joint_constraint_note(report: &ImpactReport) -> String {
     let open = report.joint_constraints.iter().flat_map(|record| record.open_by.iter().map(String::as_str));
     let mut open: Vec<&str> = open.collect();
     open.sort_unstable();
@@ -457,8 +518,8 @@ pub fn joint_constraint_note(report: &ImpactReport) -> String {
     }
     format!(
         "?: indeterminate; redundant constraints leave the impulse open: {}. The sum of the impulses on a joint can still be determinate: \
-         see constraint in --format json.\n",
-        line(&open.join(", "))
+         see constraint in --format json.",
+        open.join(", ")
     )
 }
 

@@ -2,11 +2,10 @@
 
 use crate::args::{CheckFormat, SafeSpeedArgs};
 use crate::commands::mass::NO_ROTORS;
-use crate::terminal::escape::line;
+use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, triple};
-use crate::terminal::wrap;
 use percuss_study::contact::BodyRegion;
 use percuss_study::{SafeSpeedReport, SpeedRecord};
 use std::path::Path;
@@ -52,47 +51,36 @@ pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> R
     write_diagnostics(&slowest.diagnostics, strict)?;
     match format {
         CheckFormat::Json if reports.len() > 1 => write_json(&reports),
-        CheckFormat::Json => write_json(slowest),
-        CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + DISCLAIMER)),
+        _ => document::print(slowest, format, || document(reports)),
     }
 }
 
-pub const DISCLAIMER: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
-     ISO/TS 15066:2016, now part of ISO 10218-2:2025. The data are from public\n\
-     secondary sources; the standards themselves were not read. The standard's\n\
-     M/2 + m_L depends neither on the pose nor on the direction. Compare regions and\n\
-     limits with the purchased standard.\n";
-
-/// Table of all directions as text; empty for a single direction.
-fn directions(reports: &[SafeSpeedReport]) -> String {
-    direction_table(reports).map_or_else(String::new, |table| format!("\n{table}"))
+/// Lowest speed, the speeds of all directions, and the limits of the standard.
+pub fn document(reports: &[SafeSpeedReport]) -> Document<'_> {
+    let mut out = Document::default();
+    out.facts(facts(slowest(reports)));
+    out.table(direction_table(reports));
+    out.paragraph(DISCLAIMER);
+    out
 }
 
-/// Table of all directions; `None` for a single direction.
-pub fn direction_table(reports: &[SafeSpeedReport]) -> Option<Table<4>> {
-    if reports.len() < 2 {
-        return None;
-    }
+const DISCLAIMER: &str = "An engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066:2016, now part of \
+     ISO 10218-2:2025. The data are from public secondary sources; the standards themselves were not read. The standard's M/2 + m_L \
+     depends neither on the pose nor on the direction. Compare regions and limits with the purchased standard.";
+
+/// Table of all directions; empty for a single direction.
+fn direction_table(reports: &[SafeSpeedReport]) -> Table {
     let mut table = Table::new(["direction", "by the standard m/s", "m/s", "kg"]);
-    for report in reports {
+    for report in reports.iter().filter(|_| reports.len() > 1) {
         let mass = report.reflected.robot_mass.map_or_else(|| "immovable".to_owned(), number);
         let (by_standard, speed) = (number(report.standard.speed), number(report.reflected.speed));
         table.row([triple(&report.normal_world), by_standard, speed, mass]);
     }
-    Some(table)
-}
-
-/// Report as text.
-fn text(report: &SafeSpeedReport) -> String {
-    let mut out = String::new();
-    for (name, value) in facts(report) {
-        out += &wrap::fact_line(name, &line(&value));
-    }
-    out
+    table
 }
 
 /// Values and conditions of a speed limit.
-pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
+fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     let mut fact = |name, value: String| facts.push((name, value));
     let speed = |record: &SpeedRecord, mass: &str| {

@@ -1,34 +1,54 @@
-//! Impact of several contacts at once, as text.
+//! Impact of several contacts at once.
 
-use crate::terminal::escape::line;
+use crate::document::Document;
+use crate::pictures::impulses;
 use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
-use crate::terminal::wrap::wrap_lines;
-use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord, TouchingRecord};
+use percuss_render::Picture;
+use percuss_study::{
+    DrawnMechanism, ImpactReport, SimultaneousLawRecord, SimultaneousRecord, StickingRecord, TouchingRecord,
+};
 
 /// Opening speed, m/s, up to which a contact counts as resting: rounding of speeds of about 1 m/s.
 const OPENING_SPEED: f64 = 1e-12;
 
-/// Section of a report about several contacts: contacts, laws and plastic impact.
-pub fn text(report: &ImpactReport, several: &SimultaneousRecord) -> String {
-    let mut out = format!("Contacts\n{}", contact_table(several));
-    out += &wrap_lines(&contact_note(report, several));
+/// Adds several contacts of an impact: contacts, laws and plastic impact.
+pub fn add<'a>(
+    report: &'a ImpactReport,
+    several: &'a SimultaneousRecord,
+    mechanism: Option<&'a DrawnMechanism>,
+    out: &mut Document<'a>,
+) {
+    out.heading("Contacts");
+    out.table(contact_table(several));
+    out.note(contact_note(report, several));
+    // Last law of the table without a refusal and without indeterminate impulses.
+    let is_complete =
+        |law: &&SimultaneousLawRecord| law.refusal.is_none() && law.impulses.iter().all(Option::is_some);
+    if let Some((law, mechanism)) = several.laws.iter().rev().find(is_complete).zip(mechanism) {
+        let caption = format!(
+            "Impulses on the links at all contacts by the law {}; the table shows the other laws.",
+            law.law
+        );
+        out.large_picture(
+            || impulses::of_law(several, law, mechanism).to_svg(),
+            "Impulses at all contacts",
+            caption,
+        );
+    }
     if !several.laws.is_empty() {
-        out += &format!("\n{}", law_table(several));
-        out += &wrap_lines(&law_note(several));
+        out.table(law_table(several));
+        out.note(law_note(several));
     }
     if let Some(sticking) = &several.sticking {
-        out += &format!("\nPlastic impact with sticking points\n{}", sticking_table(several, sticking));
-        out += &wrap_lines(&sticking_note(
-            sticking,
-            report.friction.as_ref().map(|friction| friction.coefficient),
-        ));
+        out.heading("Plastic impact with sticking points");
+        out.table(sticking_table(several, sticking));
+        out.note(sticking_note(sticking, report.friction.as_ref().map(|friction| friction.coefficient)));
     }
-    out
 }
 
 /// The contacts with their masses.
-pub fn contact_table(several: &SimultaneousRecord) -> Table<4> {
+fn contact_table(several: &SimultaneousRecord) -> Table {
     let has_moment = has_moment(several);
     let mut table = Table::new([
         "contact",
@@ -86,7 +106,7 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     // The warning `stop-not-reached` states the distance of a joint from its stop.
     for contact in several.contacts.iter().filter(|contact| !contact.is_joint_stop) {
         if let Some(gap) = contact.gap.filter(|gap| gap.abs() > 1e-6) {
-            note += &format!(" The gap of {} is {} m here.", line(&contact.name), short_number(gap));
+            note += &format!(" The gap of {} is {} m here.", contact.name, short_number(gap));
         }
     }
     let opening: Vec<&str> = several
@@ -98,18 +118,17 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     if !opening.is_empty() {
         note += &format!(
             " The motion before opens {}: only an impulse of another contact can close this gap.",
-            line(&opening.join(", "))
+            opening.join(", ")
         );
     }
     if report.motion_before != "given" {
         note += " The motion before is the assumed one (v* times the speed); give another motion by --rates.";
     }
-    note.push('\n');
     note
 }
 
 /// Table of the laws of simultaneous impacts: impulses, opening speeds and energy loss, or the reason for a missing result.
-pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
+fn law_table(several: &SimultaneousRecord) -> Table {
     let header = match has_moment(several) {
         true => ["law", "impulses N·s or N·m·s", "opening speeds m/s or rad/s", "energy loss J"],
         false => ["law", "impulses N·s", "opening speeds m/s", "energy loss J"],
@@ -137,12 +156,12 @@ pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
 }
 
 /// Explanation of the laws.
-pub fn law_note(several: &SimultaneousRecord) -> String {
+fn law_note(several: &SimultaneousRecord) -> String {
     let ratios: Vec<String> = several.stiffness_ratios.iter().map(|r| short_number(*r)).collect();
     format!(
         "Without friction. Masses and restitution do not determine several simultaneous impacts: the opening speeds of the laws \
          differ by up to {} of the closing speed. The energetic law has contact stiffnesses in the ratio {} and the exponent {} \
-         (--stiffness-ratio, --contact-exponent).{}\n",
+         (--stiffness-ratio, --contact-exponent).{}",
         short_number(rounded(several.spread.unwrap_or_default(), 1.0)),
         ratios.join(":"),
         short_number(several.contact_exponent),
@@ -167,7 +186,7 @@ fn open_note(several: &SimultaneousRecord) -> &'static str {
 }
 
 /// Contacts of a plastic impact.
-pub fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -> Table<5> {
+fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -> Table {
     let mut table = Table::new([
         "contact",
         "after",
@@ -207,7 +226,7 @@ fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
 }
 
 /// Conditions of a plastic impact.
-pub fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String {
+fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String {
     let mut note = format!(
         "Energy loss {} J. No contact pulls, and none closes its gap. ",
         short_number(sticking.energy_loss)
@@ -239,6 +258,6 @@ pub fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String
             sticking.consistent_subsets
         );
     }
-    note += "The impact map is in --format json.\n";
+    note += "The impact map is in --format json.";
     note
 }

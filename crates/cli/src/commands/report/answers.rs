@@ -2,21 +2,14 @@
 
 use super::bands::{Tolerances, add_band};
 use super::findings::add_warnings;
-use crate::commands::impacts::safe_speed;
+use crate::commands::compare;
 use crate::commands::suspension::kinematics;
-use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
 use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::kinematics_figure::kinematics_figure;
-use crate::pictures::map_files;
-use crate::terminal::design_changes;
-use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use percuss_render::Figure;
-use percuss_study::{
-    ComparisonReport, DampingQuestion, DampingReport, KinematicsReport, MapAnswer, PointMapReport,
-    SafeSpeedReport, StudyError, StudyFile, impact_history,
-};
+use percuss_render::{Figure, Picture};
+use percuss_study::{ComparisonReport, KinematicsReport, StudyFile};
 
 /// Section of the variants.
 pub(super) fn add_variants(
@@ -31,15 +24,7 @@ pub(super) fn add_variants(
         (false, _) => "Variants",
     };
     page.section(title);
-    page.table(compare::design_table(compared).rows());
-    for sentence in design_changes::sentences(compared).into_iter().chain(compare::remarks(compared)) {
-        page.paragraph("soft", &sentence);
-    }
-    for design in &compared.designs {
-        if let Some(error) = &design.error {
-            page.warning(&format!("{}: {error}", design.name));
-        }
-    }
+    compare::document(compared).show(page);
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
     // Each of several contacts has its own figure below.
@@ -143,87 +128,4 @@ pub(super) fn add_kinematics(report: &KinematicsReport, study: &StudyFile, page:
             report.derivatives
         ),
     );
-}
-
-/// Section of a damper, with the history of the impact.
-pub(super) fn add_damper(
-    damper: &DampingReport,
-    question: &DampingQuestion,
-    page: &mut Page,
-) -> Result<(), Failure> {
-    page.section("The damper");
-    if damper.stop.is_some() {
-        page.facts([damp::headline(damper)]);
-    }
-    page.facts(damp::facts(damper));
-    add_warnings(&damper.diagnostics, page);
-    if damper.damper.speed.is_some() {
-        let samples = impact_history(question, damper.effective_mass, limits::HISTORY_SAMPLES)
-            .map_err(StudyError::from)?;
-        page.picture(
-            &damp::history_sheet(damper, &samples).to_svg(),
-            "Force over time and over penetration",
-            "Force over time, and over the penetration; the loop encloses the energy that is lost.",
-        );
-    } else {
-        page.paragraph("soft", "Without damping.speed there is no force to draw.");
-    }
-    for (name, export) in &damper.exports {
-        page.heading(&format!("{} ({name})", export.title));
-        if let Some(error) = &export.error {
-            page.warning(&format!("cannot: {error}"));
-            continue;
-        }
-        page.facts(damp::export_facts(export));
-        for snippet in &export.snippets {
-            page.paragraph("soft intro", &format!("{}:", snippet.title));
-            page.code(snippet.text.trim_end());
-        }
-        if !export.sources.is_empty() {
-            page.paragraph("soft", &format!("Sources: {}", export.sources.join("; ")));
-        }
-    }
-    Ok(())
-}
-
-/// Section of a map of surfaces.
-pub(super) fn add_surface(answer: &MapAnswer, page: &mut Page) {
-    page.section("Over the surface");
-    page.picture(&map_files::skin(answer).to_svg(), "Effective mass over the surface", "");
-    add_warnings(&answer.report.diagnostics, page);
-    page.table(map::links(&answer.report).rows());
-    page.paragraph("soft", &map::LINKS_EXPLANATION.replace('\n', " "));
-    for left in &answer.report.left_out {
-        page.note(&format!("left out: {}", left.reason));
-    }
-}
-
-/// Section of all directions at a point.
-pub(super) fn add_directions(report: &PointMapReport, page: &mut Page) {
-    page.section("In all directions at a point");
-    page.facts(map::point_facts(report));
-    page.heading("Principal effective masses (the belted ellipsoid)");
-    let rows = map::principal_rows(report);
-    if rows.is_empty() {
-        page.paragraph("soft", "None: a direction has no result.");
-    } else {
-        let header = [["mass", "direction (link)", "direction (world)"].map(str::to_owned)];
-        page.table(&header.into_iter().chain(rows).collect::<Vec<_>>());
-    }
-    page.facts(map::extreme_facts(report));
-    page.paragraph("soft", "1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.");
-    add_warnings(&report.diagnostics, page);
-}
-
-/// Section of the safe speed.
-pub(super) fn add_safe_speed(reports: &[SafeSpeedReport], page: &mut Page) {
-    page.section("Safe speed");
-    let slowest = safe_speed::slowest(reports);
-    page.facts(safe_speed::facts(slowest));
-    if let Some(table) = safe_speed::direction_table(reports) {
-        page.heading("All directions");
-        page.table(table.rows());
-    }
-    add_warnings(&slowest.diagnostics, page);
-    page.paragraph("soft", &safe_speed::DISCLAIMER.trim().replace('\n', " "));
 }

@@ -3,15 +3,12 @@
 
 mod answers;
 mod bands;
-mod conditions;
 mod contact;
 mod findings;
-mod impact;
 mod mechanism;
 mod outputs;
 mod page;
 mod results;
-mod sensitivity;
 mod sweep;
 
 use crate::args::RunArgs;

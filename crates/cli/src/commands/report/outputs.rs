@@ -31,7 +31,7 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
     if let (Some(requested), Some(report)) = (&study.kinematics, &results.kinematics)
         && let Some(path) = &requested.output
     {
-        kinematics::write_output(report, requested, path)?;
+        kinematics::write_output(report, !requested.columns.is_empty(), path)?;
     }
     if let (Some(requested), Some(result)) = (&study.map, &results.mapped) {
         let formats = map::formats(&requested.outputs)?;

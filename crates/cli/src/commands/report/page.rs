@@ -1,8 +1,11 @@
 //! Text of the report: head, result, sections.
 
+use super::findings::add_warnings;
 use super::results::StudyResults;
-use super::{answers, contact, impact, mechanism, sensitivity};
+use super::{answers, contact, mechanism};
 use crate::args::RunArgs;
+use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
+use crate::commands::{damp, map, mass};
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
 use crate::terminal::text::shell_quoted;
@@ -30,12 +33,7 @@ pub(super) fn text(
         page.link("Move the mechanism and change the design in the explorer.", &relative(explorer, path));
     }
     if let Some(report) = &results.mass {
-        contact::add_conditions(report, &mut page);
-        contact::add_contributions(report, &mut page);
-        contact::add_estimate(report, &mut page);
-        contact::add_motion_ratios(report, &mut page);
-        sensitivity::add_sensitivities(report, &mut page);
-        sensitivity::add_tolerances(report, &mut page);
+        mass::document(report).show(&mut page);
     }
     if let Some(contents) = &results.contents {
         mechanism::add_model(contents, &mut page);
@@ -53,21 +51,32 @@ pub(super) fn text(
     }
     let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
-        answers::add_damper(damper, &damping.question, &mut page)?;
+        page.section("The damper");
+        damp::document(damper, &damping.question)?.show(&mut page);
+        add_warnings(&damper.diagnostics, &mut page);
     }
     if let Some(report) = &results.impact {
-        impact::add_impact(report, &results.mechanism, &mut page);
+        page.section("Impact");
+        rigid_impact::document(report, Some(&results.mechanism)).show(&mut page);
+        add_warnings(&report.diagnostics, &mut page);
     }
     if let Some(report) = &results.extremes {
-        impact::add_extremes(report, &mut page);
+        page.section("Extremes");
+        extremes::document(report).show(&mut page);
+        add_warnings(&report.diagnostics, &mut page);
     }
-    match &results.mapped {
-        None => {}
-        Some(MapResult::Surfaces(answer)) => answers::add_surface(answer, &mut page),
-        Some(MapResult::Directions(report)) => answers::add_directions(report, &mut page),
+    if let Some(mapped) = &results.mapped {
+        page.section(map::title(mapped));
+        map::document(mapped).show(&mut page);
+        add_warnings(mapped.diagnostics(), &mut page);
+        if let MapResult::Surfaces(answer) = mapped {
+            answer.report.left_out.iter().for_each(|left| page.note(&format!("left out: {}", left.reason)));
+        }
     }
     if let Some(reports) = &results.speeds {
-        answers::add_safe_speed(reports, &mut page);
+        page.section("Safe speed");
+        safe_speed::document(reports).show(&mut page);
+        add_warnings(&safe_speed::slowest(reports).diagnostics, &mut page);
     }
     add_basis(results, args, path, inputs, &mut page);
     Ok(page.finish())

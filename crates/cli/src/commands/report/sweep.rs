@@ -10,6 +10,7 @@ use crate::pictures::sweep_figure::{SweepCurves, axis_unit, motion_ratio_name};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number};
+use percuss_render::Picture;
 use percuss_study::{Input, StudyFile, StudySweep, SweepEnd};
 use std::ops::ControlFlow;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! `percuss import`.
 
 use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
-use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::contents::{PICTURES, picture_bytes};
+use crate::files::output::{check_writable, ending_of, record_input, write_file};
 use crate::files::own_files::append_hash;
-use crate::files::picture;
 use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
 use crate::terminal::import_text::import_summary;
@@ -27,7 +27,7 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     let text = append_hash(write_urdf_with(&imported.mechanism, &imported.comments));
     if let Some(path) = &args.picture {
         let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
-        write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
+        write_file(path, &picture_bytes(&drawing, ending_of(path, &PICTURES)?)?)?;
     }
     if args.output == "-" {
         return write_unescaped(text.as_bytes());

@@ -1,21 +1,25 @@
 //! Command `percuss kinematics`.
 
 use crate::args::{KinematicsArgs, KinematicsFormat};
-use crate::files::csv;
+use crate::files::contents::{Cells, Contents};
+use crate::files::csv::{self, Cell};
 use crate::files::output::{check_writable, ending_of, record_input, write_file};
 use crate::files::own_files::KINEMATIC_AXES;
+use crate::files::table_style::TableStyle;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
+use percuss_render::Picture;
 use percuss_study::{
-    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model,
-    StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow,
+    Model, StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
 use std::fmt::Write;
+use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
@@ -24,16 +28,20 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     let model = args.model.load_for_kinematics()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     args.output.as_deref().map_or(Ok(()), check_writable)?;
-    args.format()?;
+    let is_search = !args.solve.is_empty();
+    if let (Some(path), None, false) = (&args.output, args.format, is_search) {
+        file_ending(path)?;
+    }
     if let Some(search) = args.search()? {
         return show_search(args, &model, &question, &search);
     }
     let report = kinematics(&model, &question)?.with_columns(&args.columns)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    let format = args.format.unwrap_or(KinematicsFormat::Table);
     match &args.output {
-        Some(path) if args.is_picture() => write_picture(&report, !args.columns.is_empty(), path)?,
-        Some(path) => write_file(path, text_of(&report, args.format()?).as_bytes())?,
-        None => write_out(&text_of(&report, args.format()?))?,
+        Some(path) if args.format.is_none() => write_output(&report, !args.columns.is_empty(), path)?,
+        Some(path) => write_file(path, text_of(&report, format).as_bytes())?,
+        None => write_out(&text_of(&report, format))?,
     }
     check_rows(&report)
 }
@@ -42,22 +50,12 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
 fn text_of(report: &KinematicsReport, format: KinematicsFormat) -> String {
     match format {
         KinematicsFormat::Table => tables(report),
-        KinematicsFormat::Csv => rows_as_csv(report),
+        KinematicsFormat::Csv => {
+            let (columns, rows) = cells(report);
+            csv::styled_table(&columns, &rows, TableStyle::default())
+        }
         KinematicsFormat::Json => serde_json::to_string_pretty(report).unwrap_or_default() + "\n",
     }
-}
-
-/// Writes the figure of a report; `selected`: true if the columns were selected.
-fn write_picture(report: &KinematicsReport, selected: bool, path: &str) -> Result<(), Failure> {
-    let mut figure = kinematics_figure(report, selected)?;
-    note_clipping(&mut figure);
-    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
-    let bytes = match ending.as_str() {
-        "png" => figure.to_png(2.0)?,
-        "pdf" => figure.to_pdf()?,
-        _ => figure.to_svg().into_bytes(),
-    };
-    write_file(path, &bytes)
 }
 
 /// Shows the kinematics of a study: the table on stdout, or the file that the study names.
@@ -68,29 +66,34 @@ pub fn show_of_study(
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     match &requested.output {
-        Some(path) => write_output(report, requested, path)?,
+        Some(path) => write_output(report, !requested.columns.is_empty(), path)?,
         None => write_out(&tables(report))?,
     }
     check_rows(report)
 }
 
-/// Endings of the files of a study.
-pub const STUDY_FILES: [&str; 6] = ["csv", "json", "txt", "svg", "png", "pdf"];
+/// Ending of a file of kinematics; a name without an ending is that of a text.
+pub fn file_ending(path: &str) -> Result<&'static str, Failure> {
+    match Path::new(path).extension() {
+        None => Ok("txt"),
+        Some(_) => ending_of(path, &["csv", "xlsx", "parquet", "json", "txt", "svg", "png", "pdf"]),
+    }
+}
 
-/// Writes the file that a study names.
-pub fn write_output(
-    report: &KinematicsReport,
-    requested: &StudyKinematics,
-    path: &str,
-) -> Result<(), Failure> {
+/// Writes a text, table, figure or JSON, by the ending of the file; `selected`: true if the columns were selected.
+pub fn write_output(report: &KinematicsReport, selected: bool, path: &str) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
-    let format = match ending_of(path, &STUDY_FILES)? {
-        "csv" => KinematicsFormat::Csv,
-        "json" => KinematicsFormat::Json,
-        "txt" => KinematicsFormat::Table,
-        _ => return write_picture(report, !requested.columns.is_empty(), path),
+    if file_ending(path)? == "txt" {
+        return write_file(path, tables(report).as_bytes());
+    }
+    let picture = || {
+        let mut figure = kinematics_figure(report, selected)?;
+        note_clipping(&mut figure);
+        Ok(Box::new(figure) as Box<dyn Picture>)
     };
-    write_file(path, text_of(report, format).as_bytes())
+    let (table, json) = (|| cells(report), || text_of(report, KinematicsFormat::Json));
+    let (table, picture, json) = (Some(&table as _), Some(&picture as _), Some(&json as _));
+    Contents { name: "kinematics", table, picture, json, ..Contents::default() }.write(path)
 }
 
 /// Warns about rows without a result; exit code 1 if no row has one.
@@ -221,24 +224,21 @@ fn heading(column: &KinematicColumn, length_unit: LengthUnit) -> String {
     }
 }
 
-/// The rows as CSV; numbers read back unchanged.
-fn rows_as_csv(report: &KinematicsReport) -> String {
+/// Columns and rows in the units of tables; numbers read back unchanged.
+fn cells(report: &KinematicsReport) -> Cells {
     let unit = report.length_unit;
     let mut header: Vec<String> =
         report.variable.iter().map(|name| format!("{name}_{}", unit.name())).collect();
     header.extend(report.columns.iter().map(|column| heading(column, unit)));
-    let mut out = csv::line(&header);
-    for row in &report.rows {
-        let mut cells: Vec<String> = row.variable.iter().map(|x| csv::number(unit.of_metres(*x))).collect();
+    let row = |row: &KinematicsRow| {
+        let mut cells: Vec<Cell> = row.variable.iter().map(|x| Cell::Number(unit.of_metres(*x))).collect();
         let values = report.columns.iter().zip(&row.values);
         cells.extend(
-            values.map(|(column, value)| {
-                csv::cell(value.map(|x| x * column.unit.of_table(report.length_unit).1))
-            }),
+            values.map(|(column, value)| Cell::from_value(value.map(|x| x * column.unit.of_table(unit).1))),
         );
-        out += &csv::line(&cells);
-    }
-    out
+        cells
+    };
+    (header, report.rows.iter().map(row).collect())
 }
 
 /// Text of a value in the unit of tables; – without a value.

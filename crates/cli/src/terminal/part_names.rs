@@ -14,7 +14,7 @@ const JOINTS: [(&str, &str); 5] = [
 ];
 
 /// Facts about the contact and the conditions of a suspension with a sheet.
-pub(super) fn facts(report: &MassReport, contact: &SheetPoint) -> Vec<(&'static str, String)> {
+pub fn facts(report: &MassReport, contact: &SheetPoint) -> Vec<(&'static str, String)> {
     let assumed = &report.assumptions;
     let mut facts = vec![
         ("contact", point_in_sheet_text(contact)),
