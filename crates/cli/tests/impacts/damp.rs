@@ -136,7 +136,7 @@ fn mass_and_studies_take_a_restitution_too() {
     }
     assert!(json(&format!("mass {WISHBONE} {STOP} --format json"))["damper"].is_null());
     let text = percuss(&format!("mass {WISHBONE} {STOP} {flags}")).stdout;
-    assert!(text.contains("contact link alone") && text.contains("contribution of each link"), "{text}");
+    assert!(text.contains("contact link alone") && text.contains("Contribution of each link"), "{text}");
     let scratch = Scratch::new("damp-study");
     let study = scratch.write(
         "stop.toml",
@@ -167,6 +167,11 @@ fn the_force_history_is_drawn() {
     // The loop of force over penetration encloses the energy lost: ½ m v² (1 − e²) = 1.26 J.
     let area: f64 = (1..2000).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
     assert!((area / 1.26 - 1.0).abs() < 1e-3, "{area}");
+    for (name, begin) in [("course.xlsx", &b"PK"[..]), ("course.parquet", b"PAR1"), ("course.pdf", b"%PDF")] {
+        let file = scratch.path(name);
+        assert_eq!(percuss(&format!("{impact} --output {file}")).code, 0);
+        assert!(std::fs::read(&file).expect("written").starts_with(begin), "{name}");
+    }
     let svg = scratch.path("course.svg");
     assert_eq!(percuss(&format!("{impact} --output {svg}")).code, 0);
     let drawn = std::fs::read_to_string(&svg).expect("written");

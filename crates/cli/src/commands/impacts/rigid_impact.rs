@@ -84,7 +84,9 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
     // A free body has no joints.
     if !reactions.is_empty() {
         if mechanism.is_some() {
+            out.heading("Bearings");
             out.table(bearing_table(report));
+            out.heading("Reactions by components");
         }
         out.table(reactions);
         out.note(legend(report));
