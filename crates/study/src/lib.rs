@@ -36,7 +36,6 @@ pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{
     ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
 };
-pub use damper::joint_stop::{JointStop, StopEnd};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::friction_thresholds::{FrictionThresholdsRecord, friction_thresholds};
@@ -58,7 +57,6 @@ pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
 pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
-pub use question::damping_question::{DampingQuestion, check_units};
 pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
 pub use question::errors::table_error::{TableError, TableFault};
@@ -67,7 +65,24 @@ pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
-pub use question::spelled_contact::{FurtherContact, StopRecord, contact_of_text};
+pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
+pub use question::tables::contact::{
+    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
+};
+pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
+pub use question::tables::extremes::{
+    ExtremesQuestion, GivenNormals, GivenPath, GivenQuantity, GivenRange, Keep,
+};
+#[cfg(feature = "flags")]
+pub use question::tables::headings;
+pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName};
+pub use question::tables::kinematics::{StudyKinematics, VehicleTable};
+pub use question::tables::map::{MapTable, StudyMap, StudyMapQuestion};
+pub use question::tables::mass::{GivenTolerance, MassTable};
+pub use question::tables::model::{Acceptable, ModelTable};
+pub use question::tables::report::StudyReport;
+pub use question::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
+pub use question::tables::sweep::{AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
@@ -92,13 +107,9 @@ pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
-pub use reports::impact::extremes_question::{
-    ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, Keep,
-};
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::masses::MassStateRecord;
-pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,
 };
@@ -137,28 +148,11 @@ pub use reports::tolerance::{
 pub use study_file::additions::{StudyAdditions, WithAdditions};
 pub use study_file::answer::{AskError, MapResult, RequestReport};
 pub use study_file::contacts::{StudyContact, contact_names};
-pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
+pub use study_file::file::{StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
 pub use study_file::request::ask;
 pub use study_file::schema::{study_key_page, study_keys, study_schema};
 pub use study_file::starter::{starting_contact, starting_study};
-pub use study_file::tables::contact::{
-    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
-};
-pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
-pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
-#[cfg(feature = "flags")]
-pub use study_file::tables::headings;
-pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
-pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
-pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
-pub use study_file::tables::mass::{GivenTolerance, MassTable};
-pub use study_file::tables::model::{Acceptable, ModelTable};
-pub use study_file::tables::report::StudyReport;
-pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
-pub use study_file::tables::sweep::{
-    AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,
-};
 pub use study_file::tables_of_page::{PanelTables, StudyTables, VariantTables};
 pub use study_file::variant::Variant;
 pub use sweep::row_gradient::{GradientLayout, RowGradient};

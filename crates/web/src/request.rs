@@ -2,7 +2,7 @@
 
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
-    ConditionsTable, ContactTable, DampingTable, Hold, ImpactTable, MassQuestion, ModelTable, Names,
+    ConditionsTable, ContactTable, DampingQuestion, Hold, ImpactQuestion, MassQuestion, ModelTable, Names,
     PoseTable, QuestionTables, SafeSpeedTable,
 };
 use serde::Deserialize;
@@ -44,14 +44,14 @@ pub enum Request {
         /// Question; the contact is ignored if `damping` names a joint stop.
         question: QuestionRequest,
         /// Table of the damper.
-        damping: DampingTable,
+        damping: DampingQuestion,
     },
     /// Rigid impact with the reactions of the joints.
     Impact {
         /// Question.
         question: QuestionRequest,
         /// Table of the impact.
-        impact: ImpactTable,
+        impact: ImpactQuestion,
     },
     /// Safe speed of a contact with a person.
     SafeSpeed {

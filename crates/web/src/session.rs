@@ -204,20 +204,20 @@ impl Session {
             Request::Explain { question } => Ok(Reply::Explained(self.explain(&question)?)),
             Request::Damp { question, damping } => {
                 let wanted = damping
-                    .question()?
+                    .checked()?
                     .ok_or_else(|| Refusal::of_message("the damper needs a restitution and a stiffness"))?;
                 let Some(stop) = &damping.limit else {
                     let (model, question) = self.model_and_question(&question)?;
-                    damping.check_units(&wanted, question.is_moment(&model.mechanism))?;
-                    return Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)));
+                    wanted.check_units(question.is_moment(&model.mechanism))?;
+                    return Ok(Reply::Damped(Box::new(damp_contact(model, &question, wanted)?)));
                 };
                 let conditions = question.conditions().map_err(Refusal::of_message)?;
                 let model = self.model(&question.model.changes())?;
-                damping.check_units(&wanted, stop.motion(model)? == StopMotion::Turn)?;
-                Ok(Reply::Damped(Box::new(damp_stop(model, stop, conditions, &wanted)?)))
+                wanted.check_units(stop.motion(model)? == StopMotion::Turn)?;
+                Ok(Reply::Damped(Box::new(damp_stop(model, stop, conditions, wanted)?)))
             }
-            Request::Impact { question, impact: table } => {
-                let wanted = table.question()?;
+            Request::Impact { question, impact: wanted } => {
+                wanted.check()?;
                 let (model, question) = self.model_and_question(&question)?;
                 Ok(Reply::Impact(Box::new(impact(model, &question, &wanted)?)))
             }

@@ -32,7 +32,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use help::examples;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{DampingTable, MassTable, RowSource, StudyFigure, StudyTable, SweepTable};
+use percuss_study::{DampingQuestion, MassTable, RowSource, StudyFigure, StudyTable, SweepTable};
 use std::path::Path;
 
 /// The effective mass of a mechanism at a contact.
@@ -220,7 +220,7 @@ pub struct MassArgs {
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]
     pub format: MassFormat,
     #[command(flatten)]
-    pub damping: DampingTable,
+    pub damping: DampingQuestion,
 }
 
 /// Flags of `percuss sweep`.

@@ -23,20 +23,16 @@ use std::fmt::Write;
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let requests = args.requests.options()?;
-    let damping = args.damping.question()?;
+    let damping = args.damping.checked()?;
     let is_list = args.contact.contact.at.as_deref() == Some(ALL_CONTACTS);
     if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
-        if let Some(question) = &damping {
-            args.damping.check_units(question, false)?;
-        }
-        return show_all_contacts(args, &model, damping.as_ref());
+        damping.map_or(Ok(()), |damping| damping.check_units(false))?;
+        return show_all_contacts(args, &model, damping);
     }
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "this command")?;
     let contact = args.contact.question()?;
-    if let Some(question) = &damping {
-        args.damping.check_units(question, contact.is_moment(&model.mechanism))?;
-    }
-    show(&model, &contact, damping.as_ref(), args.format, &requests, args.model.reading.strict)
+    damping.map_or(Ok(()), |damping| damping.check_units(contact.is_moment(&model.mechanism)))?;
+    show(&model, &contact, damping, args.format, &requests, args.model.reading.strict)
 }
 
 /// Value of --at for all named contacts of a model.

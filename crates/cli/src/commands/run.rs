@@ -60,11 +60,11 @@ fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
-    let rows = study.sweep.iter().map(|sweep| &sweep.rows);
-    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.as_ref()));
-    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.path.as_ref()));
+    let rows = study.sweep.iter().map(|sweep| sweep.rows.clone());
+    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.clone()));
+    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.rows()));
     let of_rows =
-        rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path.clone()) } else { None });
+        rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path) } else { None });
     of_models.chain(poses).chain(of_rows)
 }
 
@@ -118,16 +118,16 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         prints.push(contact_print(study, question, of_rows, &designs, strict)?);
     }
     if let Some(damping) = &study.damping
-        && (damping.stop.is_some() || damping.output.is_some())
+        && (damping.limit.is_some() || damping.output.is_some())
         && let Some(report) = with_findings(study.damper(), &study.model)?
     {
         prints.push(Box::new(move || {
-            if damping.stop.is_some() {
+            if damping.limit.is_some() {
                 write_diagnostics(&report.diagnostics, strict)?;
                 damp::print(&report, CheckFormat::Text)?;
             }
             match &damping.output {
-                Some(path) => damp::write_history(&report, &damping.question, path),
+                Some(path) => damp::write_history(&report, damping, path),
                 None => Ok(()),
             }
         }));

@@ -43,6 +43,45 @@ pub(crate) fn misspelled_end(text: &str) -> Option<String> {
     })
 }
 
+/// End of the range of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StopEnd {
+    /// Lower limit.
+    Lower,
+    /// Upper limit.
+    Upper,
+}
+
+/// Stop of a joint with one degree of freedom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointStop {
+    /// The joint.
+    pub joint: String,
+    /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
+    /// position in the pose, against motion in the positive direction.
+    pub end: Option<StopEnd>,
+}
+
+impl std::str::FromStr for JointStop {
+    type Err = String;
+    /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (joint, end) = match text.rsplit_once(':') {
+            Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
+            Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
+            _ => (text, None),
+        };
+        if let Some(error) = misspelled_end(text).filter(|_| end.is_none()) {
+            return Err(error);
+        }
+        match joint {
+            "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
+            _ => Ok(JointStop { joint: joint.to_owned(), end }),
+        }
+    }
+}
+
 /// Contact given as one text: in `at`, or as a further contact of an impact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FurtherContact {

@@ -9,9 +9,9 @@ use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::explain::explain_parts;
 use crate::reports::mass_report::MassReport;
@@ -136,7 +136,7 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
     let mut report = build_mass_report(evaluated)?;
     let mut answer = damping_report(evaluated, damping);
     // The only requested simulator does not support this contact: the report keeps the mass and the damper.
-    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..])
+    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools()[..])
         && !matches!(**error, ExportError::Contact(ContactLawError::OutOfRange { .. }))
     {
         let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));

@@ -2,10 +2,10 @@
 
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
 use percuss_mechanism::{ContactKind, Mechanism, NamedContact};

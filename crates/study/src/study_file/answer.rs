@@ -10,6 +10,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::map::StudyMapQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
 use crate::reports::compare::{CompareError, ComparisonReport, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
@@ -22,7 +23,6 @@ use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::SafeSpeedReport;
 use crate::study_file::file::{StudyFile, StudyFileError, StudySweep};
 use crate::study_file::schema::table_keys;
-use crate::study_file::tables::map::StudyMapQuestion;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
 use serde::{Serialize, Serializer};
@@ -169,7 +169,7 @@ impl StudyFile {
 
     /// Effective mass at a contact, with the results of `[mass]` and `[damping]`.
     fn mass_of(&self, question: Option<&MassQuestion>) -> Result<Option<MassReport>, StudyError> {
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
+        let damping = self.damping.as_ref();
         question
             .map(|question| requested_mass(&self.model, question, damping, &self.mass))
             .transpose()
@@ -192,7 +192,7 @@ impl StudyFile {
         &self,
         question: &MassQuestion,
     ) -> Result<(MassReport, DrawnMechanism), StudyError> {
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
+        let damping = self.damping.as_ref();
         mass_with_drawing(&self.model, question, damping, &self.mass)
             .map_err(|error| error.in_table(table_keys("mass")))
     }
@@ -207,7 +207,7 @@ impl StudyFile {
         }
         let contacts: Vec<(String, MassQuestion)> =
             self.contacts.iter().map(|contact| (contact.name.clone(), contact.question.clone())).collect();
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
+        let damping = self.damping.as_ref();
         contact_list_of(&self.model, &contacts, damping).map(Some)
     }
 
@@ -217,11 +217,9 @@ impl StudyFile {
     /// As for [`damp_stop`] and [`damp_contact`].
     pub fn damper(&self) -> Result<Option<DampingReport>, StudyError> {
         let Some(damping) = &self.damping else { return Ok(None) };
-        let report = match (&damping.stop, &self.question) {
-            (Some((stop, conditions)), _) => {
-                damp_stop(&self.model, stop, conditions.clone(), &damping.question)
-            }
-            (None, Some(contact)) => damp_contact(&self.model, contact, &damping.question),
+        let report = match (&damping.limit, &self.question) {
+            (Some(stop), _) => damp_stop(&self.model, stop, self.conditions.clone(), damping),
+            (None, Some(contact)) => damp_contact(&self.model, contact, damping),
             (None, None) => return Ok(None),
         };
         report.map(Some).map_err(|error| error.in_table(table_keys("damping")))
@@ -232,7 +230,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`damp_stop`].
     pub fn stop_damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        if self.damping.as_ref().is_some_and(|damping| damping.stop.is_some()) {
+        if self.damping.as_ref().is_some_and(|damping| damping.limit.is_some()) {
             self.damper()
         } else {
             Ok(None)

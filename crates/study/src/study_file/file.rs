@@ -3,31 +3,28 @@
 use crate::checks::design_variant::DesignError;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::joint_stop::JointStop;
 use crate::model::loading::{Input, Model, Origin, refuse_pipe};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::question::row_source::RowSource;
+use crate::question::row_source::{RowSource, path_in};
+use crate::question::tables::contact::ContactTable;
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::impact::ImpactQuestion;
+use crate::question::tables::kinematics::StudyKinematics;
+use crate::question::tables::map::StudyMap;
+use crate::question::tables::report::StudyReport;
+use crate::question::tables::safe_speed::StudySafeSpeed;
+use crate::question::tables::sweep::{StudyFigure, StudyTable};
 use crate::reports::answer_mass::StudyMass;
 use crate::reports::compare::Design;
-use crate::reports::impact::extremes_question::ExtremesQuestion;
-use crate::reports::impact::question::ImpactQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
-use crate::study_file::tables::contact::ContactTable;
-use crate::study_file::tables::damping::DampingTable;
-use crate::study_file::tables::impact::ImpactTable;
-use crate::study_file::tables::kinematics::StudyKinematics;
-use crate::study_file::tables::map::StudyMap;
-use crate::study_file::tables::report::StudyReport;
-use crate::study_file::tables::safe_speed::StudySafeSpeed;
-use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
 use crate::study_file::tables_of_page::StudyTables;
 use crate::study_file::text::StudyText;
 use crate::study_file::variant::{Variant, VariantModels};
@@ -58,7 +55,7 @@ pub struct StudyFile {
     /// Design variants.
     pub variants: Vec<Variant>,
     /// Damper for a restitution, if requested.
-    pub damping: Option<StudyDamping>,
+    pub damping: Option<DampingQuestion>,
     /// Rigid impact, if requested.
     pub impact: Option<ImpactQuestion>,
     /// Search for extremes, if requested.
@@ -79,17 +76,6 @@ pub struct StudyFile {
     pub folder: PathBuf,
     /// Keys with their positions.
     pub keys: StudyKeys,
-}
-
-/// Damper requested by a study.
-#[derive(Clone, Debug)]
-pub struct StudyDamping {
-    /// Restitution, stiffness and law.
-    pub question: DampingQuestion,
-    /// In place of the contact: joint stop and conditions.
-    pub stop: Option<(JointStop, MassQuestion)>,
-    /// Output file of the force over time.
-    pub output: Option<String>,
 }
 
 /// Sweep of a study.
@@ -331,7 +317,7 @@ impl StudyReader<'_> {
         let refused = |refusal| self.invalid_key_error(refusal);
         // Parsing cannot fail here: the same text has been parsed before.
         let panels = toml::from_slice(&source.bytes).unwrap_or_default();
-        if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
+        if let Some(missing) = study.damping.as_ref().and_then(DampingQuestion::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
         // The study closes the loops that the file only marks.
@@ -358,8 +344,9 @@ impl StudyReader<'_> {
         };
         let damping = self.damping(study, &model, &question, folder)?;
         let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
-        let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
-        let extremes = study.extremes.as_ref().map(|table| table.question(Vec::new(), folder, max_size));
+        study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
+        let impact = study.impact.clone();
+        let extremes = study.extremes.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
         let extremes = extremes.transpose().map_err(refused)?;
         let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
         let mut kinematics = kinematics.transpose().map_err(refused)?;
@@ -376,16 +363,16 @@ impl StudyReader<'_> {
             }
         };
         for (key, rows) in [
-            ("sweep.input", sweep.as_ref().map(|sweep| &sweep.rows)),
-            ("extremes.path", extremes.as_ref().and_then(|extremes| extremes.path.as_ref())),
-            ("safe_speed.input", safe_speed.as_ref().and_then(|speed| speed.rows.as_ref())),
+            ("sweep.input", sweep.as_ref().map(|sweep| sweep.rows.clone())),
+            ("extremes.path", extremes.as_ref().and_then(ExtremesQuestion::rows)),
+            ("safe_speed.input", safe_speed.as_ref().and_then(|speed| speed.rows.clone())),
         ] {
             if let Some(RowSource::File(file)) = rows {
                 refuse_pipe(&file.path).map_err(|error| refused(InvalidKey::new(key, error.to_string())))?;
             }
         }
         // A study without a contact needs another query.
-        let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
+        let stops = damping.as_ref().is_some_and(|damping: &DampingQuestion| damping.limit.is_some());
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
             || sweep.is_some()
@@ -533,21 +520,17 @@ impl StudyReader<'_> {
         model: &Model,
         conditions: &MassQuestion,
         folder: &Path,
-    ) -> Result<Option<StudyDamping>, StudyFileError> {
-        let Some(text) = &study.damping else { return Ok(None) };
-        let question = text.question().map_err(|refusal| self.invalid_key_error(refusal))?;
-        let Some(question) = question else { return Ok(None) };
-        let stop = text.limit.clone();
-        let turns = match &stop {
+    ) -> Result<Option<DampingQuestion>, StudyFileError> {
+        let Some(given) = &study.damping else { return Ok(None) };
+        let given = given.checked().map_err(|refusal| self.invalid_key_error(refusal))?;
+        let Some(given) = given else { return Ok(None) };
+        let turns = match &given.limit {
             Some(stop) => stop.motion(model).map_err(|error| self.study_error(&error))? == StopMotion::Turn,
             None => conditions.is_moment(&model.mechanism),
         };
-        text.check_units(&question, turns).map_err(|error| self.study_error(&error))?;
-        Ok(Some(StudyDamping {
-            question,
-            stop: stop.map(|stop| (stop, conditions.clone())),
-            output: text.output.as_ref().map(|output| folder.join(output).to_string_lossy().into_owned()),
-        }))
+        given.check_units(turns).map_err(|error| self.study_error(&error))?;
+        let output = given.output.as_ref().map(|output| path_in(folder, output));
+        Ok(Some(DampingQuestion { output, ..given.clone() }))
     }
 }
 

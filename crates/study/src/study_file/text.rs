@@ -3,19 +3,19 @@
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::impact::ImpactQuestion;
+use crate::question::tables::kinematics::KinematicsTable;
+use crate::question::tables::map::MapTable;
+use crate::question::tables::mass::MassTable;
+use crate::question::tables::model::ModelTable;
+use crate::question::tables::report::StudyReport;
+use crate::question::tables::safe_speed::SafeSpeedTable;
+use crate::question::tables::sweep::SweepTable;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{ContactsSchema, contacts};
-use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
-use crate::study_file::tables::damping::DampingTable;
-use crate::study_file::tables::extremes::ExtremesTable;
-use crate::study_file::tables::impact::ImpactTable;
-use crate::study_file::tables::kinematics::KinematicsTable;
-use crate::study_file::tables::map::MapTable;
-use crate::study_file::tables::mass::MassTable;
-use crate::study_file::tables::model::ModelTable;
-use crate::study_file::tables::report::StudyReport;
-use crate::study_file::tables::safe_speed::SafeSpeedTable;
-use crate::study_file::tables::sweep::SweepTable;
 use crate::study_file::variant::VariantText;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -51,11 +51,11 @@ pub(crate) struct StudyText {
     #[serde(default)]
     pub variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
-    pub damping: Option<DampingTable>,
+    pub damping: Option<DampingQuestion>,
     /// Rigid impact at the contact: percuss impact.
-    pub impact: Option<ImpactTable>,
+    pub impact: Option<ImpactQuestion>,
     /// Smallest and largest effective mass over positions: percuss extremes.
-    pub extremes: Option<ExtremesTable>,
+    pub extremes: Option<ExtremesQuestion>,
     /// The contact over rows of positions: percuss sweep.
     pub sweep: Option<SweepTable>,
     /// Camber, toe, motion ratios of a suspension over a travel: percuss kinematics.

@@ -26,7 +26,7 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
         && let Some(path) = &damping.output
         && let Some(report) = study.damper()?
     {
-        damp::write_history(&report, &damping.question, path)?;
+        damp::write_history(&report, damping, path)?;
     }
     if let (Some(requested), Some(report)) = (&study.kinematics, &results.kinematics)
         && let Some(path) = &requested.output

@@ -53,7 +53,7 @@ pub(super) fn text(
     }
     let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
-        answers::add_damper(damper, &damping.question, &mut page)?;
+        answers::add_damper(damper, damping, &mut page)?;
     }
     if let Some(report) = &results.impact {
         impact::add_impact(report, &results.mechanism, &mut page);

@@ -2,10 +2,9 @@
 
 use crate::damper::damping::damper;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
+use crate::question::tables::impact::{ImpactQuestion, PercussionRequest};
 use crate::thresholds::{CONVERGED_SPEED, SPEED_ITERATIONS, UNCHANGED_RATE};
 use crate::values::drives::GearLimit;
 use crate::values::rates::GivenRates;
@@ -115,7 +114,8 @@ pub(crate) fn percussion(
             None => centre_of_percussion_in_plane(pose, contact, bearing),
         };
         let found = found.map_err(|error| StudyError::input(Field::Percussion, error))?;
-        let worst = question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius));
+        let worst =
+            question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius.0));
         let worst = worst.transpose().map_err(|error| StudyError::input(Field::PointError, error))?;
         Ok(PercussionRecord {
             worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),
@@ -142,7 +142,7 @@ pub(crate) fn greatest_speed(
     let mechanism = &evaluated.prepared.model.mechanism;
     let mut limits = Vec::new();
     let is_changed = |joint: JointId| !unchanged_joints(evaluated).contains(&joint);
-    for given in &question.rate_limits {
+    for given in &question.rate_limit {
         let (joint, values) = rates_of(mechanism, Field::RateLimit, given)?;
         let expected = mechanism.joint(joint).kind().dofs();
         if values.len() != expected {
@@ -159,7 +159,7 @@ pub(crate) fn greatest_speed(
             limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
         }
     }
-    let (response, e) = (&evaluated.result.response, question.restitution);
+    let (response, e) = (&evaluated.result.response, question.restitution());
     let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
     let (mut impulses, mut torques) = gear_limits(evaluated, question)?;
     impulses.retain(|(joint, _, _)| is_changed(*joint));
@@ -179,8 +179,8 @@ pub(crate) fn limits_without_effect(evaluated: &EvaluatedQuestion, question: &Im
     let mechanism = &evaluated.prepared.model.mechanism;
     let unchanged: Vec<&str> =
         unchanged_joints(evaluated).into_iter().map(|joint| mechanism.joint(joint).name()).collect();
-    let rates = question.rate_limits.iter().map(|(name, _)| name);
-    let gears = question.gear_limits.iter().map(|(name, _)| name);
+    let rates = question.rate_limit.iter().map(|(name, _)| name);
+    let gears = question.gear_limit.iter().map(|(name, _)| name);
     let mut names: Vec<String> = Vec::new();
     for name in rates.chain(gears).filter(|name| unchanged.contains(&name.as_str())) {
         if !names.contains(name) {
@@ -209,7 +209,7 @@ fn gear_limits(
 ) -> Result<(Vec<JointLimit>, Vec<JointLimit>), StudyError> {
     let mechanism = &evaluated.prepared.model.mechanism;
     let (mut impulses, mut torques) = (Vec::new(), Vec::new());
-    for (name, given) in &question.gear_limits {
+    for (name, given) in &question.gear_limit {
         let refuse = |fault| StudyError::input(Field::GearLimit, fault);
         let joint = find_joint(mechanism, Field::GearLimit, name)?;
         let kind = mechanism.joint(joint).kind();
@@ -250,7 +250,7 @@ fn greatest_speed_of_torques(
         return Ok(None);
     }
     let refuse = || StudyError::input(Field::GearLimit, Fault::NoContactStiffness);
-    let law = question.law.as_ref().ok_or_else(refuse)?;
+    let exponent = question.contact_law(1.0).ok_or_else(refuse)?.exponent();
     let response = &evaluated.result.response;
     let Some(mass) = response.effective_mass.kilograms() else { return Ok(None) };
     let force = |&(joint, k, limit): &JointLimit| {
@@ -261,7 +261,7 @@ fn greatest_speed_of_torques(
     let least = limits.iter().filter_map(force).min_by(|(a, _), (b, _)| a.total_cmp(b));
     let Some((largest_force, joint)) = least else { return Ok(None) };
     let peak_at = |speed: f64| -> Result<Option<f64>, StudyError> {
-        let law = DampingQuestion { restitution: question.restitution, speed: Some(speed), ..law.clone() };
+        let law = question.contact_law(speed).ok_or_else(refuse)?;
         Ok(damper(&law, mass)?.peak_force)
     };
     let mut speed = 1.0;
@@ -269,7 +269,7 @@ fn greatest_speed_of_torques(
         let Some(peak) = peak_at(speed)?.filter(|peak| peak.is_finite() && *peak > 0.0) else {
             return Ok(None);
         };
-        let factor = (largest_force / peak).powf((law.exponent + 1.0) / (2.0 * law.exponent));
+        let factor = (largest_force / peak).powf((exponent + 1.0) / (2.0 * exponent));
         speed *= factor;
         if (factor - 1.0).abs() < CONVERGED_SPEED {
             break;

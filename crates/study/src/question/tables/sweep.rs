@@ -3,7 +3,7 @@
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, ROWS};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::{PositionFile, RowSource};
+use crate::question::row_source::{PositionFile, RowSource, path_in};
 use crate::question::travel::vary::Vary;
 use crate::values::value::{self, Words};
 use schemars::JsonSchema;
@@ -251,9 +251,4 @@ impl SweepTable {
     pub fn figure(&self) -> StudyFigure {
         StudyFigure { title: self.title.clone(), x_limits: self.x_limits, y_limits: self.y_limits }
     }
-}
-
-/// Path relative to a folder; an absolute path is kept.
-pub(crate) fn path_in(folder: &Path, path: &str) -> String {
-    folder.join(path).to_string_lossy().into_owned()
 }

@@ -5,7 +5,8 @@ use super::headings::{OUTPUT, READING, SURFACE};
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::MassQuestion;
-use crate::study_file::tables::sweep::{DecimalSign, StudyTable, TableUnit, path_in};
+use crate::question::row_source::path_in;
+use crate::question::tables::sweep::{DecimalSign, StudyTable, TableUnit};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Point};

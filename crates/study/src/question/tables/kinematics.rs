@@ -4,13 +4,13 @@ use crate::model::loading::Model;
 use crate::model::wheel_points::RACK;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
+#[cfg(feature = "flags")]
+use crate::question::tables::headings::VEHICLE;
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::reports::kinematics::question::{
     AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
 };
 use crate::reports::kinematics::report::{KinematicsReport, kinematics};
-#[cfg(feature = "flags")]
-use crate::study_file::tables::headings::VEHICLE;
 use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
 use percuss_mechanism::JointKind;
 use schemars::JsonSchema;

@@ -6,11 +6,11 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
-use crate::question::row_source::{PositionFile, RowSource};
+use crate::question::row_source::{PositionFile, RowSource, path_in};
 use crate::reports::safe_speed::{
     SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
-use crate::study_file::tables::sweep::path_in;
+
 use crate::values::quantities::{Area, Energy, Force, Mass, Momentum, Pressure, Vector};
 use crate::values::value::{self, Words};
 use schemars::JsonSchema;
