@@ -61,7 +61,6 @@ pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
 pub use question::errors::table_error::{TableError, TableFault};
 pub use question::field::{Field, Names};
-pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
@@ -76,18 +75,20 @@ pub use question::tables::extremes::{
 #[cfg(feature = "flags")]
 pub use question::tables::headings;
 pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName};
-pub use question::tables::kinematics::{StudyKinematics, VehicleTable};
-pub use question::tables::map::{MapTable, StudyMap, StudyMapQuestion};
-pub use question::tables::mass::{GivenTolerance, MassTable};
+pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
+pub use question::tables::map::{MapQuestion, MapShapes};
+pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, ModelTable};
 pub use question::tables::report::StudyReport;
-pub use question::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
-pub use question::tables::sweep::{AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit};
+pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
+pub use question::tables::sweep::{
+    AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepQuestion, TableUnit,
+};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
-pub use reports::answer_mass::{StudyMass, mass, mass_with_damper, mass_with_drawing, requested_mass};
+pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
@@ -124,9 +125,7 @@ pub use reports::impact::simultaneous::{
     RatesAfterRecord, SimultaneousLawRecord, SimultaneousRecord, StickingRecord, TouchingRecord,
 };
 pub use reports::kinematics::changed_sheet::changed_sheet;
-pub use reports::kinematics::question::{
-    AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
-};
+pub use reports::kinematics::errors::KinematicsError;
 pub use reports::kinematics::report::{KinematicColumn, KinematicsReport, KinematicsRow, kinematics};
 pub use reports::kinematics::target_search::{
     FoundCoordinate, KinematicTarget, ReachedTarget, TargetReport, TargetSearch, UnknownCoordinate,
@@ -138,17 +137,15 @@ pub use reports::mass_report::{
 };
 pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{
-    AlongRecord, Limit, LimitError, ReachableSpeedRecord, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord,
-    StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
+    AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speed, safe_speeds,
 };
 pub use reports::tolerance::{
-    SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
-    tolerance_report,
+    SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
-pub use study_file::answer::{AskError, MapResult, RequestReport};
+pub use study_file::answer::{AskError, MapResult, RequestReport, requested_map};
 pub use study_file::contacts::{StudyContact, contact_names};
-pub use study_file::file::{StudyFile, StudyFileError, StudySweep};
+pub use study_file::file::{StudyFile, StudyFileError};
 pub use study_file::keys::{StudyKeys, UnknownKey};
 pub use study_file::request::ask;
 pub use study_file::schema::{study_key_page, study_keys, study_schema};

@@ -3,7 +3,7 @@
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
     ConditionsTable, ContactTable, DampingQuestion, Hold, ImpactQuestion, MassQuestion, ModelTable, Names,
-    PoseTable, QuestionTables, SafeSpeedTable,
+    PoseTable, QuestionTables, SafeSpeedQuestion,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -58,7 +58,7 @@ pub enum Request {
         /// Question.
         question: QuestionRequest,
         /// Table of the limit.
-        safe_speed: SafeSpeedTable,
+        safe_speed: SafeSpeedQuestion,
     },
     /// Angles, motion ratios and further kinematics of the wheels.
     Kinematics {

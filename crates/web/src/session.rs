@@ -11,7 +11,7 @@ use percuss_study::{
     KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
     RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
     contact_list, damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames,
-    map_point, mass_with_frames, scene, scene_shapes, starting_contact, sweep_report,
+    map_point, mass_with_frames, safe_speeds, scene, scene_shapes, starting_contact, sweep_report,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -223,8 +223,8 @@ impl Session {
             }
             Request::SafeSpeed { question, safe_speed } => {
                 let (model, question) = self.model_and_question(&question)?;
-                let wanted = safe_speed.safe_speed(&question, Path::new(""), DEFAULT_MAX_SIZE)?;
-                Ok(Reply::SafeSpeeds(wanted.reports(model)?))
+                let wanted = safe_speed.checked(Path::new(""), DEFAULT_MAX_SIZE)?;
+                Ok(Reply::SafeSpeeds(safe_speeds(model, &question, &wanted)?))
             }
             Request::Kinematics { model, state, range } => {
                 let question = kinematics_question(&state, range)?;

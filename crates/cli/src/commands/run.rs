@@ -18,8 +18,8 @@ use crate::terminal::report::{note, with_findings, write_diagnostics, write_out}
 use crate::terminal::wrap::fact_line;
 use clap::ValueEnum;
 use percuss_study::{
-    Design, DiagnosticRecord, MassQuestion, MassReport, Names, RowSource, StudyAdditions, StudyFile,
-    StudyMap, StudyMass,
+    Design, DiagnosticRecord, MapQuestion, MassOptions, MassQuestion, MassReport, Names, RowSource,
+    StudyAdditions, StudyFile, SweepQuestion,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -60,8 +60,8 @@ fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
-    let rows = study.sweep.iter().map(|sweep| sweep.rows.clone());
-    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.clone()));
+    let rows = study.sweep.iter().map(SweepQuestion::rows);
+    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows()));
     let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.rows()));
     let of_rows =
         rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path) } else { None });
@@ -165,7 +165,7 @@ fn contact_print<'a>(
     designs: &'a [Design],
     strict: bool,
 ) -> Result<Print<'a>, Failure> {
-    let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
+    let of_pose = study.damping.is_some() || study.mass != MassOptions::default();
     if !study.contacts.is_empty() {
         note_single_contact(study);
     }
@@ -177,7 +177,7 @@ fn contact_print<'a>(
     }
     let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
     let table =
-        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table));
+        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
     if study.sweep.is_none()
         && study.variants.is_empty()
         && let Some(list) = study.contact_list()?
@@ -188,7 +188,7 @@ fn contact_print<'a>(
         let report =
             percuss_study::compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
         return Ok(Box::new(move || {
-            let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+            let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
             let format = MassFormat::Text;
             let written = ComparisonOutput { output, table, figure: &figure, format, strict };
             compare::write(&report, designs, &written)
@@ -212,9 +212,9 @@ fn contact_print<'a>(
             left_out.join(", ")
         ));
     }
-    let destination = SweepOutput { output, table, figure: &sweep.figure, strict };
+    let destination = SweepOutput { output, table, figure: sweep.figure(), strict };
     let prepared = study.prepared_sweep(sweep, of_rows);
-    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows, prepared, destination)?;
+    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows(), prepared, destination)?;
     Ok(Box::new(move || {
         ready.run()?;
         // Without a file the rows are on the standard output, which is one table.
@@ -280,7 +280,7 @@ fn write_additional_findings(
 /// Notes the tables that apply to the first of several contacts only.
 fn note_single_contact(study: &StudyFile) {
     let tables = [
-        ("[mass]", study.mass != StudyMass::default()),
+        ("[mass]", study.mass != MassOptions::default()),
         ("[impact]", study.impact.is_some()),
         ("[extremes]", study.extremes.is_some()),
         ("[safe_speed]", study.safe_speed.is_some()),
@@ -360,9 +360,9 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
 }
 
 /// Output options of the map of a study.
-fn map_output(requested: &StudyMap, format: MassFormat, strict: bool) -> Result<map::MapOutput, Failure> {
-    let formats = map::formats(&requested.outputs)?;
-    Ok(map::MapOutput { formats, table: TableStyle::from_study(&requested.table), format, strict })
+fn map_output(requested: &MapQuestion, format: MassFormat, strict: bool) -> Result<map::MapOutput, Failure> {
+    let formats = map::formats(&requested.output)?;
+    Ok(map::MapOutput { formats, table: TableStyle::from_study(&requested.table()), format, strict })
 }
 
 /// Refuses an output outside the study's folder, with symbolic links resolved.

@@ -2,7 +2,6 @@
 
 pub(crate) mod errors;
 pub(crate) mod field;
-pub(crate) mod map_question;
 pub(crate) mod mass_question;
 pub(crate) mod pose_file;
 pub(crate) mod row_source;

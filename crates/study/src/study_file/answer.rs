@@ -10,18 +10,19 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::question::tables::map::StudyMapQuestion;
+use crate::question::tables::map::MapQuestion;
+use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
 use crate::reports::compare::{CompareError, ComparisonReport, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
 use crate::reports::impact::report::{ImpactReport, impact};
-use crate::reports::kinematics::question::KinematicsError;
-use crate::reports::kinematics::report::KinematicsReport;
+use crate::reports::kinematics::errors::KinematicsError;
+use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 use crate::reports::mass_report::MassReport;
-use crate::reports::safe_speed::SafeSpeedReport;
-use crate::study_file::file::{StudyFile, StudyFileError, StudySweep};
+use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
+use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
@@ -46,19 +47,21 @@ impl Serialize for MapResult {
     }
 }
 
-impl StudyMapQuestion {
-    /// Computes the map.
-    ///
-    /// # Errors
-    /// As for [`map`] and [`map_point`].
-    pub fn answer(&self, model: &Model) -> Result<MapResult, StudyError> {
-        Ok(match self {
-            Self::Surfaces(question) => MapResult::Surfaces(Box::new(map(model, question)?)),
-            Self::Directions(question, count) => {
-                MapResult::Directions(Box::new(map_point(model, question, *count)?))
-            }
-        })
-    }
+/// Map of surfaces, or of directions at a point. `contact`: pose, conditions and other side, and the point if `question` has none.
+///
+/// # Errors
+/// As for [`map`] and [`map_point`].
+pub fn requested_map(
+    model: &Model,
+    contact: &MassQuestion,
+    question: &MapQuestion,
+) -> Result<MapResult, StudyError> {
+    Ok(match question.directions {
+        None => MapResult::Surfaces(Box::new(map(model, contact, question)?)),
+        Some(count) => {
+            MapResult::Directions(Box::new(map_point(model, &question.point_question(contact), count)?))
+        }
+    })
 }
 
 impl MapResult {
@@ -271,10 +274,10 @@ impl StudyFile {
     /// As for [`Sweep::new`].
     pub fn prepared_sweep<'a>(
         &'a self,
-        requested: &StudySweep,
+        requested: &SweepQuestion,
         question: &'a MassQuestion,
     ) -> Result<Sweep<'a>, StudyError> {
-        let sweep = Sweep::new(&self.model, question, &requested.rows);
+        let sweep = Sweep::new(&self.model, question, requested.rows());
         let sweep = sweep.map_err(|error| error.in_table(table_keys("sweep")))?;
         Ok(if requested.gradient { sweep.with_gradient() } else { sweep })
     }
@@ -316,7 +319,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`kinematics`](crate::kinematics).
     pub fn kinematics_report(&self) -> Result<Option<KinematicsReport>, KinematicsError> {
-        self.kinematics.as_ref().map(|requested| requested.report(&self.model)).transpose()
+        self.kinematics.as_ref().map(|requested| kinematics(&self.model, requested)).transpose()
     }
 
     /// Map of `[map]`.
@@ -324,16 +327,21 @@ impl StudyFile {
     /// # Errors
     /// As for [`map`] and [`map_point`].
     pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
-        let found = self.map.as_ref().map(|requested| requested.question.answer(&self.model)).transpose();
+        let found =
+            self.map.as_ref().map(|asked| requested_map(&self.model, &self.conditions, asked)).transpose();
         found.map_err(|error| error.in_table(table_keys("map")))
     }
 
     /// Safe speeds of `[safe_speed]`.
     ///
     /// # Errors
-    /// As for [`StudySafeSpeed::reports`](crate::StudySafeSpeed::reports).
+    /// As for [`safe_speeds`](crate::safe_speeds).
     pub fn safe_speeds(&self) -> Result<Option<Vec<SafeSpeedReport>>, StudyError> {
-        let found = self.safe_speed.as_ref().map(|requested| requested.reports(&self.model)).transpose();
+        let found = self
+            .safe_speed
+            .as_ref()
+            .map(|asked| safe_speeds(&self.model, &self.conditions, asked))
+            .transpose();
         found.map_err(|error| error.in_table(table_keys("safe_speed")))
     }
 }

@@ -15,12 +15,12 @@ use crate::question::tables::contact::ContactTable;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::impact::ImpactQuestion;
-use crate::question::tables::kinematics::StudyKinematics;
-use crate::question::tables::map::StudyMap;
+use crate::question::tables::kinematics::KinematicsQuestion;
+use crate::question::tables::map::MapQuestion;
+use crate::question::tables::mass::MassOptions;
 use crate::question::tables::report::StudyReport;
-use crate::question::tables::safe_speed::StudySafeSpeed;
-use crate::question::tables::sweep::{StudyFigure, StudyTable};
-use crate::reports::answer_mass::StudyMass;
+use crate::question::tables::safe_speed::SafeSpeedQuestion;
+use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
@@ -51,7 +51,7 @@ pub struct StudyFile {
     /// Pose and conditions, also without a contact.
     pub conditions: MassQuestion,
     /// Requests about the contact besides the effective mass.
-    pub mass: StudyMass,
+    pub mass: MassOptions,
     /// Design variants.
     pub variants: Vec<Variant>,
     /// Damper for a restitution, if requested.
@@ -61,13 +61,13 @@ pub struct StudyFile {
     /// Search for extremes, if requested.
     pub extremes: Option<ExtremesQuestion>,
     /// Sweep, if requested.
-    pub sweep: Option<StudySweep>,
+    pub sweep: Option<SweepQuestion>,
     /// Kinematics over a travel, if requested.
-    pub kinematics: Option<StudyKinematics>,
+    pub kinematics: Option<KinematicsQuestion>,
     /// Map of surfaces or directions, if requested.
-    pub map: Option<StudyMap>,
+    pub map: Option<MapQuestion>,
     /// Safe speed, if requested.
-    pub safe_speed: Option<StudySafeSpeed>,
+    pub safe_speed: Option<SafeSpeedQuestion>,
     /// Head of the report.
     pub report: StudyReport,
     /// Tables of the question, for a page.
@@ -76,21 +76,6 @@ pub struct StudyFile {
     pub folder: PathBuf,
     /// Keys with their positions.
     pub keys: StudyKeys,
-}
-
-/// Sweep of a study.
-#[derive(Clone, Debug)]
-pub struct StudySweep {
-    /// Source of the rows.
-    pub rows: RowSource,
-    /// True if each row has the gradient of m̄.
-    pub gradient: bool,
-    /// Output file; `None`: stdout.
-    pub output: Option<String>,
-    /// Format of the table.
-    pub table: StudyTable,
-    /// Format of the figure.
-    pub figure: StudyFigure,
 }
 
 /// Error of an invalid study file.
@@ -179,7 +164,7 @@ impl StudyFile {
     /// Question of the rows of the sweep: that of the contact, without the travel of the pose if the rows vary a travel.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
         match &self.sweep {
-            Some(sweep) => sweep.rows.question_of_rows(question),
+            Some(sweep) => sweep.rows().question_of_rows(question),
             None => question.clone(),
         }
     }
@@ -236,7 +221,7 @@ impl StudyFile {
         let variants = self.variants.iter().map(|variant| {
             (variant.name.as_str(), &variant.model, &variant.question, variant.contact.as_ref())
         });
-        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
+        let rows = self.sweep.as_ref().map(SweepQuestion::rows);
         let mut designs = Vec::new();
         for (name, model, question, own_contact) in [own].into_iter().chain(variants) {
             let design = |name: String, question: MassQuestion, contact: Option<&ContactTable>| Design {
@@ -245,7 +230,7 @@ impl StudyFile {
                 question,
                 contact: contact
                     .map(|contact| format!("{:?}", ContactTable { name: None, ..contact.clone() })),
-                rows: rows.cloned(),
+                rows: rows.clone(),
             };
             if self.contacts.is_empty() || own_contact.is_some() {
                 designs.push(design(name.to_owned(), question.clone(), own_contact));
@@ -331,26 +316,17 @@ impl StudyReader<'_> {
         let contact = &contacts.first().cloned().unwrap_or_default();
         let question = study.question(contact, folder, max_size).map_err(refused)?;
         let variants = self.variants(study, &model, &question, folder, &options)?;
-        let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
-        let sweep = match &study.sweep {
-            None => None,
-            Some(text) => Some(StudySweep {
-                rows: text.source(Vec::new(), folder, max_size).map_err(refused)?,
-                gradient: text.gradient,
-                output: text.output.as_ref().map(place),
-                table: text.table(),
-                figure: text.figure(),
-            }),
-        };
+        let sweep = study.sweep.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
+        let sweep = sweep.transpose().map_err(refused)?;
         let damping = self.damping(study, &model, &question, folder)?;
-        let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
+        let map = study.map.as_ref().map(|asked| asked.checked(&question, folder));
+        let map = map.transpose().map_err(refused)?;
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
         let impact = study.impact.clone();
         let extremes = study.extremes.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
         let extremes = extremes.transpose().map_err(refused)?;
-        let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
-        let mut kinematics = kinematics.transpose().map_err(refused)?;
-        kinematics.iter_mut().for_each(|kinematics| kinematics.add_pose(&question));
+        let kinematics = study.kinematics.as_ref().map(|asked| asked.checked(&question, folder));
+        let kinematics = kinematics.transpose().map_err(refused)?;
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {
@@ -359,13 +335,13 @@ impl StudyReader<'_> {
                 {
                     return Err(self.value("contact", "contact", format!("{part} is missing")));
                 }
-                Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
+                Some(text.checked(folder, max_size).map_err(refused)?)
             }
         };
         for (key, rows) in [
-            ("sweep.input", sweep.as_ref().map(|sweep| sweep.rows.clone())),
+            ("sweep.input", sweep.as_ref().map(SweepQuestion::rows)),
             ("extremes.path", extremes.as_ref().and_then(ExtremesQuestion::rows)),
-            ("safe_speed.input", safe_speed.as_ref().and_then(|speed| speed.rows.clone())),
+            ("safe_speed.input", safe_speed.as_ref().and_then(SafeSpeedQuestion::rows)),
         ] {
             if let Some(RowSource::File(file)) = rows {
                 refuse_pipe(&file.path).map_err(|error| refused(InvalidKey::new(key, error.to_string())))?;
@@ -399,13 +375,14 @@ impl StudyReader<'_> {
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
         let contacts = several_contacts(&contacts, &question, variants.len()).map_err(refused)?;
-        let mass = study.mass.as_ref().map(|mass| mass.options()).transpose().map_err(refused)?;
+        let mass = study.mass.clone().unwrap_or_default();
+        mass.check().map_err(refused)?;
         Ok(StudyFile {
             model,
             question: asks.then(|| question.clone()),
             contacts,
             conditions: question,
-            mass: mass.unwrap_or_default(),
+            mass,
             variants,
             damping,
             impact,

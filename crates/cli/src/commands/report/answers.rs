@@ -15,7 +15,7 @@ use crate::terminal::limits;
 use percuss_render::Figure;
 use percuss_study::{
     ComparisonReport, DampingQuestion, DampingReport, KinematicsReport, MapAnswer, PointMapReport,
-    SafeSpeedReport, StudyError, StudyFile, impact_history,
+    SafeSpeedReport, StudyError, StudyFile, SweepQuestion, impact_history,
 };
 
 /// Section of the variants.
@@ -41,7 +41,7 @@ pub(super) fn add_variants(
         }
     }
     // A comparison without a figure is covered by the sweep's table.
-    let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+    let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
     // Each of several contacts has its own figure below.
     let is_of_one = !compare::has_several_contacts(compared);
     if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {

@@ -22,7 +22,7 @@ use crate::terminal::escape;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics, write_out};
 pub use outputs::files_of;
-use percuss_study::{RowSource, StudyFile, StudySweep};
+use percuss_study::{RowSource, StudyFile, SweepQuestion};
 use results::StudyResults;
 use std::path::Path;
 
@@ -47,7 +47,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
     }
     study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| record_input(&input.path));
-    if let Some(StudySweep { rows: RowSource::File(file), .. }) = &study.sweep {
+    if let Some(RowSource::File(file)) = study.sweep.as_ref().map(SweepQuestion::rows) {
         record_input(&file.path);
     }
     // The checks precede the computation.

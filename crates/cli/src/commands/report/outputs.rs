@@ -13,8 +13,7 @@ use percuss_study::StudyFile;
 pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String)> + '_ {
     let sweep = study.sweep.iter().filter_map(|sweep| Some(("sweep.output", sweep.output.clone()?)));
     let damping = study.damping.iter().filter_map(|d| Some(("damping.output", d.output.clone()?)));
-    let map =
-        study.map.iter().flat_map(|map| map.outputs.iter().map(|output| ("map.output", output.clone())));
+    let map = study.map.iter().flat_map(|map| map.output.iter().map(|output| ("map.output", output.clone())));
     let kinematics = study.kinematics.iter().filter_map(|k| Some(("kinematics.output", k.output.clone()?)));
     sweep.chain(damping).chain(map).chain(kinematics)
 }
@@ -34,8 +33,8 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
         kinematics::write_output(report, requested, path)?;
     }
     if let (Some(requested), Some(result)) = (&study.map, &results.mapped) {
-        let formats = map::formats(&requested.outputs)?;
-        map::write_files(result, &formats, TableStyle::from_study(&requested.table))?;
+        let formats = map::formats(&requested.output)?;
+        map::write_files(result, &formats, TableStyle::from_study(&requested.table()))?;
     }
     Ok(())
 }
@@ -44,17 +43,18 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
 fn write_rows(study: &StudyFile, results: &StudyResults) -> Result<(), Failure> {
     let Some(requested) = &study.sweep else { return Ok(()) };
     let (Some(path), Some(question)) = (requested.output.as_deref(), &study.question) else { return Ok(()) };
-    let table = TableStyle::from_study(&requested.table);
+    let table = TableStyle::from_study(&requested.table());
     if study.variants.is_empty() && study.contacts.is_empty() {
-        let destination = SweepOutput { output: Some(path), table, figure: &requested.figure, strict: false };
+        let destination =
+            SweepOutput { output: Some(path), table, figure: requested.figure(), strict: false };
         let question = study.question_of_rows(question);
         let sweep = study.prepared_sweep(requested, &question);
-        return ReadySweep::new(&study.model, &question, &requested.rows, sweep, destination)?.write_rows();
+        return ReadySweep::new(&study.model, &question, &requested.rows(), sweep, destination)?.write_rows();
     }
     let written = ComparisonOutput {
         output: Some(path),
         table,
-        figure: &requested.figure,
+        figure: &requested.figure(),
         format: crate::args::MassFormat::Text,
         strict: false,
     };

@@ -12,7 +12,7 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_study::{
     KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model,
-    StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
 use std::fmt::Write;
@@ -28,7 +28,7 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     if let Some(search) = args.search()? {
         return show_search(args, &model, &question, &search);
     }
-    let report = kinematics(&model, &question)?.with_columns(&args.columns)?;
+    let report = kinematics(&model, &question)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     match &args.output {
         Some(path) if args.is_picture() => write_picture(&report, !args.columns.is_empty(), path)?,
@@ -63,7 +63,7 @@ fn write_picture(report: &KinematicsReport, selected: bool, path: &str) -> Resul
 /// Shows the kinematics of a study: the table on stdout, or the file that the study names.
 pub fn show_of_study(
     report: &KinematicsReport,
-    requested: &StudyKinematics,
+    requested: &KinematicsQuestion,
     strict: bool,
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
@@ -80,7 +80,7 @@ pub const STUDY_FILES: [&str; 6] = ["csv", "json", "txt", "svg", "png", "pdf"];
 /// Writes the file that a study names.
 pub fn write_output(
     report: &KinematicsReport,
-    requested: &StudyKinematics,
+    requested: &KinematicsQuestion,
     path: &str,
 ) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
