@@ -100,7 +100,7 @@ fn output_files<'a>(
     let page = args.report.iter().flat_map(|path| report::files_of_page(study, path));
     let page = page.map(|path| ("--report", path));
     let explorer = args.explorer.iter().map(|path| ("--explorer", path.clone()));
-    Box::new(page.chain(explorer).chain(report::files_of(study)))
+    Box::new(page.chain(explorer).chain(study.outputs()))
 }
 
 /// Output of one table, after its computation.

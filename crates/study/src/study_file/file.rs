@@ -39,6 +39,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Keys of output files.
+pub(crate) const OUTPUT_KEYS: [&str; 4] =
+    ["sweep.output", "damping.output", "map.output", "kinematics.output"];
+
 /// Content of a study file.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
@@ -167,6 +171,17 @@ impl StudyFile {
             Some(sweep) => sweep.rows().question_of_rows(question),
             None => question.clone(),
         }
+    }
+
+    /// Keys and paths of the output files that the tables name.
+    pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let sweep = self.sweep.as_ref().and_then(|sweep| sweep.output.clone());
+        let damping = self.damping.as_ref().and_then(|damping| damping.output.clone());
+        let map = self.map.as_ref().map_or_else(Vec::new, |map| map.output.clone());
+        let kinematics = self.kinematics.as_ref().and_then(|kinematics| kinematics.output.clone());
+        let files = [Vec::from_iter(sweep), Vec::from_iter(damping), map, Vec::from_iter(kinematics)];
+        let paths = OUTPUT_KEYS.into_iter().zip(files);
+        paths.flat_map(|(key, files)| files.into_iter().map(move |file| (key, file)))
     }
 
     /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.

@@ -9,15 +9,6 @@ use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
 use percuss_study::StudyFile;
 
-/// Keys and paths of the files that a study names.
-pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String)> + '_ {
-    let sweep = study.sweep.iter().filter_map(|sweep| Some(("sweep.output", sweep.output.clone()?)));
-    let damping = study.damping.iter().filter_map(|d| Some(("damping.output", d.output.clone()?)));
-    let map = study.map.iter().flat_map(|map| map.output.iter().map(|output| ("map.output", output.clone())));
-    let kinematics = study.kinematics.iter().filter_map(|k| Some(("kinematics.output", k.output.clone()?)));
-    sweep.chain(damping).chain(map).chain(kinematics)
-}
-
 /// Writes these files and prints nothing: the report has the results and the findings.
 pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Failure> {
     write_rows(study, results)?;
@@ -27,12 +18,12 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
     {
         damp::write_history(&report, damping, path)?;
     }
-    if let (Some(requested), Some(report)) = (&study.kinematics, &results.kinematics)
+    if let (Some(requested), Some(report)) = (&study.kinematics, &results.report.kinematics)
         && let Some(path) = &requested.output
     {
         kinematics::write_output(report, requested, path)?;
     }
-    if let (Some(requested), Some(result)) = (&study.map, &results.mapped) {
+    if let (Some(requested), Some(result)) = (&study.map, &results.report.map) {
         let formats = map::formats(&requested.output)?;
         map::write_files(result, &formats, TableStyle::from_study(&requested.table()))?;
     }
@@ -58,5 +49,5 @@ fn write_rows(study: &StudyFile, results: &StudyResults) -> Result<(), Failure> 
         format: crate::args::MassFormat::Text,
         strict: false,
     };
-    results.compared.as_ref().map_or(Ok(()), |report| compare::write_output(report, &written))
+    results.report.comparison.as_ref().map_or(Ok(()), |report| compare::write_output(report, &written))
 }

@@ -19,17 +19,17 @@ pub(super) fn text(
     inputs: &[Input],
 ) -> Result<String, Failure> {
     let mut page = Page::new(&head(results, study, args));
-    if let Some(listed) = &results.listed {
+    if let Some(listed) = &results.report.contacts {
         contact::add_contact_list(listed, &mut page);
     }
-    if let Some(report) = &results.mass {
+    if let Some(report) = &results.report.mass {
         contact::add_result(report, &study.mass, &results.unlisted(report), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {
         page.link("Move the mechanism and change the design in the explorer.", &relative(explorer, path));
     }
-    if let Some(report) = &results.mass {
+    if let Some(report) = &results.report.mass {
         contact::add_conditions(report, &mut page);
         contact::add_contributions(report, &mut page);
         contact::add_estimate(report, &mut page);
@@ -45,28 +45,33 @@ pub(super) fn text(
         let first = study.contacts.first().filter(|_| results.has_several_contacts());
         sweep.add_to(&mut page, &table, first.map(|contact| contact.name.as_str()));
     }
-    if let Some(compared) = &results.compared {
+    if let Some(compared) = &results.report.comparison {
         answers::add_variants(compared, &results.tolerances, study, &mut page);
     }
-    if let Some(report) = &results.kinematics {
+    if let Some(report) = &results.report.kinematics {
         answers::add_kinematics(report, study, &mut page);
     }
-    let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
+    let damper = results
+        .report
+        .mass
+        .as_ref()
+        .and_then(|report| report.damper.as_ref())
+        .or(results.report.damping.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
         answers::add_damper(damper, damping, &mut page)?;
     }
-    if let Some(report) = &results.impact {
+    if let Some(report) = &results.report.impact {
         impact::add_impact(report, &results.mechanism, &mut page);
     }
-    if let Some(report) = &results.extremes {
+    if let Some(report) = &results.report.extremes {
         impact::add_extremes(report, &mut page);
     }
-    match &results.mapped {
+    match &results.report.map {
         None => {}
         Some(MapResult::Surfaces(answer)) => answers::add_surface(answer, &mut page),
         Some(MapResult::Directions(report)) => answers::add_directions(report, &mut page),
     }
-    if let Some(reports) = &results.speeds {
+    if let Some(reports) = &results.report.safe_speed {
         answers::add_safe_speed(reports, &mut page);
     }
     add_basis(results, args, path, inputs, &mut page);
@@ -76,8 +81,8 @@ pub(super) fn text(
 /// Title, object, author and date of a study, and the file.
 fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
     let given = &study.report;
-    let default = || match &results.mass {
-        Some(_) if results.listed.is_some() => {
+    let default = || match &results.report.mass {
+        Some(_) if results.report.contacts.is_some() => {
             format!("Effective mass at {} contacts of {}", study.contacts.len(), study.model.mechanism.name())
         }
         Some(report) => match &report.named_contact {
@@ -105,7 +110,7 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.hashes(inputs.iter().map(|input| (file_name(&input.path), format!("SHA-256 {}", input.sha256))));
     let diagnostics = results.diagnostics();
     // Warnings about results are beside their number.
-    let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
+    let of_variants = results.report.comparison.iter().flat_map(|compared| &compared.diagnostics);
     let of_variants: Vec<&DiagnosticRecord> =
         of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
     let is_listed =
@@ -144,7 +149,7 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
         ))
     ));
     page.heading("Validity");
-    let impact = results.impact.as_ref();
+    let impact = results.report.impact.as_ref();
     let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
     let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
     let several = if is_several { "" } else { ", several impacts at once" };
