@@ -193,7 +193,7 @@ pub fn contact_of_text(mechanism: &Mechanism, text: &str) -> Result<Contact, Stu
         Ok(_) => Ok(FurtherContact::Named(text.to_owned())),
         Err(_) => text.parse(),
     };
-    let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+    let refuse = |message: String| StudyError::input(Field::At, message);
     spelled.map_err(refuse)?.resolve(mechanism, Field::At)
 }
 
@@ -243,7 +243,7 @@ impl MassQuestion {
     ) -> Result<Option<FurtherContact>, StudyError> {
         let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
         let Some(text) = self.at.as_ref().filter(is_spelled) else { return Ok(None) };
-        let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+        let refuse = |message: String| StudyError::input(Field::At, message);
         text.parse().map(Some).map_err(refuse)
     }
 
@@ -285,9 +285,7 @@ impl MassQuestion {
         contact: &FurtherContact,
         mechanism: &Mechanism,
     ) -> Result<Self, StudyError> {
-        let refuse = |field, message: &str| {
-            Err(StudyError::input(field, Fault::ContactText { message: message.to_owned() }))
-        };
+        let refuse = |field, message: &str| Err(StudyError::input(field, message));
         if !matches!(self.normal, Normal::Along(zero) if zero == [0.0; 3]) {
             return refuse(
                 Field::Normal,

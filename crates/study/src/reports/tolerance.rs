@@ -1,11 +1,12 @@
 //! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
 //! first order, and by random samples.
 
+use crate::checks::design_variant::no_sheet;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::random_rows::RandomStream;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::mass::{Sampling, Tolerance};
@@ -108,10 +109,11 @@ pub(crate) fn tolerances_of(
     let model = evaluated.prepared.model;
     if tolerance.point > 0.0 && model.hardpoints().is_empty() {
         let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
-        return Err(StudyError::input(Field::Tolerance, Fault::NoSheet { path }));
+        return Err(StudyError::input(Field::Tolerance, no_sheet(&path)));
     }
     if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
-        return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
+        let why = format!("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end());
+        return Err(StudyError::input(Field::Samples, why));
     }
     let with_points = tolerance.point > 0.0;
     let Some(explanation) = explain_parts(evaluated, question, with_points)? else { return Ok(None) };

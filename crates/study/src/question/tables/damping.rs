@@ -2,7 +2,7 @@
 
 #[cfg(feature = "flags")]
 use super::headings::DAMPER;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Field;
 use crate::question::spelled_contact::JointStop;
@@ -334,7 +334,12 @@ impl DampingQuestion {
         let given_stiffness = self.stiffness.and_then(|given| given.0.dimension);
         let given_speed = self.speed.and_then(|given| given.0.dimension);
         if given_stiffness.is_some() && exponent != 1.0 {
-            return Err(StudyError::input(stiffness, Fault::UnitOfLinearSpring { exponent }));
+            let why = format!(
+                "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
+                 (1 N/mm^{exponent} is {:e} N/m^{exponent})",
+                1e3_f64.powf(exponent)
+            );
+            return Err(StudyError::input(stiffness, why));
         }
         let of_stiffness = if turns { Dimension::RotationalStiffness } else { Dimension::Stiffness };
         let of_speed = if turns { Dimension::AngularSpeed } else { Dimension::Speed };
@@ -342,8 +347,9 @@ impl DampingQuestion {
             [(stiffness, given_stiffness, of_stiffness), (speed, given_speed, of_speed)]
         {
             if given.is_some_and(|dimension| dimension != expected) {
-                let expected = expected.si_unit();
-                return Err(StudyError::input(field, Fault::UnitOfMotion { turns, expected }));
+                let (motion, unit) = (if turns { "a rotation" } else { "a translation" }, expected.si_unit());
+                let why = format!("its unit is not that of {motion}; expected {unit}");
+                return Err(StudyError::input(field, why));
             }
         }
         Ok(())

@@ -62,7 +62,10 @@ const GROUND: &str = "ground";
 pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
     mechanism.find_joint(name).map_err(|error| {
         if mechanism.closures().iter().any(|closure| closure.name() == name) {
-            return StudyError::input(field, Fault::IsClosure { closure: name.to_owned() });
+            let why = format!(
+                "\"{name}\" is the closure of a loop; expected a joint of the tree. The reactions of `percuss impact` include this closure"
+            );
+            return StudyError::input(field, why);
         }
         StudyError::input(field, error)
     })
@@ -83,9 +86,12 @@ pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> R
         let closures = mechanism.closures().iter().map(|closure| closure.name());
         let all: Vec<&str> = joints.chain(closures).chain([GROUND]).collect();
         let near = near_names(name, all.iter().copied());
-        let names =
-            if near.is_empty() { all.iter().take(12).map(|name| (*name).to_owned()).collect() } else { near };
-        StudyError::input(field, Fault::UnknownBearing { name: name.to_owned(), names })
+        // Without similar names, the first twelve bearings.
+        let names = if near.is_empty() { all[..all.len().min(12)].join(", ") } else { near.join(", ") };
+        StudyError::input(
+            field,
+            format!("no joint or loop closure has the name \"{name}\"; expected one of {names}"),
+        )
     })
 }
 
@@ -146,14 +152,12 @@ pub(crate) fn greatest_speed(
         let (joint, values) = rates_of(mechanism, Field::RateLimit, given)?;
         let expected = mechanism.joint(joint).kind().dofs();
         if values.len() != expected {
-            let fault = Fault::RateCount { joint: given.0.clone(), got: values.len(), expected };
-            return Err(StudyError::input(Field::RateLimit, fault));
+            let (joint, got) = (&given.0, values.len());
+            let why = format!("joint \"{joint}\": {got} rates are given; expected {expected}");
+            return Err(StudyError::input(Field::RateLimit, why));
         }
         if let Some(&value) = values.iter().find(|value| **value <= 0.0) {
-            return Err(StudyError::input(
-                Field::RateLimit,
-                Fault::RateLimit { joint: given.0.clone(), value },
-            ));
+            return Err(StudyError::input(Field::RateLimit, limit_text(&given.0, value)));
         }
         if is_changed(joint) {
             limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
@@ -172,6 +176,11 @@ pub(crate) fn greatest_speed(
     let least = found.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b));
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
     Ok(least.map(|((speed, joint), limit)| GreatestSpeedRecord { speed, joint: name(joint), limit }))
+}
+
+/// Message: a limit that is not positive.
+fn limit_text(joint: &str, value: f64) -> String {
+    format!("joint \"{joint}\": the limit is {value}; expected a number above zero")
 }
 
 /// Joints with a limit of the rate or of the gear that has no effect, since the impact does not change their rates.
@@ -210,17 +219,21 @@ fn gear_limits(
     let mechanism = &evaluated.prepared.model.mechanism;
     let (mut impulses, mut torques) = (Vec::new(), Vec::new());
     for (name, given) in &question.gear_limit {
-        let refuse = |fault| StudyError::input(Field::GearLimit, fault);
+        let refuse = |fault: Fault| StudyError::input(Field::GearLimit, fault);
         let joint = find_joint(mechanism, Field::GearLimit, name)?;
         let kind = mechanism.joint(joint).kind();
         let wrong = |source| refuse(Fault::Position { joint: name.clone(), source });
         let limits = given.limits_for_joint(kind).map_err(wrong)?;
         let (got, expected) = (limits.len(), kind.dofs());
         if got != expected {
-            return Err(refuse(Fault::LimitCount { joint: name.clone(), got, expected }));
+            let why = format!("joint \"{name}\": {got} limits are given; expected {expected}");
+            return Err(refuse(why.into()));
         }
         if evaluated.pose.armature(joint).iter().all(|armature| *armature == 0.0) {
-            return Err(refuse(Fault::NoGear { joint: name.clone() }));
+            let why = format!(
+                "joint \"{name}\" has no armature, so its gear receives no impulse; give --armature {name}=VALUE"
+            );
+            return Err(refuse(why.into()));
         }
         for (k, limit) in limits.into_iter().enumerate() {
             let (value, list) = match limit {
@@ -228,7 +241,7 @@ fn gear_limits(
                 GearLimit::Torque(value) => (value, &mut torques),
             };
             if value <= 0.0 {
-                return Err(refuse(Fault::RateLimit { joint: name.clone(), value }));
+                return Err(refuse(limit_text(name, value).into()));
             }
             list.push((joint, k, value));
         }
@@ -249,7 +262,11 @@ fn greatest_speed_of_torques(
     if limits.is_empty() {
         return Ok(None);
     }
-    let refuse = || StudyError::input(Field::GearLimit, Fault::NoContactStiffness);
+    let refuse = || {
+        let why =
+            "a limit in N·m or N requires the stiffness of the contact, which determines the peak torque";
+        StudyError::input(Field::GearLimit, why)
+    };
     let exponent = question.contact_law(1.0).ok_or_else(refuse)?.exponent();
     let response = &evaluated.result.response;
     let Some(mass) = response.effective_mass.kilograms() else { return Ok(None) };

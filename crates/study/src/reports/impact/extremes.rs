@@ -29,6 +29,10 @@ use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
+/// Message: a peak force in a bearing without a contact law, or another quantity with one.
+const PEAK_AND_LAW: &str = "expected a contact law (stiffness, restitution and closing speed) for the peak force in a bearing, peak:JOINT, and for \
+                            no other quantity";
+
 /// Position of a joint at an extreme.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExtremePosition {
@@ -166,7 +170,8 @@ pub fn extremes(
     let question = of_rows.as_ref().unwrap_or(question);
     let prepared = PreparedQuestion::new(model, question)?;
     if prepared.other_mass().is_some() {
-        return Err(StudyError::input(Field::AgainstMass, Fault::ExtremesOfMechanism));
+        let why = "extremes are those of the mechanism alone; expected no free body on the other side";
+        return Err(StudyError::input(Field::AgainstMass, why));
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
@@ -258,7 +263,7 @@ fn searched_quantity(
     law: Option<&DampingQuestion>,
 ) -> Result<(SearchedQuantity, &'static str), StudyError> {
     if law.is_some() && !matches!(requested, GivenQuantity::Peak(_)) {
-        return Err(StudyError::input(Field::Quantity, Fault::PeakAndLaw));
+        return Err(StudyError::input(Field::Quantity, PEAK_AND_LAW));
     }
     let Some(name) = requested.joint() else {
         return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
@@ -270,7 +275,7 @@ fn searched_quantity(
             return Ok((quantity, if is_moment { "kg·m" } else { "kg" }));
         }
         GivenQuantity::Peak(_) => {
-            let law = law.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakAndLaw))?;
+            let law = law.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
             let law = peak_force_law(law)?;
             return Ok((SearchedQuantity::BearingPeakForce { bearing: bearing()?, law }, "N"));
         }
@@ -285,7 +290,7 @@ fn searched_quantity(
 /// Peak force of a contact law at its closing speed, as a function force · m̄^power of the effective mass.
 fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
     let force = damper(law, 1.0)?.peak_force;
-    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, Fault::PeakAndLaw))?;
+    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
     Ok(PeakForceLaw { force, power: law.exponent() / (law.exponent() + 1.0) })
 }
 
@@ -361,7 +366,9 @@ impl ExtremesSearch<'_> {
     fn along_path(&self, question: &MassQuestion, source: &RowSource) -> Result<Found, StudyError> {
         let Self { prepared, pose, .. } = self;
         if !self.question.range.is_empty() || !self.question.keep.is_empty() {
-            return Err(StudyError::input(Field::Path, Fault::PathAndRanges));
+            let why =
+                "a path gives all positions of the search; expected neither ranges nor kept points with it";
+            return Err(StudyError::input(Field::Path, why));
         }
         let is_path = match source {
             RowSource::Grid(ranges) => ranges.len() == 1,
@@ -369,7 +376,8 @@ impl ExtremesSearch<'_> {
             RowSource::Random { .. } => false,
         };
         if !is_path {
-            return Err(StudyError::input(Field::Path, Fault::NoPath));
+            let why = "a path is a file of positions, or one range; expected neither several ranges nor random rows";
+            return Err(StudyError::input(Field::Path, why));
         }
         let sweep = Sweep::new(prepared.model, question, source)?;
         let mechanism = &prepared.model.mechanism;
@@ -504,7 +512,9 @@ fn ranges(
     let range = |given: &GivenRange| {
         let joint = find_joint(mechanism, Field::Range, &given.joint)?;
         if is_set(&given.joint) {
-            return Err(StudyError::input(Field::Range, Fault::SetAndRanged { joint: given.joint.clone() }));
+            let joint = &given.joint;
+            let why = format!("joint \"{joint}\" has a range and a given position; expected one of the two");
+            return Err(StudyError::input(Field::Range, why));
         }
         let dimension = match mechanism.joint(joint).kind() {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
@@ -515,7 +525,7 @@ fn ranges(
         };
         let end = |end: Quantity| {
             end.in_dimension(dimension, &end.to_string())
-                .map_err(|error| StudyError::input(Field::Range, Fault::Range(error)))
+                .map_err(|error| StudyError::input(Field::Range, error))
         };
         Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
     };

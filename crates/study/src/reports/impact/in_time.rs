@@ -165,10 +165,11 @@ pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
 fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
     let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
         if impact.joint_spring[..number].iter().any(|(earlier, _)| earlier == name) {
-            return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
+            let why = format!("joint \"{name}\" is given twice; give it once");
+            return Err(StudyError::input(Field::JointSpring, why));
         }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let refuse = |fault| StudyError::input(Field::JointSpring, fault);
+        let refuse = |fault: Fault| StudyError::input(Field::JointSpring, fault);
         let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
         let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
         let (stiffness, damping, free_position) = match values[..] {
@@ -176,7 +177,9 @@ fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, Stu
             [stiffness, damping] => (stiffness, damping, None),
             [stiffness, damping, free] => (stiffness, damping, Some(free)),
             _ => {
-                return Err(refuse(Fault::SpringCount { joint: name.clone(), got: values.len() }));
+                let got = values.len();
+                let why = format!("joint \"{name}\": {got} numbers are given; expected K, K,D or K,D,FREE");
+                return Err(refuse(why.into()));
             }
         };
         Ok(JointSpring { joint, stiffness, damping, free_position })

@@ -9,7 +9,7 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
@@ -331,11 +331,12 @@ fn motion_before(
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
     let is_fixed = prepared.question.base == Base::Fixed;
     if !impact.base_twist.is_empty() && is_fixed {
-        return Err(StudyError::input(Field::BaseTwist, Fault::BaseIsFixed));
+        let why = "the base is fixed; a velocity requires a floating base";
+        return Err(StudyError::input(Field::BaseTwist, why));
     }
     if impact.rates.is_empty() && impact.base_twist.is_empty() {
-        let speed =
-            impact.speed().ok_or_else(|| StudyError::input(Field::ClosingSpeed, Fault::NoClosingSpeed))?;
+        let why = "no motion before the impact is given; expected the closing speed, or the rates of the driving joints";
+        let speed = impact.speed().ok_or_else(|| StudyError::input(Field::ClosingSpeed, why))?;
         return Ok((speed, None));
     }
     let driver = |given| {
@@ -357,12 +358,24 @@ fn motion_before(
         // The other body moves with the difference of both speeds.
         (Some(speed), Some(_)) => speed,
         (Some(speed), None) if (speed - closing).abs() > SAME_SPEED * speed.abs().max(closing.abs()) => {
-            return Err(StudyError::input(Field::ClosingSpeed, Fault::OtherSpeed { speed, closing, unit }));
+            let why = format!(
+                "{speed} {unit} is given, but the given rates close the gap at {closing} {unit}; leave one of the two out"
+            );
+            return Err(StudyError::input(Field::ClosingSpeed, why));
         }
         _ => closing,
     };
     if speed.is_nan() || speed <= 0.0 {
-        return Err(StudyError::input(given, Fault::GapOpens { closing: speed, unit }));
+        // Speed rounded to six significant digits.
+        let rounded: f64 = format!("{speed:.5e}").parse().unwrap_or(speed);
+        let rates = match speed < 0.0 {
+            true => "open the gap; opposite rates close it",
+            false => "do not change the gap",
+        };
+        let why = format!(
+            "the closing speed of these rates is {rounded} {unit}; expected a speed above zero: the rates {rates}"
+        );
+        return Err(StudyError::input(given, why));
     }
     Ok((speed, Some(rates)))
 }
