@@ -11,7 +11,7 @@ use crate::boundary::status::{
 };
 use crate::setup::model::{DiagnosticTexts, Model, input_document, percuss_model};
 use percuss::study::{
-    self, AxlePosition, KinematicVariable, KinematicsQuestion, KinematicsReport, TorqueReaction, VehicleData,
+    self, AxlePosition, KinematicVariable, KinematicsQuestion, KinematicsReport, PositiveMass, VehicleData,
     WheelMotion, kinematics,
 };
 use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source};
@@ -184,19 +184,17 @@ impl percuss_vehicle {
     fn data(&self) -> Result<VehicleData, Failure> {
         let positive = |value, name| known(value, name, |x| x > 0.0, "more than 0");
         let share = |value, name| known(value, name, |x| (0.0..=1.0).contains(&x), "a share from 0 to 1");
-        let reaction =
-            |inboard| if inboard == 0 { TorqueReaction::Outboard } else { TorqueReaction::Inboard };
         let axles = [None, Some(AxlePosition::Front), Some(AxlePosition::Rear)];
         Ok(VehicleData {
             axle: enumeration_value(&axles, self.axle, "axle")?,
-            brake_bias: share(self.brake_bias, "brake_bias")?,
-            drive_share: share(self.drive_share, "drive_share")?,
-            cg_height: positive(self.cg_height, "cg_height")?,
-            wheelbase: positive(self.wheelbase, "wheelbase")?,
-            brakes: reaction(self.inboard_brakes),
-            drive: reaction(self.inboard_drive),
-            sprung_mass: positive(self.sprung_mass, "sprung_mass")?,
-            tyre_rate: positive(self.tyre_rate, "tyre_rate")?,
+            brake_bias: share(self.brake_bias, "brake_bias")?.map(Into::into),
+            drive_share: share(self.drive_share, "drive_share")?.map(Into::into),
+            cg_height: positive(self.cg_height, "cg_height")?.map(Into::into),
+            wheelbase: positive(self.wheelbase, "wheelbase")?.map(Into::into),
+            inboard_brakes: self.inboard_brakes != 0,
+            inboard_drive: self.inboard_drive != 0,
+            sprung_mass: positive(self.sprung_mass, "sprung_mass")?.map(PositiveMass),
+            tyre_rate: positive(self.tyre_rate, "tyre_rate")?.map(Into::into),
         })
     }
 
@@ -366,6 +364,7 @@ pub unsafe extern "C" fn percuss_suspension_kinematics(
             state: vehicle.state(variable)?,
             range: Some((variable, values)),
             vehicle: vehicle.data()?,
+            ..KinematicsQuestion::default()
         };
         let report = kinematics(&suspension.mechanism.study, &question);
         let report = report.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;

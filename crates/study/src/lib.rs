@@ -36,7 +36,6 @@ pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{
     ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
 };
-pub use damper::joint_stop::{JointStop, StopEnd};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::friction_thresholds::{FrictionThresholdsRecord, friction_thresholds};
@@ -58,21 +57,38 @@ pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
 pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
-pub use question::damping_question::{DampingQuestion, check_units};
 pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
 pub use question::errors::table_error::{TableError, TableFault};
 pub use question::field::{Field, Names};
-pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
-pub use question::spelled_contact::{FurtherContact, StopRecord, contact_of_text};
+pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
+pub use question::tables::contact::{
+    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
+};
+pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
+pub use question::tables::extremes::{
+    ExtremesQuestion, GivenNormals, GivenPath, GivenQuantity, GivenRange, Keep,
+};
+#[cfg(feature = "flags")]
+pub use question::tables::headings;
+pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName};
+pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
+pub use question::tables::map::{MapQuestion, MapShapes};
+pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
+pub use question::tables::model::{Acceptable, ModelTable};
+pub use question::tables::report::StudyReport;
+pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
+pub use question::tables::sweep::{
+    AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepQuestion, TableUnit,
+};
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
-pub use reports::answer_mass::{StudyMass, mass, mass_with_damper, mass_with_drawing, requested_mass};
+pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
@@ -92,13 +108,9 @@ pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
-pub use reports::impact::extremes_question::{
-    ExtremesQuestion, GivenNormals, GivenQuantity, GivenRange, Keep,
-};
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::masses::MassStateRecord;
-pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,
 };
@@ -113,9 +125,7 @@ pub use reports::impact::simultaneous::{
     RatesAfterRecord, SimultaneousLawRecord, SimultaneousRecord, StickingRecord, TouchingRecord,
 };
 pub use reports::kinematics::changed_sheet::changed_sheet;
-pub use reports::kinematics::question::{
-    AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
-};
+pub use reports::kinematics::errors::KinematicsError;
 pub use reports::kinematics::report::{KinematicColumn, KinematicsReport, KinematicsRow, kinematics};
 pub use reports::kinematics::target_search::{
     FoundCoordinate, KinematicTarget, ReachedTarget, TargetReport, TargetSearch, UnknownCoordinate,
@@ -127,38 +137,19 @@ pub use reports::mass_report::{
 };
 pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{
-    AlongRecord, Limit, LimitError, ReachableSpeedRecord, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord,
-    StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
+    AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speed, safe_speeds,
 };
 pub use reports::tolerance::{
-    SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
-    tolerance_report,
+    SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
-pub use study_file::answer::{AskError, MapResult, RequestReport};
+pub use study_file::answer::{AskError, MapResult, RequestReport, requested_map};
 pub use study_file::contacts::{StudyContact, contact_names};
-pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
+pub use study_file::file::{StudyFile, StudyFileError};
 pub use study_file::keys::{StudyKeys, UnknownKey};
 pub use study_file::request::ask;
 pub use study_file::schema::{study_key_page, study_keys, study_schema};
 pub use study_file::starter::{starting_contact, starting_study};
-pub use study_file::tables::contact::{
-    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
-};
-pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
-pub use study_file::tables::extremes::{ExtremesTable, GivenPath};
-#[cfg(feature = "flags")]
-pub use study_file::tables::headings;
-pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
-pub use study_file::tables::kinematics::{StudyKinematics, VehicleTable};
-pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
-pub use study_file::tables::mass::{GivenTolerance, MassTable};
-pub use study_file::tables::model::{Acceptable, ModelTable};
-pub use study_file::tables::report::StudyReport;
-pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
-pub use study_file::tables::sweep::{
-    AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,
-};
 pub use study_file::tables_of_page::{PanelTables, StudyTables, VariantTables};
 pub use study_file::variant::Variant;
 pub use sweep::row_gradient::{GradientLayout, RowGradient};

@@ -44,7 +44,7 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
     let mass = 0.6;
     // Without energy loss the maximum penetration is v √(m/k).
     let damping = DampingQuestion {
-        speed: Some(part * radius * (1e3_f64 / mass).sqrt()),
+        speed: Some((part * radius * (1e3_f64 / mass).sqrt()).into()),
         ..DampingQuestion::new(1.0, 1e3)
     };
     let report = damp_contact(&model, &question, &damping).expect("a damper");

@@ -1,4 +1,5 @@
 //! Studies.
 
 mod drift;
+mod requests;
 mod stops;

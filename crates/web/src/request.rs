@@ -2,8 +2,8 @@
 
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
-    ConditionsTable, ContactTable, DampingTable, Hold, ImpactTable, MassQuestion, ModelTable, Names,
-    PoseTable, QuestionTables, SafeSpeedTable,
+    ConditionsTable, ContactTable, DampingQuestion, Hold, ImpactQuestion, MassQuestion, ModelTable, Names,
+    PoseTable, QuestionTables, SafeSpeedQuestion,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -44,21 +44,21 @@ pub enum Request {
         /// Question; the contact is ignored if `damping` names a joint stop.
         question: QuestionRequest,
         /// Table of the damper.
-        damping: DampingTable,
+        damping: DampingQuestion,
     },
     /// Rigid impact with the reactions of the joints.
     Impact {
         /// Question.
         question: QuestionRequest,
         /// Table of the impact.
-        impact: ImpactTable,
+        impact: ImpactQuestion,
     },
     /// Safe speed of a contact with a person.
     SafeSpeed {
         /// Question.
         question: QuestionRequest,
         /// Table of the limit.
-        safe_speed: SafeSpeedTable,
+        safe_speed: SafeSpeedQuestion,
     },
     /// Angles, motion ratios and further kinematics of the wheels.
     Kinematics {

@@ -11,7 +11,7 @@ use percuss_study::{
     KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
     RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
     contact_list, damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames,
-    map_point, mass_with_frames, scene, scene_shapes, starting_contact, sweep_report,
+    map_point, mass_with_frames, safe_speeds, scene, scene_shapes, starting_contact, sweep_report,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -204,27 +204,27 @@ impl Session {
             Request::Explain { question } => Ok(Reply::Explained(self.explain(&question)?)),
             Request::Damp { question, damping } => {
                 let wanted = damping
-                    .question()?
+                    .checked()?
                     .ok_or_else(|| Refusal::of_message("the damper needs a restitution and a stiffness"))?;
                 let Some(stop) = &damping.limit else {
                     let (model, question) = self.model_and_question(&question)?;
-                    damping.check_units(&wanted, question.is_moment(&model.mechanism))?;
-                    return Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)));
+                    wanted.check_units(question.is_moment(&model.mechanism))?;
+                    return Ok(Reply::Damped(Box::new(damp_contact(model, &question, wanted)?)));
                 };
                 let conditions = question.conditions().map_err(Refusal::of_message)?;
                 let model = self.model(&question.model.changes())?;
-                damping.check_units(&wanted, stop.motion(model)? == StopMotion::Turn)?;
-                Ok(Reply::Damped(Box::new(damp_stop(model, stop, conditions, &wanted)?)))
+                wanted.check_units(stop.motion(model)? == StopMotion::Turn)?;
+                Ok(Reply::Damped(Box::new(damp_stop(model, stop, conditions, wanted)?)))
             }
-            Request::Impact { question, impact: table } => {
-                let wanted = table.question()?;
+            Request::Impact { question, impact: wanted } => {
+                wanted.check()?;
                 let (model, question) = self.model_and_question(&question)?;
                 Ok(Reply::Impact(Box::new(impact(model, &question, &wanted)?)))
             }
             Request::SafeSpeed { question, safe_speed } => {
                 let (model, question) = self.model_and_question(&question)?;
-                let wanted = safe_speed.safe_speed(&question, Path::new(""), DEFAULT_MAX_SIZE)?;
-                Ok(Reply::SafeSpeeds(wanted.reports(model)?))
+                let wanted = safe_speed.checked(Path::new(""), DEFAULT_MAX_SIZE)?;
+                Ok(Reply::SafeSpeeds(safe_speeds(model, &question, &wanted)?))
             }
             Request::Kinematics { model, state, range } => {
                 let question = kinematics_question(&state, range)?;

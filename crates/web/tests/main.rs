@@ -219,7 +219,7 @@ fn further_results_are_those_of_the_library() {
     let damping = json!({ "restitution": 0.3, "stiffness": "200 N/mm", "speed": 1.0, "for": "mujoco" });
     let reply = ask(&mut session, &json!({ "do": "damp", "question": question, "damping": damping }));
     let mut wanted = DampingQuestion::new(0.3, 2e5);
-    wanted.speed = Some(1.0);
+    wanted.speed = Some(1.0.into());
     let expected = damp_contact(&model, &native, &wanted).unwrap();
     assert_eq!(reply["ok"]["damping"].as_f64(), expected.damper.damping, "{reply}");
     assert!(reply["ok"]["exports"]["mujoco"]["snippet"].as_str().unwrap().contains("solref"));

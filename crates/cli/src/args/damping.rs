@@ -5,7 +5,7 @@ use super::model::ReadingArgs;
 use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
-use percuss_study::{DampingTable, JointStop, Mass, SafeSpeedTable};
+use percuss_study::{DampingQuestion, JointStop, Mass, SafeSpeedQuestion};
 
 /// Heading in the help: source of the effective mass.
 const FROM: &str = "Effective mass";
@@ -42,7 +42,7 @@ pub struct DampArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     #[command(flatten)]
-    pub damping: DampingTable,
+    pub damping: DampingQuestion,
     /// List the laws and exit.
     #[arg(long, exclusive = true, help_heading = "Lists")]
     pub list_laws: bool,
@@ -72,7 +72,7 @@ pub struct SafeSpeedArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     #[command(flatten)]
-    pub safe_speed: SafeSpeedTable,
+    pub safe_speed: SafeSpeedQuestion,
     /// List the regions and exit.
     #[arg(long, exclusive = true, help_heading = LIMIT)]
     pub list_regions: bool,

@@ -5,7 +5,7 @@ use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::generated::{Additions, Language};
 use percuss_study::headings::{CONTACT, OUTPUT};
-use percuss_study::{DampingTable, JointStop};
+use percuss_study::{DampingQuestion, JointStop};
 
 /// Heading of the additional functions.
 const FUNCTIONS: &str = "Additional functions";
@@ -181,7 +181,7 @@ pub struct ExportArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub damping: DampingTable,
+    pub damping: DampingQuestion,
     /// Stop of a joint instead of a contact: JOINT:lower, JOINT:upper, or JOINT at its position.
     ///
     /// Stiffness in N·m/rad and speed in rad/s for a revolute joint.

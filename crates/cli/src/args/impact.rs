@@ -4,7 +4,7 @@ use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{ContactTable, ExtremesQuestion, ExtremesTable, GivenPath, ImpactTable};
+use percuss_study::{ContactTable, ExtremesQuestion, GivenPath, ImpactQuestion, RowSource};
 use std::path::Path;
 
 /// Flags of `percuss impact`.
@@ -15,7 +15,7 @@ pub struct ImpactArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub impact: ImpactTable,
+    pub impact: ImpactQuestion,
     /// Impact in time, or --reflected over a range: .csv .xlsx .parquet .svg .png .pdf
     ///
     /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time. The
@@ -32,10 +32,10 @@ pub struct ImpactArgs {
 impl ImpactArgs {
     /// True if only reflected inertias are requested: no flag of a contact or of an impact is given.
     pub fn needs_no_contact(&self) -> bool {
-        let without_reflected = ImpactTable { reflected: Vec::new(), ..self.impact.clone() };
+        let without_reflected = ImpactQuestion { reflected: Vec::new(), ..self.impact.clone() };
         !self.impact.reflected.is_empty()
             && self.contact.contact == ContactTable::default()
-            && without_reflected == ImpactTable::default()
+            && without_reflected == ImpactQuestion::default()
     }
 }
 
@@ -47,7 +47,7 @@ pub struct ExtremesArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub extremes: ExtremesTable,
+    pub extremes: ExtremesQuestion,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
@@ -56,13 +56,14 @@ pub struct ExtremesArgs {
 impl ExtremesArgs {
     /// Converts the flags to a question. A range of a wheel motion forms the path.
     pub fn question(&self) -> Result<ExtremesQuestion, Failure> {
-        let is_input = matches!(&self.extremes.path, Some(GivenPath::File(path)) if path == "-");
-        if is_input && self.model.model == "-" {
+        if matches!(&self.extremes.path, Some(GivenPath(RowSource::File(file))) if file.path == "-")
+            && self.model.model == "-"
+        {
             return Err(Failure::bad_input(
                 "--path -: the model is already read from the standard input; give a file name for one of the two",
             ));
         }
         let max_size = self.model.reading.max_size;
-        Ok(self.extremes.question(self.contact.ranges()?, Path::new(""), max_size)?)
+        Ok(self.extremes.checked(self.contact.ranges()?, Path::new(""), max_size)?)
     }
 }

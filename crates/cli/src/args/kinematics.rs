@@ -7,7 +7,7 @@ use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT, POSE};
 use percuss_study::{
     KinematicTarget, KinematicVariable, KinematicsQuestion, Length, TargetSearch, UnknownCoordinate,
-    VehicleTable, WheelMotion,
+    VehicleData, WheelMotion,
 };
 
 /// Heading of the search for coordinates.
@@ -32,7 +32,7 @@ pub struct KinematicsArgs {
     #[arg(long, value_name = "TRAVEL", allow_hyphen_values = true, help_heading = POSE)]
     pub steer: Option<String>,
     #[command(flatten)]
-    pub vehicle: VehicleTable,
+    pub vehicle: VehicleData,
     /// Search the coordinate of a hardpoint, x, y or z in the axes of the sheet: rocker_back.z.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
     pub solve: Vec<UnknownCoordinate>,
@@ -70,11 +70,12 @@ impl KinematicsArgs {
             (KinematicVariable::Wheels(WheelMotion::Heave), &self.heave),
             (KinematicVariable::Wheels(WheelMotion::Roll), &self.roll),
         ];
-        let vehicle = self.vehicle.data().map_err(|(key, why)| {
+        self.vehicle.check().map_err(|(key, why)| {
             let name = key.rsplit('.').next().unwrap_or(key).replace('_', "-");
             Failure::bad_input(format!("--{name} is {why}"))
         })?;
-        let mut question = KinematicsQuestion { vehicle, ..KinematicsQuestion::default() };
+        let (vehicle, columns) = (self.vehicle, self.columns.clone());
+        let mut question = KinematicsQuestion { vehicle, columns, ..KinematicsQuestion::default() };
         for (variable, text) in given {
             let Some(text) = text else { continue };
             let name = variable.name();

@@ -4,7 +4,7 @@ use super::{ContactArgs, MassFormat, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::OUTPUT;
-use percuss_study::{MapTable, StudyMap, StudyTable};
+use percuss_study::{MapQuestion, MassQuestion, StudyTable};
 use std::path::Path;
 
 /// Flags of `percuss map`.
@@ -15,7 +15,7 @@ pub struct MapArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub map: MapTable,
+    pub map: MapQuestion,
     #[command(flatten)]
     pub table: StudyTable,
     #[command(flatten)]
@@ -34,8 +34,8 @@ pub struct MapArgs {
 }
 
 impl MapArgs {
-    /// Converts the flags to a map; refuses flags of a contact that do not apply to a map.
-    pub fn map(&self) -> Result<StudyMap, Failure> {
+    /// Converts the flags to a contact and a map; refuses flags of a contact that do not apply to a map.
+    pub fn questions(&self) -> Result<(MassQuestion, MapQuestion), Failure> {
         let contact = &self.contact.contact;
         if contact.about_axis.is_some() {
             return Err(Failure::bad_input(
@@ -57,8 +57,10 @@ impl MapArgs {
             return Err(Failure::bad_input("give a link (--link LINK), or --all for every link"));
         }
         let link = contact.link.iter().cloned().collect();
-        let map = MapTable { link, point: contact.point, ..self.map.clone() };
-        let map = map.map(&self.contact.conditions()?, Path::new(""))?;
-        Ok(StudyMap { table: self.table.clone(), ..map })
+        let StudyTable { units: unit, decimal } = self.table.clone();
+        let map = MapQuestion { link, point: contact.point, unit, decimal, ..self.map.clone() };
+        let contact = self.contact.conditions()?;
+        let map = map.checked(&contact, Path::new(""))?;
+        Ok((contact, map))
     }
 }

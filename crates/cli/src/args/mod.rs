@@ -32,7 +32,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use help::examples;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{DampingTable, MassTable, RowSource, StudyFigure, StudyTable, SweepTable};
+use percuss_study::{DampingQuestion, MassOptions, StudyFigure, StudyTable, SweepQuestion};
 use std::path::Path;
 
 /// The effective mass of a mechanism at a contact.
@@ -215,12 +215,12 @@ pub struct MassArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub requests: MassTable,
+    pub requests: MassOptions,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]
     pub format: MassFormat,
     #[command(flatten)]
-    pub damping: DampingTable,
+    pub damping: DampingQuestion,
 }
 
 /// Flags of `percuss sweep`.
@@ -231,7 +231,7 @@ pub struct SweepArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     #[command(flatten)]
-    pub sweep: SweepTable,
+    pub sweep: SweepQuestion,
     #[command(flatten)]
     pub table: StudyTable,
     #[command(flatten)]
@@ -249,8 +249,8 @@ pub struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// Source of the rows.
-    pub fn source(&self) -> Result<RowSource, Failure> {
+    /// Converts the flags to a question about the rows.
+    pub fn question(&self) -> Result<SweepQuestion, Failure> {
         if self.sweep.input.as_deref() == Some("-") && self.model.model == "-" {
             return Err(Failure::bad_input(
                 "--input -: the model is already read from the standard input; give a file name for one of the two",
@@ -262,7 +262,7 @@ impl SweepArgs {
                 "no range is given: --vary JOINT=FROM:TO:COUNT, or a motion of the wheels such as --heave -80mm:80mm:33",
             ));
         }
-        Ok(sweep.source(ranges, Path::new(""), self.model.reading.max_size)?)
+        Ok(sweep.checked(ranges, Path::new(""), self.model.reading.max_size)?)
     }
 }
 

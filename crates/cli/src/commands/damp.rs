@@ -16,7 +16,7 @@ use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, damp_stop, impact_history,
+    DampingQuestion, DampingReport, ExportRecord, Tools, damp, damp_contact, damp_stop, impact_history,
 };
 use std::fmt::Write;
 
@@ -29,16 +29,17 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         return write_out(&tools());
     }
     args.writing.apply();
-    let Some(mut question) = args.damping.question()? else {
+    let Some(question) = args.damping.checked()? else {
         return Err(Failure::bad_input(
             "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
         ));
     };
+    let mut question = question.clone();
     if args.format == CheckFormat::Json && question.tools.is_empty() {
-        question.tools = Tool::ALL.to_vec();
+        question.tools = vec![Tools(Tool::ALL.to_vec())];
     }
     if args.mass.is_some() {
-        args.damping.check_units(&question, false)?;
+        question.check_units(false)?;
     }
     let contact = &args.contact;
     let report = match (args.mass, &args.mass_from) {
@@ -46,12 +47,12 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         (None, Some(path)) => match &args.limit {
             Some(stop) => {
                 let model = args.reading.load(path)?;
-                args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
+                question.check_units(stop.motion(&model)? == StopMotion::Turn)?;
                 with_findings(damp_stop(&model, stop, contact.conditions()?, &question), &model)?
             }
             None => {
                 let (of_contact, model) = (contact.question()?, args.reading.load(path)?);
-                args.damping.check_units(&question, of_contact.is_moment(&model.mechanism))?;
+                question.check_units(of_contact.is_moment(&model.mechanism))?;
                 with_findings(damp_contact(&model, &of_contact, &question), &model)?
             }
         },

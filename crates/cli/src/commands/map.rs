@@ -10,20 +10,22 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
 use percuss_render::Picture;
-use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, MapResult, PointMapReport};
+use percuss_study::{
+    DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, MapResult, PointMapReport, requested_map,
+};
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), Failure> {
-    let map = args.map()?;
-    let (formats, strict) = (formats(&map.outputs)?, args.model.reading.strict);
+    let (contact, question) = args.questions()?;
+    let (formats, strict) = (formats(&question.output)?, args.model.reading.strict);
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     // The check precedes the computation.
     formats.iter().try_for_each(|(path, _)| check_writable(path))?;
-    let table = TableStyle::from_study(&map.table);
-    let result = with_findings(map.question.answer(&model), &model)?;
+    let table = TableStyle::from_study(&question.table());
+    let result = with_findings(requested_map(&model, &contact, &question), &model)?;
     write(&result, &MapOutput { formats, table, format: args.format, strict })
 }
 

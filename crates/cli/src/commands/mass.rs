@@ -14,29 +14,25 @@ use crate::terminal::report::{
 use crate::terminal::text::{number, triple, upper_bound, within_uncertainty};
 use crate::terminal::units::ContactUnits;
 use percuss_study::{
-    DampingQuestion, FrictionThresholdsRecord, MassQuestion, MassReport, Model, SheetPoint, Status,
-    StudyAdditions, StudyMass, WithAdditions, contact_names, requested_mass,
+    DampingQuestion, FrictionThresholdsRecord, MassOptions, MassQuestion, MassReport, Model, SheetPoint,
+    Status, StudyAdditions, WithAdditions, contact_names, requested_mass,
 };
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
-    let requests = args.requests.options()?;
-    let damping = args.damping.question()?;
+    args.requests.check()?;
+    let damping = args.damping.checked()?;
     let is_list = args.contact.contact.at.as_deref() == Some(ALL_CONTACTS);
     if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
-        if let Some(question) = &damping {
-            args.damping.check_units(question, false)?;
-        }
-        return show_all_contacts(args, &model, damping.as_ref());
+        damping.map_or(Ok(()), |damping| damping.check_units(false))?;
+        return show_all_contacts(args, &model, damping);
     }
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "this command")?;
     let contact = args.contact.question()?;
-    if let Some(question) = &damping {
-        args.damping.check_units(question, contact.is_moment(&model.mechanism))?;
-    }
-    show(&model, &contact, damping.as_ref(), args.format, &requests, args.model.reading.strict)
+    damping.map_or(Ok(()), |damping| damping.check_units(contact.is_moment(&model.mechanism)))?;
+    show(&model, &contact, damping, args.format, &args.requests, args.model.reading.strict)
 }
 
 /// Value of --at for all named contacts of a model.
@@ -78,7 +74,7 @@ fn show(
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
-    requested: &StudyMass,
+    requested: &MassOptions,
     strict: bool,
 ) -> Result<(), Failure> {
     let report = with_findings(requested_mass(model, question, damping, requested), model)?;
@@ -88,14 +84,14 @@ fn show(
 /// Writes a report with its findings, and compares it with the expected value. `additions`: further keys of the report in JSON.
 pub fn write(
     report: &MassReport,
-    requested: &StudyMass,
+    requested: &MassOptions,
     additions: &StudyAdditions,
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
-        || requested.tolerance.is_some() && report.tolerance.is_none();
+        || requested.tolerance().is_some() && report.tolerance.is_none();
     if unanswered {
         note("--explain and --tolerance: sensitivities require a single finite effective mass as the result");
     }
@@ -110,15 +106,15 @@ pub fn write(
             }
             write_out(&csv::mass_row(report, &report.assumptions.set))?;
         }
-        MassFormat::Text => write_out(&text(report, requested.expect))?,
+        MassFormat::Text => write_out(&text(report, requested.expected()))?,
     }
     check_expected(report, requested)
 }
 
 /// Compares the result with the expected value, if there is one; a mismatch gives exit code 1.
-pub fn check_expected(report: &MassReport, requested: &StudyMass) -> Result<(), Failure> {
-    let tolerance = requested.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
-    requested.expect.map_or(Ok(()), |expected| compare(report, expected, tolerance))
+pub fn check_expected(report: &MassReport, requested: &MassOptions) -> Result<(), Failure> {
+    let tolerance = requested.expected_tolerance().unwrap_or(limits::DEFAULT_TOLERANCE);
+    requested.expected().map_or(Ok(()), |expected| compare(report, expected, tolerance))
 }
 
 /// Compares the result with an expected value; a mismatch gives exit code 1.

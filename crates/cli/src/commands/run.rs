@@ -19,8 +19,8 @@ use crate::terminal::report::{note, with_findings, write_diagnostics, write_out}
 use crate::terminal::wrap::fact_line;
 use clap::ValueEnum;
 use percuss_study::{
-    Design, DiagnosticRecord, MassQuestion, MassReport, Names, RowSource, StudyAdditions, StudyFile,
-    StudyMap, StudyMass,
+    Design, DiagnosticRecord, MapQuestion, MassOptions, MassQuestion, MassReport, Names, RowSource,
+    StudyAdditions, StudyFile, SweepQuestion,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -61,11 +61,11 @@ fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
-    let rows = study.sweep.iter().map(|sweep| &sweep.rows);
-    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.as_ref()));
-    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.path.as_ref()));
+    let rows = study.sweep.iter().map(SweepQuestion::rows);
+    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows()));
+    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.rows()));
     let of_rows =
-        rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path.clone()) } else { None });
+        rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path) } else { None });
     of_models.chain(poses).chain(of_rows)
 }
 
@@ -101,7 +101,7 @@ fn output_files<'a>(
     let page = args.report.iter().flat_map(|path| report::files_of_page(study, path));
     let page = page.map(|path| ("--report", path));
     let explorer = args.explorer.iter().map(|path| ("--explorer", path.clone()));
-    Box::new(page.chain(explorer).chain(report::files_of(study)))
+    Box::new(page.chain(explorer).chain(study.outputs()))
 }
 
 /// Output of one table, after its computation.
@@ -119,16 +119,16 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         prints.push(contact_print(study, question, of_rows, &designs, strict)?);
     }
     if let Some(damping) = &study.damping
-        && (damping.stop.is_some() || damping.output.is_some())
+        && (damping.limit.is_some() || damping.output.is_some())
         && let Some(report) = with_findings(study.damper(), &study.model)?
     {
         prints.push(Box::new(move || {
-            if damping.stop.is_some() {
+            if damping.limit.is_some() {
                 write_diagnostics(&report.diagnostics, strict)?;
                 damp::print(&report, CheckFormat::Text)?;
             }
             match &damping.output {
-                Some(path) => damp::write_history(&report, &damping.question, path),
+                Some(path) => damp::write_history(&report, damping, path),
                 None => Ok(()),
             }
         }));
@@ -166,7 +166,7 @@ fn contact_print<'a>(
     designs: &'a [Design],
     strict: bool,
 ) -> Result<Print<'a>, Failure> {
-    let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
+    let of_pose = study.damping.is_some() || study.mass != MassOptions::default();
     if !study.contacts.is_empty() {
         note_single_contact(study);
     }
@@ -178,7 +178,7 @@ fn contact_print<'a>(
     }
     let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
     let table =
-        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table));
+        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
     if study.sweep.is_none()
         && study.variants.is_empty()
         && let Some(list) = study.contact_list()?
@@ -189,7 +189,7 @@ fn contact_print<'a>(
         let report =
             percuss_study::compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
         return Ok(Box::new(move || {
-            let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+            let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
             let format = MassFormat::Text;
             let written = ComparisonOutput { output, table, figure: &figure, format, strict };
             compare::write(&report, designs, &written)
@@ -213,9 +213,9 @@ fn contact_print<'a>(
             left_out.join(", ")
         ));
     }
-    let destination = SweepOutput { output, table, figure: &sweep.figure, strict };
+    let destination = SweepOutput { output, table, figure: sweep.figure(), strict };
     let prepared = study.prepared_sweep(sweep, of_rows);
-    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows, prepared, destination)?;
+    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows(), prepared, destination)?;
     Ok(Box::new(move || {
         ready.run()?;
         // Without a file the rows are on the standard output, which is one table.
@@ -281,7 +281,7 @@ fn write_additional_findings(
 /// Notes the tables that apply to the first of several contacts only.
 fn note_single_contact(study: &StudyFile) {
     let tables = [
-        ("[mass]", study.mass != StudyMass::default()),
+        ("[mass]", study.mass != MassOptions::default()),
         ("[impact]", study.impact.is_some()),
         ("[extremes]", study.extremes.is_some()),
         ("[safe_speed]", study.safe_speed.is_some()),
@@ -361,9 +361,9 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
 }
 
 /// Output options of the map of a study.
-fn map_output(requested: &StudyMap, format: MassFormat, strict: bool) -> Result<map::MapOutput, Failure> {
-    let formats = map::formats(&requested.outputs)?;
-    Ok(map::MapOutput { formats, table: TableStyle::from_study(&requested.table), format, strict })
+fn map_output(requested: &MapQuestion, format: MassFormat, strict: bool) -> Result<map::MapOutput, Failure> {
+    let formats = map::formats(&requested.output)?;
+    Ok(map::MapOutput { formats, table: TableStyle::from_study(&requested.table()), format, strict })
 }
 
 /// Refuses an output outside the study's folder, with symbolic links resolved.

@@ -33,11 +33,12 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "a sweep")?;
     warn_plain_angles(args, &model);
-    let (question, source) = (args.contact.question_of_rows()?, args.source()?);
+    let (question, requested) = (args.contact.question_of_rows()?, args.question()?);
+    let source = requested.rows();
     let destination = SweepOutput {
         output: args.sweep.output.as_deref(),
         table: TableStyle::from_study(&args.table),
-        figure: &args.figure,
+        figure: args.figure.clone(),
         strict: args.model.reading.strict,
     };
     let sweep = Sweep::new(&model, &question, &source);
@@ -80,7 +81,7 @@ pub fn use_threads(count: Option<u16>) {
 pub struct SweepOutput<'a> {
     pub output: Option<&'a str>,
     pub table: TableStyle,
-    pub figure: &'a StudyFigure,
+    pub figure: StudyFigure,
     pub strict: bool,
 }
 
@@ -156,7 +157,7 @@ fn write(
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
         Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
         Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
-        Format::Picture => sweep_figure(sweep, question, destination.figure, bar)?,
+        Format::Picture => sweep_figure(sweep, question, &destination.figure, bar)?,
     };
     let mut figure = figure;
     note_clipping(&mut figure);

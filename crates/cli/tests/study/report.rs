@@ -259,7 +259,15 @@ fn a_study_without_a_contact_has_a_report() {
         assert_eq!(outcome.code, 0, "{asked}: {}", outcome.stderr);
         let page = fs::read_to_string(folder.path("r.html")).expect("written");
         let init = format!("percuss init {model} -o contact.toml");
-        for words in [words, "degrees of freedom", "centre of mass", "parent → child", "Possible contacts", &init, "SHA-256"] {
+        for words in [
+            words,
+            "degrees of freedom",
+            "centre of mass",
+            "parent → child",
+            "Possible contacts",
+            &init,
+            "SHA-256",
+        ] {
             assert!(page.contains(words), "{asked}: {words}");
         }
         assert!(

@@ -3,7 +3,7 @@
 use crate::support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use percuss_formats::DEFAULT_MAX_SIZE;
-use percuss_study::{Fault, GivenPosition, Names, StudyError, StudyFile, Vary, sweep_report};
+use percuss_study::{GivenPosition, Names, StudyError, StudyFile, Vary, sweep_report};
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
@@ -249,7 +249,9 @@ fn a_number_of_rows_that_cannot_be_is_refused() {
     for count in [0, usize::MAX] {
         let vary = Vary { count, ..Vary::parse("crank_hinge=0:1:2").expect("a range") };
         match sweep_report(&model, &question, &vary) {
-            Err(StudyError::Input { fault, .. }) => assert_eq!(*fault, Fault::Rows { count }),
+            Err(StudyError::Input { fault, .. }) => {
+                assert!(fault.to_string().starts_with(&format!("{count} rows; ")), "{fault}");
+            }
             other => panic!("{other:?}"),
         }
     }

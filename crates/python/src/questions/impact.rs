@@ -7,10 +7,9 @@ use crate::conversion::errors::{input, of_argument};
 use crate::questions::question::{Conditions, Damping, optional_rows};
 use crate::questions::reports::contact_report;
 use percuss::Mechanism;
-use percuss::impact::RestitutionLaw;
 use percuss::study::{
-    self, ExtremesQuestion, FurtherContact, GivenGearLimits, GivenRange, GivenRates, GivenSpring,
-    ImpactQuestion, Keep, PercussionRequest, QuantityError,
+    self, ExtremesQuestion, FurtherContact, GivenGearLimits, GivenPath, GivenRange, GivenRates, GivenSpring,
+    ImpactQuestion, Keep, PercussionRequest, QuantityError, RestitutionLawName,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -63,9 +62,9 @@ fn by_joint<T: FromStr<Err = QuantityError>>(
 }
 
 /// Law of restitution by name.
-fn law(name: &str) -> PyResult<RestitutionLaw> {
-    RestitutionLaw::ALL.into_iter().find(|law| law.name() == name).ok_or_else(|| {
-        let names = RestitutionLaw::ALL.map(RestitutionLaw::name).join(", ");
+fn law(name: &str) -> PyResult<RestitutionLawName> {
+    RestitutionLawName::ALL.into_iter().find(|law| law.law().name() == name).ok_or_else(|| {
+        let names = RestitutionLawName::ALL.map(|law| law.law().name()).join(", ");
         input(format_args!("restitution_law: \"{name}\"; expected one of {names}"))
     })
 }
@@ -86,26 +85,29 @@ impl Impact<'_> {
         if self.restitution_law.is_some() && self.friction.is_none() {
             return Err(input("restitution_law: without friction it has no effect; give friction too"));
         }
+        let law = self.law.as_ref().map(Damping::question).transpose()?.unwrap_or_default();
         Ok(ImpactQuestion {
-            dimensions: [None; 2],
-            restitution: self.restitution,
-            speed: self.speed,
-            friction: self.friction,
-            restitution_law: self.restitution_law.as_deref().map(law).transpose()?.unwrap_or_default(),
+            restitution: Some(self.restitution.into()),
+            speed: self.speed.map(Into::into),
+            friction: self.friction.map(Into::into),
+            restitution_law: self.restitution_law.as_deref().map(law).transpose()?,
             also: self.also.iter().map(further).collect::<PyResult<_>>()?,
             also_restitution: self.also_restitution.clone(),
             sticking: self.sticking,
-            stiffness_ratios: self.stiffness_ratios.clone(),
-            contact_exponent: self.contact_exponent,
+            stiffness_ratio: self.stiffness_ratios.clone(),
+            contact_exponent: self.contact_exponent.map(Into::into),
             rates: by_joint(&self.rates, "rates", GivenRates::from_numbers)?,
-            base_twist: self.base_twist,
-            law: self.law.as_ref().map(Damping::question).transpose()?,
+            base_twist: self.base_twist.map(Vec::from).unwrap_or_default(),
+            stiffness: law.stiffness,
+            exponent: law.exponent,
+            law: law.law,
+            separation: law.separation,
             in_time: self.in_time,
-            gravity: self.gravity,
-            joint_springs: by_joint(&self.joint_springs, "joint_spring", GivenSpring::from_numbers)?,
-            rate_limits: by_joint(&self.rate_limits, "rate_limit", GivenRates::from_numbers)?,
-            gear_limits: by_joint(&self.gear_limits, "gear_limit", GivenGearLimits::from_numbers)?,
-            point_error: self.point_error,
+            gravity: self.gravity.map(Vec::from).unwrap_or_default(),
+            joint_spring: by_joint(&self.joint_springs, "joint_spring", GivenSpring::from_numbers)?,
+            rate_limit: by_joint(&self.rate_limits, "rate_limit", GivenRates::from_numbers)?,
+            gear_limit: by_joint(&self.gear_limits, "gear_limit", GivenGearLimits::from_numbers)?,
+            point_error: self.point_error.map(Into::into),
             reflected: self.reflected.clone(),
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,
         })
@@ -141,10 +143,22 @@ pub fn extremes(
     let quantity =
         quantity.parse().map_err(|error| input(format_args!("quantity: \"{quantity}\": {error}")))?;
     let normals = normals.parse().map_err(|error| input(format_args!("normals: \"{normals}\": {error}")))?;
-    let ranges = ranges.iter().map(range).collect::<PyResult<_>>()?;
-    let law = contact_law.as_ref().map(Damping::question).transpose()?;
-    let dimensions = [None; 2];
-    let requested = ExtremesQuestion { ranges, keep, path, quantity, law, dimensions, normals, starts };
+    let law = contact_law.as_ref().map(Damping::question).transpose()?.unwrap_or_default();
+    let requested = ExtremesQuestion {
+        range: ranges.iter().map(range).collect::<PyResult<_>>()?,
+        keep,
+        path: path.map(GivenPath),
+        quantity: Some(quantity),
+        normals: Some(normals),
+        starts: (starts > 0).then(|| starts.try_into().unwrap_or(u16::MAX)),
+        stiffness: law.stiffness,
+        restitution: law.restitution,
+        speed: law.speed,
+        exponent: law.exponent,
+        law: law.law,
+        separation: law.separation,
+        ..ExtremesQuestion::default()
+    };
     contact_report(py, model, contact, &conditions, |model, question| {
         study::extremes(model, question, &requested)
     })

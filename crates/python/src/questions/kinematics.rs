@@ -5,7 +5,7 @@ use crate::conversion::errors::{self, input};
 use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::reports::json;
 use percuss::study::{
-    self, AxlePosition, KinematicVariable, KinematicsQuestion, TorqueReaction, VehicleData, WheelMotion,
+    self, AxlePosition, KinematicVariable, KinematicsQuestion, PositiveMass, VehicleData, WheelMotion,
 };
 use percuss::{DEFAULT_MAX_SIZE, LoadOptions};
 use pyo3::prelude::*;
@@ -68,17 +68,16 @@ impl Question {
                 return Err(input(format_args!("axle is \"{other}\"; expected \"front\" or \"rear\"")));
             }
         };
-        let reaction = |inboard| if inboard { TorqueReaction::Inboard } else { TorqueReaction::Outboard };
         Ok(VehicleData {
             axle,
-            brake_bias: share("brake_bias", self.brake_bias)?,
-            drive_share: share("drive_share", self.drive_share)?,
-            cg_height: positive("cg_height", self.cg_height)?,
-            wheelbase: positive("wheelbase", self.wheelbase)?,
-            brakes: reaction(self.inboard_brakes),
-            drive: reaction(self.inboard_drive),
-            sprung_mass: positive("sprung_mass", self.sprung_mass)?,
-            tyre_rate: positive("tyre_rate", self.tyre_rate)?,
+            brake_bias: share("brake_bias", self.brake_bias)?.map(Into::into),
+            drive_share: share("drive_share", self.drive_share)?.map(Into::into),
+            cg_height: positive("cg_height", self.cg_height)?.map(Into::into),
+            wheelbase: positive("wheelbase", self.wheelbase)?.map(Into::into),
+            inboard_brakes: self.inboard_brakes,
+            inboard_drive: self.inboard_drive,
+            sprung_mass: positive("sprung_mass", self.sprung_mass)?.map(PositiveMass),
+            tyre_rate: positive("tyre_rate", self.tyre_rate)?.map(Into::into),
         })
     }
 

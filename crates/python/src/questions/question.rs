@@ -6,11 +6,10 @@ use crate::analysis::system::{base, link_point_vector, numbers};
 use crate::conversion::arrays::{list, triple};
 use crate::conversion::errors::{input, of_argument};
 use percuss::contact::Separation;
-use percuss::contact::exports::Tool;
 use percuss::spatial::Transform;
 use percuss::study::{
     DampingQuestion, EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Moved,
-    Normal, Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
+    Normal, PositiveMass, Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
 };
 use percuss::{DEFAULT_MAX_SIZE, Mechanism};
 use pyo3::prelude::*;
@@ -187,32 +186,31 @@ pub struct Damping {
 impl Damping {
     /// Converts the fields to a damping question of the study crate.
     pub fn question(&self) -> PyResult<DampingQuestion> {
-        let mut question = DampingQuestion::new(self.restitution, self.stiffness);
         let end = |name: &String| {
             Separation::from_name(name)
                 .ok_or_else(|| input(format_args!("separation is \"{name}\"; expected \"force\" or \"gap\"")))
         };
         let separation = self.separation.as_ref().map(end).transpose()?;
-        question.choose(&self.law, self.exponent, separation).map_err(input)?;
-        question.speed = self.speed;
+        let mut question = DampingQuestion {
+            exponent: self.exponent.map(Into::into),
+            speed: self.speed.map(Into::into),
+            law: Some(self.law.parse().map_err(input)?),
+            separation: separation.map(Into::into),
+            accuracy: self.accuracy.map(Into::into),
+            time_step: self.time_step.map(Into::into),
+            own_mass: self.own_mass.map(PositiveMass),
+            other_own_mass: self.other_own_mass.map(PositiveMass),
+            diagonal_ratio: self.diagonal_ratio.map(Into::into),
+            ..DampingQuestion::new(self.restitution, self.stiffness)
+        };
+        question.check_law().map_err(input)?;
         let options = &mut question.options;
-        options.accuracy = self.accuracy.unwrap_or(options.accuracy);
-        options.time_step = self.time_step;
-        options.own_mass = self.own_mass;
-        options.other_own_mass = self.other_own_mass;
-        options.diagonal_ratio = self.diagonal_ratio;
         options.loops_unknown = self.closed_loops.is_none();
         options.closed_loops = self.closed_loops.unwrap_or_default();
         options.constrained = options.closed_loops;
         for name in &self.tools {
-            match name.as_str() {
-                "all" => question.tools.extend(Tool::ALL),
-                name => question
-                    .tools
-                    .push(Tool::from_name(name).map_err(|error| of_argument("tools")(input(error)))?),
-            }
+            question.tools.push(name.parse().map_err(|error| of_argument("tools")(input(error)))?);
         }
-        question.tools.dedup();
         Ok(question)
     }
 }

@@ -8,8 +8,8 @@ use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::question::{Conditions, Damping, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::study::{
-    self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
-    StatedLimits, StudyAdditions, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance, WithAdditions,
+    self, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
+    StudyAdditions, StudyError, StudyFile, Sweep, Tolerance, Vector, WithAdditions,
 };
 use percuss::{DEFAULT_MAX_SIZE, interruption};
 use pyo3::prelude::*;
@@ -230,10 +230,10 @@ pub fn map_report<'py>(
     edge: Option<f64>,
     packages: Vec<(String, PathBuf)>,
 ) -> PyResult<(String, Bound<'py, PyDict>, String)> {
-    let mut question = MapQuestion::all(conditions.question()?);
-    question.conditions.against = against;
+    let mut question = MapQuestion::all();
+    let conditions = MassQuestion { against, ..conditions.question()? };
     if let Some(links) = links {
-        question.links = MapLinks::Named(links);
+        (question.all, question.link) = (false, links);
     }
     question.shapes = match shapes {
         "auto" => MapShapes::Auto,
@@ -245,10 +245,10 @@ pub fn map_report<'py>(
             )));
         }
     };
-    (question.edge, question.packages) = (edge, packages);
+    (question.edge, question.package) = (edge.map(Into::into), packages);
     let read = Arc::clone(&model.read);
     let work = move || {
-        let answer = study::map(&read, &question)?;
+        let answer = study::map(&read, &conditions, &question)?;
         let picture = percuss_render::Picture::to_svg(&percuss_cli::map_skin(&answer));
         Ok((answer, picture))
     };
@@ -304,13 +304,22 @@ pub fn safe_speed(
     random: Option<(usize, u64)>,
 ) -> PyResult<String> {
     let SpeedQuestion { region, force, pressure, area, energy, momentum, load, directions, worst } = speed;
-    let limit = StatedLimits { force, pressure, area, energy, momentum }.one().map_err(errors::input)?;
-    let rows = optional_rows(vary, input, random)?;
-    let asked_for = SafeSpeedQuestion { region, limit, load };
+    let asked = SafeSpeedQuestion {
+        region,
+        force: force.map(Into::into),
+        pressure: pressure.map(Into::into),
+        area: area.map(Into::into),
+        energy: energy.map(Into::into),
+        momentum: momentum.map(Into::into),
+        load: Some(load.into()),
+        direction: directions.into_iter().map(Vector).collect(),
+        worst_direction: worst,
+        rows: optional_rows(vary, input, random)?,
+        ..SafeSpeedQuestion::default()
+    };
+    asked.limit().map_err(errors::input)?;
     contact_report(py, model, contact, &conditions, |model, question| {
-        let contact = question.clone();
-        StudySafeSpeed { contact, limit_question: asked_for, directions, worst_direction: worst, rows }
-            .reports(model)
+        study::safe_speeds(model, question, &asked)
     })
 }
 

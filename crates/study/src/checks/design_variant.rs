@@ -3,7 +3,7 @@
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::thresholds::MAX_MASS_RATIO;
 use percuss_formats::LoadError;
@@ -43,7 +43,7 @@ impl Model {
             }
             (_, None) => {
                 let path = self.inputs.first().map_or_else(String::new, |input| input.path.clone());
-                return Err(StudyError::input(Field::Move, Fault::NoSheet { path }).into());
+                return Err(StudyError::input(Field::Move, no_sheet(&path)).into());
             }
         };
         if to_do.changes_inertia() {
@@ -89,8 +89,16 @@ fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
             .filter(|(_, problem)| problem.severity() == Severity::Error)
             .find(of_link)
             .map_or_else(|| error.to_string(), |(subject, problem)| format!("{subject}: {problem}"));
-        StudyError::input(field, Fault::NoMechanism { message })
+        StudyError::input(field, format!("the changed model is invalid: {message}"))
     }
+}
+
+/// Message: a model without hardpoints, from the file `path`.
+pub(crate) fn no_sheet(path: &str) -> String {
+    format!(
+        "{path} is a URDF without hardpoints; give the suspension sheet (.toml, .csv, .xlsx) instead, or move \
+         the joints' <origin> in the file"
+    )
 }
 
 /// Warnings for links whose new mass is a large multiple of both their old mass and the mass of all other links.
@@ -126,10 +134,8 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
     for (name, mass) in &changes.link_mass {
         let link = find(mechanism, Field::LinkMass, name)?;
         if !(mass.is_finite() && *mass >= 0.0) {
-            return Err(StudyError::input(
-                Field::LinkMass,
-                Fault::LinkMass { link: name.clone(), mass: *mass },
-            ));
+            let why = format!("link \"{name}\": {mass:e} kg; expected a finite mass of 0 or more");
+            return Err(StudyError::input(Field::LinkMass, why));
         }
         inertials.insert(name.clone(), scaled_inertia(link, *mass));
     }
@@ -137,13 +143,16 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
         let link = find(mechanism, Field::LinkCom, name)?;
         let inertial = inertials.get(name).copied().or(link);
         let Some(inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
-            return Err(StudyError::input(Field::LinkCom, Fault::NoMassToMove { link: name.clone() }));
+            let why = format!(
+                "link \"{name}\" has no mass, so that no centre of mass can be set; give it a mass first"
+            );
+            return Err(StudyError::input(Field::LinkCom, why));
         };
         if let Some(value) = com.iter().find(|x| !x.is_finite()) {
-            return Err(StudyError::input(
-                Field::LinkCom,
-                Fault::LinkCom { link: name.clone(), value: *value },
-            ));
+            let why = format!(
+                "link \"{name}\": the centre of mass has a component {value:e}; expected finite numbers"
+            );
+            return Err(StudyError::input(Field::LinkCom, why));
         }
         inertials.insert(name.clone(), Inertial { com: (*com).into(), ..inertial });
     }
@@ -151,11 +160,17 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
         let link = find(mechanism, Field::LinkInertia, name)?;
         let inertial = inertials.get(name).copied().or(link);
         let Some(mut inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
-            return Err(StudyError::input(Field::LinkInertia, Fault::NoMassToTurn { link: name.clone() }));
+            let why = format!(
+                "link \"{name}\" has no mass, so that no moments of inertia can be set; give it a mass first"
+            );
+            return Err(StudyError::input(Field::LinkInertia, why));
         };
         if !are_moments_of_a_body(moments) {
-            let fault = Fault::LinkInertia { link: name.clone(), moments: *moments };
-            return Err(StudyError::input(Field::LinkInertia, fault));
+            let why = format!(
+                "link \"{name}\": moments of inertia {moments:?} kg·m² about the centre of mass; expected finite moments of 0 or more, \
+                 none larger than the sum of the other two"
+            );
+            return Err(StudyError::input(Field::LinkInertia, why));
         }
         inertial.about_com.set_diagonal(&(*moments).into());
         inertials.insert(name.clone(), inertial);

@@ -8,17 +8,17 @@ use crate::damper::damping::{
     DamperRecord, DampingReport, Drift, compare_with_body_mass, damper, exports, impact_over_stroke,
     law_mismatch_diagnostic,
 };
-use crate::damper::joint_stop::JointStop;
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
+use crate::question::spelled_contact::JointStop;
+use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::{BEFORE_END, DIFFERENCE, MUJOCO_MINVAL, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
 use percuss_contact::VaryingMassImpact;
 use percuss_contact::exports::{MassDrift, Options};
@@ -87,12 +87,13 @@ pub(crate) fn damping_report(
     let record = damper(damping, mass)?;
     let (drift, ended) = drift(evaluated, mass, record.max_penetration);
     let over_stroke = over_stroke(evaluated, damping, &record, ended.as_ref());
-    let mut options = options(damping.options, evaluated, mass);
+    let given = damping.export_options();
+    let mut options = options(given, evaluated, mass);
     let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
     options.drift =
         options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
     let is_moment = answer.response.contact.is_moment;
-    let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(evaluated.contact.link));
+    let alone = given.own_mass.or(prepared.system.rigid_body_mass(evaluated.contact.link));
     // The mass of the link alone is not comparable with an inertia.
     let alone = alone.filter(|mass| *mass > 0.0 && !is_moment);
     let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));

@@ -8,9 +8,9 @@ use crate::evaluation::named_contact::NamedContactRecord;
 use crate::evaluation::status::mass_unit;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::spelled_contact::StopRecord;
+use crate::question::tables::damping::DampingQuestion;
 use percuss_contact::exports::{ExportError, Options, Request, StopMotion};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
@@ -129,7 +129,8 @@ pub struct DampingReport {
 
 /// Compliant contact of a question for a given mass, kg.
 pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<CompliantContact, ContactLawError> {
-    CompliantContact::new(mass, question.stiffness)?.with_exponent(question.exponent)
+    question.check_law()?;
+    CompliantContact::new(mass, question.stiffness())?.with_exponent(question.exponent())
 }
 
 /// Damper of a question for a contact.
@@ -137,7 +138,7 @@ pub(crate) fn contact_damper(
     question: &DampingQuestion,
     contact: CompliantContact,
 ) -> Result<Damper, ContactLawError> {
-    question.law.damper(contact, question.restitution, question.speed, question.separation)
+    question.law().damper(contact, question.restitution(), question.speed(), question.separation())
 }
 
 /// Damper that gives a mass the requested restitution, and the impact at the given speed.
@@ -149,11 +150,11 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     let contact = contact(question, mass)?;
     let damper = contact_damper(question, contact)?;
     // The restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
-    let impact = damper.impact(contact, question.speed.unwrap_or(1.0))?;
-    let at_speed = question.speed.map(|_| impact);
+    let impact = damper.impact(contact, question.speed().unwrap_or(1.0))?;
+    let at_speed = question.speed().map(|_| impact);
     let exact_dissipation = || {
-        let speed = question.speed?;
-        match Law::HuntCrossley.damper(contact, question.restitution, Some(speed), question.separation) {
+        let speed = question.speed()?;
+        match Law::HuntCrossley.damper(contact, question.restitution(), Some(speed), question.separation()) {
             Ok(Damper::HuntCrossley { dissipation }) => Some(dissipation),
             _ => None,
         }
@@ -165,19 +166,23 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
         Damper::HuntCrossley { dissipation } => (None, None, Some(dissipation), None),
     };
     Ok(DamperRecord {
-        restitution: question.restitution,
-        stiffness: question.stiffness,
-        exponent: question.exponent,
-        speed: question.speed,
-        law: question.law.name(),
-        law_alias: question.alias,
-        law_is_exact: question.law.is_exact(),
+        restitution: question.restitution(),
+        stiffness: question.stiffness(),
+        exponent: question.exponent(),
+        speed: question.speed(),
+        law: question.law().name(),
+        law_alias: question.alias(),
+        law_is_exact: question.law().is_exact(),
         separation,
         damping_ratio,
         damping,
         dissipation,
         achieved_restitution: impact.restitution,
-        contact_duration: if question.exponent == 1.0 || at_speed.is_some() { impact.duration } else { None },
+        contact_duration: if question.exponent() == 1.0 || at_speed.is_some() {
+            impact.duration
+        } else {
+            None
+        },
         max_penetration: at_speed.map(|b| b.max_penetration),
         time_of_max_penetration: at_speed.map(|b| b.time_of_max_penetration),
         peak_force: at_speed.map(|b| b.peak_force),
@@ -192,7 +197,7 @@ pub(crate) fn impact_over_stroke(
     question: &DampingQuestion,
     masses: &[(f64, f64)],
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
-    let (Some((_, mass)), Some(speed)) = (masses.first(), question.speed) else { return Ok(None) };
+    let (Some((_, mass)), Some(speed)) = (masses.first(), question.speed()) else { return Ok(None) };
     let contact = contact(question, *mass)?;
     impact_with_varying_mass(contact_damper(question, contact)?, contact, masses, speed)
 }
@@ -207,7 +212,7 @@ pub fn impact_history(
     samples: usize,
 ) -> Result<Vec<Sample>, ContactLawError> {
     let contact = contact(question, mass)?;
-    let speed = question.speed.ok_or(ContactLawError::SpeedNeeded { law: "the history of an impact" })?;
+    let speed = question.speed().ok_or(ContactLawError::SpeedNeeded { law: "the history of an impact" })?;
     contact_damper(question, contact)?.history(contact, speed, samples)
 }
 
@@ -221,12 +226,13 @@ pub(crate) fn exports(
 ) -> Result<BTreeMap<&'static str, ExportRecord>, StudyError> {
     let request = Request {
         options,
-        speed: question.speed,
-        ..Request::new(contact(question, mass)?, question.restitution)
+        speed: question.speed(),
+        ..Request::new(contact(question, mass)?, question.restitution())
     };
     request.check().map_err(|error| StudyError::Export(Box::new(error)))?;
     let mut exports = BTreeMap::new();
-    for tool in &question.tools {
+    let tools = question.tools();
+    for tool in &tools {
         // Simulators support the stop of a joint, although it is a moment.
         let export = match is_moment && options.stop.is_none() {
             true => Err(ExportError::Moment { tool: *tool }),
@@ -234,7 +240,7 @@ pub(crate) fn exports(
         };
         let record = match export {
             Ok(export) => ExportRecord::from_export(&export),
-            Err(error) if question.tools.len() == 1 => return Err(StudyError::Export(Box::new(error))),
+            Err(error) if tools.len() == 1 => return Err(StudyError::Export(Box::new(error))),
             Err(error) => ExportRecord::from_error(*tool, &error),
         };
         exports.insert(tool.name(), record);
@@ -245,12 +251,12 @@ pub(crate) fn exports(
 /// Note that the simulators integrate another law than the requested one; `None` if both laws are equal or no
 /// simulator is requested.
 pub(crate) fn law_mismatch_diagnostic(question: &DampingQuestion) -> Option<DiagnosticRecord> {
-    let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
-    (!same && !question.tools.is_empty()).then(|| {
+    let same = question.law() == Law::KelvinVoigt && question.separation() == Separation::ForceVanishes;
+    (!same && !question.tools().is_empty()).then(|| {
         let message = format!(
             "the parameters of simulators are for the laws of the simulators and for the restitution {}; the \
              requested law and separation apply only to the damper above",
-            question.restitution
+            question.restitution()
         );
         Finding::about_result(FindingKind::ExportsOwnLaw, message).into()
     })
@@ -264,7 +270,7 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
         let Damper::KelvinVoigt { coefficient, separation, .. } = made else { return None };
         let real = contact(question, mass).ok()?;
         let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
-        damper.restitution(real, question.speed.unwrap_or(1.0)).ok()
+        damper.restitution(real, question.speed().unwrap_or(1.0)).ok()
     };
     BodyAlone { mass: alone, restitution: restitution() }
 }
@@ -274,8 +280,9 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
 /// # Errors
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
-    let body_alone = question.options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));
-    let is_moment = question.options.stop == Some(StopMotion::Turn);
+    let options = question.export_options();
+    let body_alone = options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));
+    let is_moment = options.stop == Some(StopMotion::Turn);
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -289,7 +296,7 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         drift: None,
         over_stroke: None,
         body_alone,
-        exports: exports(question, mass, question.options, is_moment)?,
+        exports: exports(question, mass, options, is_moment)?,
         diagnostics: law_mismatch_diagnostic(question).into_iter().collect(),
     })
 }

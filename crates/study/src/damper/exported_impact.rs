@@ -5,15 +5,15 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::curvature::gap_acceleration;
 use crate::damper::damped_contact::damping_report;
 use crate::damper::damping::{self, DampingReport};
-use crate::damper::joint_stop::{JointStop, StopEnd};
 use crate::damper::penetration::{PathPoint, PenetrationPath};
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::spelled_contact::{JointStop, StopEnd};
+use crate::question::tables::damping::{DampingQuestion, Tools};
 use crate::thresholds::{
     BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT,
     SHIFT_UNCERTAINTY, SLOW_IMPACT, STROKES,
@@ -138,24 +138,28 @@ fn export(
     file: &ImpactFileOptions<'_>,
 ) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
-    let speed = damping.speed.unwrap_or(SLOW_IMPACT);
-    let mut damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    let speed = damping.speed().unwrap_or(SLOW_IMPACT);
+    let mut damping = DampingQuestion {
+        speed: Some(speed.into()),
+        tools: vec![Tools(vec![Tool::MUJOCO])],
+        ..damping.clone()
+    };
     // MuJoCo prescribes accelerations: the bound for laws that prescribe forces does not hold.
     damping.options.drift = Some(MassDrift { relative: 0.0, penetration: 1.0 });
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let mut report = damping_report(&evaluated, &damping)?;
-    let accuracy = damping.options.accuracy;
+    let accuracy = damping.export_options().accuracy;
     let predicted = predicted_restitution(&evaluated, &damping, report.effective_mass);
-    let shift = predicted.map_or(0.0, |predicted| predicted.shift(damping.restitution));
-    if shift > NEGLIGIBLE_SHIFT * accuracy && damping.options.time_step.is_none() {
+    let shift = predicted.map_or(0.0, |predicted| predicted.shift(damping.restitution()));
+    if shift > NEGLIGIBLE_SHIFT * accuracy && damping.export_options().time_step.is_none() {
         // The sum of the shift and the error of the time step is within the accuracy, if possible.
-        damping.options.accuracy = (accuracy - shift).max(LEAST_ACCURACY * accuracy);
+        damping.accuracy = Some((accuracy - shift).max(LEAST_ACCURACY * accuracy).into());
         report = damping_report(&evaluated, &damping)?;
     }
     let record = &report.exports[Tool::MUJOCO.name()];
     let time_step = record.time_step.ok_or(ImpactExportError::Parameter { name: "timestep" })?;
     let error_bound = record.error_bound.filter(|_| predicted.is_some()).map(|bound| bound + shift);
-    if let Some(finding) = unreached_finding(damping.restitution, predicted, error_bound, accuracy) {
+    if let Some(finding) = unreached_finding(damping.restitution(), predicted, error_bound, accuracy) {
         report.diagnostics.push(finding.into());
     }
     let record = &report.exports[Tool::MUJOCO.name()];
@@ -192,7 +196,7 @@ fn export(
         solimp: numbers(record, if stop.is_some() { "solimplimit" } else { "solimp" })?,
         equality,
         time_step,
-        restitution: damping.restitution,
+        restitution: damping.restitution(),
     };
     // The floating mechanism has the links of the model, in the same order, and then the world.
     let parts = ModelParts {
@@ -235,7 +239,7 @@ fn predicted_restitution(
         return None;
     }
     if !result.response.mechanism_moves() {
-        return Some(Prediction { restitution: damping.restitution, uncertainty: 0.0 });
+        return Some(Prediction { restitution: damping.restitution(), uncertainty: 0.0 });
     }
     // The normal of a stop turns with the joint, and its gap is linear in the position.
     let is_stop = damping.options.stop.is_some();
@@ -249,7 +253,7 @@ fn predicted_restitution(
     };
     let path = PenetrationPath { prepared, contact: &contact };
     let law = damping::contact(damping, mass).ok()?;
-    let speed = damping.speed?;
+    let speed = damping.speed()?;
     let depth = speed * (law.mass() / law.stiffness()).sqrt();
     STROKES.into_iter().find_map(|factor| {
         let mut stroke = factor * depth;
@@ -265,7 +269,7 @@ fn predicted_restitution(
         let masses: Vec<(f64, f64)> = values.iter().map(|(depth, (mass, _))| (*depth, *mass)).collect();
         let accelerations: Option<Vec<(f64, f64)>> =
             values.iter().map(|(depth, (_, acceleration))| Some((*depth, (*acceleration)?))).collect();
-        let required = damping.restitution;
+        let required = damping.restitution();
         let (restitution, deepest) =
             restitution_with_prescribed_acceleration(law, required, &masses, &accelerations?, speed)
                 .ok()??;

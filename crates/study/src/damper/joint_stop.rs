@@ -4,52 +4,11 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
-use crate::question::spelled_contact::{StopRecord, misspelled_end, stop_motion};
+use crate::question::spelled_contact::{JointStop, StopEnd, StopRecord, stop_motion};
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Frame};
 use percuss_mechanism::{Joint, JointId, Mechanism};
-use serde::Serialize;
-use std::str::FromStr;
-
-/// End of the range of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum StopEnd {
-    /// Lower limit.
-    Lower,
-    /// Upper limit.
-    Upper,
-}
-
-/// Stop of a joint with one degree of freedom.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JointStop {
-    /// The joint.
-    pub joint: String,
-    /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
-    /// position in the pose, against motion in the positive direction.
-    pub end: Option<StopEnd>,
-}
-
-impl FromStr for JointStop {
-    type Err = String;
-    /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (joint, end) = match text.rsplit_once(':') {
-            Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
-            Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
-            _ => (text, None),
-        };
-        if let Some(error) = misspelled_end(text).filter(|_| end.is_none()) {
-            return Err(error);
-        }
-        match joint {
-            "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
-            _ => Ok(JointStop { joint: joint.to_owned(), end }),
-        }
-    }
-}
 
 impl JointStop {
     /// Stop of a joint given in `at`, and the question without `at`; `None` for another contact.

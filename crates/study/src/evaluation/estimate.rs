@@ -55,19 +55,26 @@ impl PreparedEstimate {
         let find = |name: &String| mechanism.find_link(name).map_err(|e| refuse(e.into()));
         let links = question.links.iter().map(find).collect::<Result<Vec<_>, _>>()?;
         if let Some(i) = (1..links.len()).find(|&i| links[..i].contains(&links[i])) {
-            return Err(refuse(Fault::EstimateTwice { link: question.links[i].clone() }));
+            let link = &question.links[i];
+            return Err(refuse(format!("the estimate names link \"{link}\" twice; name it once").into()));
         }
         if let Some(&value) =
             question.point.iter().find(|x| !(x.is_finite() && x.abs() <= LARGEST_COORDINATE))
         {
-            return Err(refuse(Fault::EstimatePoint { value }));
+            let why = format!(
+                "the estimate's point has a component {value:e}; expected a finite number of at most {LARGEST_COORDINATE:e}"
+            );
+            return Err(refuse(why.into()));
         }
         let is_suspension = !wheel_centres(mechanism, "").is_empty();
         let direction = question.direction.or(is_suspension.then_some(UPWARDS)).map(Vector3::from);
         if let Some(length) =
             direction.map(|d| d.norm()).filter(|n| !(*n >= SHORTEST_DIRECTION && n.is_finite()))
         {
-            return Err(refuse(Fault::EstimateDirection { length }));
+            let why = format!(
+                "the estimate's direction has length {length:e}; expected at least {SHORTEST_DIRECTION:e}"
+            );
+            return Err(refuse(why.into()));
         }
         Ok(Self {
             names: question.links.clone(),

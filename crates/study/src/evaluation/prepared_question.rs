@@ -122,7 +122,10 @@ impl<'a> PreparedQuestion<'a> {
             }
         };
         if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
-            return Err(StudyError::input(Field::AgainstMass, Fault::OtherMass { mass }));
+            let why = format!(
+                "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
+            );
+            return Err(StudyError::input(Field::AgainstMass, why));
         }
         if let Some(mass) = question.against_mass.filter(|_| normal.is_moment()) {
             return Err(StudyError::input(Field::AgainstMass, ContactError::MassOfMoment { mass }));
@@ -372,8 +375,12 @@ pub(crate) fn compile(
         .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let root = mechanism.root();
     if base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
-        let link = mechanism.link(root).name().to_owned();
-        return Err(StudyError::input(Field::Base, Fault::MasslessBase { link }));
+        let link = mechanism.link(root).name();
+        let why = format!(
+            "the root link \"{link}\" has no mass; a floating root link needs mass and inertia: write mass, com and inertia in the \
+             model, or in a section [{link}] of a suspension sheet, or use a fixed base"
+        );
+        return Err(StudyError::input(Field::Base, why));
     }
     Ok(system)
 }
@@ -403,7 +410,8 @@ pub(crate) fn configuration(
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
         let kind = mechanism.joint(id).kind();
         if joint == RACK && kind == JointKind::Fixed && !wheel_centres(mechanism, "").is_empty() {
-            return Err(StudyError::input(field, Fault::FixedRack));
+            let why = "the rack is fixed in this suspension; write rack.slides = true in the sheet, or use percuss kinematics --steer";
+            return Err(StudyError::input(field, why));
         }
         given.values_for_joint(kind).map_err(wrong)
     };

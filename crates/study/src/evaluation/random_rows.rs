@@ -47,7 +47,8 @@ impl RandomRows {
         let joints: Vec<JointId> = mechanism.joint_ids().filter(is_free).collect();
         let refuse = |fault: Fault| StudyError::input(Field::Random, fault);
         if joints.is_empty() {
-            return Err(refuse(Fault::NothingToSample));
+            let why = "no joint can be sampled: all movable joints are set, or depend on other joints";
+            return Err(refuse(why.into()));
         }
         let range = |&joint: &JointId| {
             let found = mechanism.joint(joint);

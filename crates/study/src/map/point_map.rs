@@ -5,7 +5,7 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::reports::mass_report::ConditionsRecord;
@@ -73,7 +73,9 @@ pub fn map_point(
     directions: usize,
 ) -> Result<PointMapReport, StudyError> {
     if !DIRECTIONS.contains(&directions) {
-        return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
+        let (least, most) = (DIRECTIONS.start(), DIRECTIONS.end());
+        let why = format!("{directions} directions; {least} to {most} are possible");
+        return Err(StudyError::input(Field::Directions, why));
     }
     let question = question.resolve_contact(&model.mechanism)?.into_owned();
     question.refuse_moment("map of directions")?;

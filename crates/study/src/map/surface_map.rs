@@ -10,14 +10,14 @@ use crate::map::map_report::{
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::tables::map::{MapQuestion, MapShapes};
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
 use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
-use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
+use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface, SurfaceError};
 use percuss_mechanism::LinkId;
 use rayon::prelude::*;
 use std::cell::RefCell;
@@ -28,35 +28,43 @@ const CONTACTS_PER_TASK: usize = 1 << 14;
 /// Reason for a link without a map.
 enum LinkMapError {
     /// Fault of the link; the link can be omitted.
-    NoSurface(Box<Fault>),
+    NoSurface(String),
     /// Error of the question.
     Question(StudyError),
 }
 
-/// Evaluates a contact at every facet of the surfaces of links, along the outward normal.
+/// Evaluates a contact at every facet of the surfaces of links, along the outward normal. The contact of `conditions` is ignored, except its
+/// other side.
 ///
 /// # Errors
 /// [`StudyError`]: unknown names, an unreachable pose; for named links, a missing or unreadable shape. With
-/// [`MapLinks::All`] such links are listed in `left_out`; a map without any link is an error.
-pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyError> {
+/// [`MapQuestion::all`] such links are listed in `left_out`; a map without any link is an error.
+pub fn map(
+    model: &Model,
+    conditions: &MassQuestion,
+    question: &MapQuestion,
+) -> Result<MapAnswer, StudyError> {
     let mechanism = &model.mechanism;
-    if let Some(edge) = question.edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
-        return Err(StudyError::input(Field::Edge, Fault::Edge { edge }));
+    let edge = question.edge.map(|edge| edge.0);
+    if let Some(edge) = edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
+        let why = format!("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m");
+        return Err(StudyError::input(Field::Edge, why));
     }
     let find =
         |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Link, error));
-    let links: Vec<LinkId> = match &question.links {
-        MapLinks::Named(names) => names.iter().map(find).collect::<Result<_, _>>()?,
-        MapLinks::All => mechanism.link_ids().collect(),
+    let links: Vec<LinkId> = match question.all {
+        true => mechanism.link_ids().collect(),
+        false => question.link.iter().map(find).collect::<Result<_, _>>()?,
     };
-    let conditions = question_with_placeholder_contact(model, &question.conditions);
+    let conditions = question_with_placeholder_contact(model, conditions);
+    let conditions = MassQuestion { estimate: None, ..conditions };
     let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
     let mut found = collect_pose_findings(&prepared.system, &pose, conditions.names);
     found.extend(prepared.guess_findings(&pose));
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
-    let folders = model.mesh_folders(question.packages.clone());
+    let folders = model.mesh_folders(question.package.clone());
     let meshes = RefCell::new(Vec::new());
     let context = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
@@ -69,16 +77,17 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
                 maps.push(map);
                 skins.push(skin);
             }
-            Err(LinkMapError::NoSurface(fault)) if question.links == MapLinks::All => {
-                left_out.push(OmittedLink { link: name.to_owned(), reason: fault.to_string() });
+            Err(LinkMapError::NoSurface(fault)) if question.all => {
+                left_out.push(OmittedLink { link: name.to_owned(), reason: fault });
             }
-            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, *fault)),
+            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, fault)),
             Err(LinkMapError::Question(error)) => return Err(error),
         }
     }
     if maps.is_empty() {
         let reasons: Vec<String> = left_out.iter().take(3).map(|l| l.reason.clone()).collect();
-        return Err(StudyError::input(Field::Link, Fault::NothingToMap { reasons: reasons.join("; ") }));
+        let why = format!("no link has a surface that can be mapped: {}", reasons.join("; "));
+        return Err(StudyError::input(Field::Link, why));
     }
     let rank = pose.rank();
     if rank.singular {
@@ -92,7 +101,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
         inputs: prepared.inputs().into_iter().chain(meshes.take()).collect(),
         links: maps,
         left_out,
-        edge: question.edge,
+        edge,
         against: prepared.other_link().map(|id| mechanism.link(id).name().to_owned()),
         conditions: ConditionsRecord::of(&conditions),
         singular_pose: rank.singular,
@@ -143,25 +152,27 @@ impl MapContext<'_> {
     fn map_link(&self, link: LinkId, facets_left: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
         let (question, prepared) = (self.question, self.prepared);
         let name = self.model.mechanism.link(link).name();
-        let no_shape = || LinkMapError::NoSurface(Box::new(Fault::NoShape { link: name.to_owned() }));
+        let no_shape = || {
+            LinkMapError::NoSurface(format!(
+                "link \"{name}\" has no shape that can be used: no <collision> and no <visual> with a geometry"
+            ))
+        };
         if prepared.other_link() == Some(link) {
-            return Err(LinkMapError::NoSurface(Box::new(Fault::OtherSide { link: name.to_owned() })));
+            return Err(LinkMapError::NoSurface(format!("link \"{name}\" is the other side")));
         }
         let shapes = self.model.shapes.get(link.index()).ok_or_else(no_shape)?;
         let (purpose, shapes) = select_shapes(shapes, question.shapes);
-        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size).map_err(|source| {
-            LinkMapError::NoSurface(Box::new(Fault::Mesh { link: name.to_owned(), source }))
-        })?;
+        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
+            .map_err(|error| LinkMapError::NoSurface(format!("link \"{name}\": {error}")))?;
         for file in surface.files() {
             let mut meshes = self.meshes.borrow_mut();
             let input = Input::from_file(&*self.folders.files, file).filter(|input| !meshes.contains(input));
             meshes.extend(input);
         }
         let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;
-        let edge = question.edge.unwrap_or(2.0 * radius / EDGES_ACROSS).max(f64::MIN_POSITIVE);
-        let too_many = |source| {
-            let fault = Fault::Facets { link: name.to_owned(), source };
-            LinkMapError::Question(StudyError::input(Field::Edge, fault))
+        let edge = question.edge.map_or(2.0 * radius / EDGES_ACROSS, |edge| edge.0).max(f64::MIN_POSITIVE);
+        let too_many = |error: SurfaceError| {
+            LinkMapError::Question(StudyError::input(Field::Edge, format!("link \"{name}\": {error}")))
         };
         let facets = surface.facets(edge, facets_left).map_err(too_many)?;
         if facets.is_empty() {

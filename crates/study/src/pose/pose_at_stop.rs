@@ -55,7 +55,7 @@ pub fn pose_at_stop(
             "\"{stop}\" is no stop; expected the name of a contact, JOINT:lower or JOINT:upper; any other contact is evaluated at a \
              pose of the configuration"
         );
-        StudyError::input(Field::At, Fault::ContactText { message })
+        StudyError::input(Field::At, message)
     })?;
     let mut at_limit = configuration.clone();
     for (joint, position) in &resolved.set[question.set.len()..] {

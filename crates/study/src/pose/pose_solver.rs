@@ -95,8 +95,13 @@ fn dependent_stop_pose(
         0 => return Ok(start),
         1 => {}
         _ => {
-            let drivers = moving.iter().map(|driver| mechanism.joint(*driver).name().to_owned()).collect();
-            return Err(StudyError::input(Field::At, Fault::StopOfDrivers { joint: name.clone(), drivers }));
+            let drivers: Vec<&str> = moving.iter().map(|driver| mechanism.joint(*driver).name()).collect();
+            let why = format!(
+                "the position of joint \"{name}\" follows from loops or couplings, and several driving joints move it to its stop: {}; \
+                 set all of them except one",
+                drivers.join(", ")
+            );
+            return Err(StudyError::input(Field::At, why));
         }
     }
     let held: Vec<JointId> = drivers.iter().copied().filter(|driver| !moving.contains(driver)).collect();
@@ -305,7 +310,10 @@ fn moved_points(mechanism: &Mechanism, question: &MassQuestion) -> Result<Vec<Mo
             Some(one).filter(is_wheel).and(others.clone().find(|other| !other.moved.is_beside(&one.moved)))
         {
             let [first, second] = [other.moved.name(), one.moved.name()];
-            return Err(StudyError::input(Field::Travel, Fault::SameTravel { first, second }));
+            let why = format!(
+                "{first} and {second} both move the wheel; give one of them, or heave and roll of an axle"
+            );
+            return Err(StudyError::input(Field::Travel, why));
         }
     }
     let mut all: Vec<(bool, MovedPoint)> = Vec::new();

@@ -1,7 +1,6 @@
 //! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
 //! mass`.
 
-use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::pose_file::GivenPose;
@@ -195,7 +194,8 @@ impl MassQuestion {
                 Normal::of_direction(Contact::named(contact, mechanism.root()).normal, name)
             }
             _ if contact.gap().is_some() => {
-                return Err(StudyError::input(Field::Normal, Fault::NormalOfStop));
+                let why = "the named contact is a stop, whose normal belongs to its gap; remove the normal, or give link, point and normal";
+                return Err(StudyError::input(Field::Normal, why));
             }
             given => (given.clone(), self.normal_frame),
         };

@@ -1,11 +1,10 @@
 //! Questions about a model: contact, conditions, damper, travel, varied values, and errors in them.
 
-pub(crate) mod damping_question;
 pub(crate) mod errors;
 pub(crate) mod field;
-pub(crate) mod map_question;
 pub(crate) mod mass_question;
 pub(crate) mod pose_file;
 pub(crate) mod row_source;
 pub(crate) mod spelled_contact;
+pub(crate) mod tables;
 pub(crate) mod travel;

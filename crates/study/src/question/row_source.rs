@@ -2,6 +2,7 @@
 
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::vary::{Varied, Vary};
+use std::path::Path;
 
 /// Source of the rows of a sweep.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,17 @@ pub struct PositionFile {
 }
 
 impl RowSource {
+    /// Source with the path of its file relative to a folder; a file read as a stream has at most `max_size` bytes.
+    pub(crate) fn in_folder(mut self, folder: &Path, max_size: u64) -> Self {
+        if let RowSource::File(file) = &mut self {
+            file.max_size = max_size;
+            if file.path != "-" {
+                file.path = path_in(folder, &file.path);
+            }
+        }
+        self
+    }
+
     /// Question of the rows. Rows that vary a travel replace the travels of the pose; only a roll with a range of heave, or a heave with a
     /// range of roll, remains.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
@@ -67,4 +79,9 @@ impl From<&RowSource> for RowSource {
     fn from(source: &RowSource) -> Self {
         source.clone()
     }
+}
+
+/// Path relative to a folder; an absolute path is kept.
+pub(crate) fn path_in(folder: &Path, path: &str) -> String {
+    folder.join(path).to_string_lossy().into_owned()
 }

@@ -43,6 +43,45 @@ pub(crate) fn misspelled_end(text: &str) -> Option<String> {
     })
 }
 
+/// End of the range of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StopEnd {
+    /// Lower limit.
+    Lower,
+    /// Upper limit.
+    Upper,
+}
+
+/// Stop of a joint with one degree of freedom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointStop {
+    /// The joint.
+    pub joint: String,
+    /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
+    /// position in the pose, against motion in the positive direction.
+    pub end: Option<StopEnd>,
+}
+
+impl std::str::FromStr for JointStop {
+    type Err = String;
+    /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (joint, end) = match text.rsplit_once(':') {
+            Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
+            Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
+            _ => (text, None),
+        };
+        if let Some(error) = misspelled_end(text).filter(|_| end.is_none()) {
+            return Err(error);
+        }
+        match joint {
+            "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
+            _ => Ok(JointStop { joint: joint.to_owned(), end }),
+        }
+    }
+}
+
 /// Contact given as one text: in `at`, or as a further contact of an impact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FurtherContact {
@@ -154,7 +193,7 @@ pub fn contact_of_text(mechanism: &Mechanism, text: &str) -> Result<Contact, Stu
         Ok(_) => Ok(FurtherContact::Named(text.to_owned())),
         Err(_) => text.parse(),
     };
-    let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+    let refuse = |message: String| StudyError::input(Field::At, message);
     spelled.map_err(refuse)?.resolve(mechanism, Field::At)
 }
 
@@ -204,7 +243,7 @@ impl MassQuestion {
     ) -> Result<Option<FurtherContact>, StudyError> {
         let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
         let Some(text) = self.at.as_ref().filter(is_spelled) else { return Ok(None) };
-        let refuse = |message| StudyError::input(Field::At, Fault::ContactText { message });
+        let refuse = |message: String| StudyError::input(Field::At, message);
         text.parse().map(Some).map_err(refuse)
     }
 
@@ -246,9 +285,7 @@ impl MassQuestion {
         contact: &FurtherContact,
         mechanism: &Mechanism,
     ) -> Result<Self, StudyError> {
-        let refuse = |field, message: &str| {
-            Err(StudyError::input(field, Fault::ContactText { message: message.to_owned() }))
-        };
+        let refuse = |field, message: &str| Err(StudyError::input(field, message));
         if !matches!(self.normal, Normal::Along(zero) if zero == [0.0; 3]) {
             return refuse(
                 Field::Normal,

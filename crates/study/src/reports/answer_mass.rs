@@ -9,35 +9,19 @@ use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::mass::MassOptions;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::explain::explain_parts;
 use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
-use crate::reports::tolerance::{Sampling, Tolerance, tolerances_of};
+use crate::reports::tolerance::tolerances_of;
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::PointVelocity;
-
-/// Options of a study for its contact, in addition to the effective mass.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StudyMass {
-    /// Expected effective mass, kg.
-    pub expect: Option<f64>,
-    /// Relative tolerance of the expected mass; `None` for the default of the command.
-    pub expect_tolerance: Option<f64>,
-    /// True if sensitivities of m̄ are requested.
-    pub explain: bool,
-    /// True if the coefficients of friction for sticking and jamming are requested.
-    pub friction_thresholds: bool,
-    /// Tolerances of the model's parts.
-    pub tolerance: Option<Tolerance>,
-    /// Random samples within the tolerances.
-    pub sampling: Option<Sampling>,
-}
 
 /// Evaluates one contact of a model.
 ///
@@ -88,7 +72,7 @@ pub fn requested_mass(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
-    requested: &StudyMass,
+    requested: &MassOptions,
 ) -> Result<MassReport, StudyError> {
     requested_report(&EvaluatedQuestion::new(model, question)?, question, damping, requested)
 }
@@ -101,7 +85,7 @@ pub fn mass_with_drawing(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
-    requested: &StudyMass,
+    requested: &MassOptions,
 ) -> Result<(MassReport, DrawnMechanism), StudyError> {
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let report = requested_report(&evaluated, question, damping, requested)?;
@@ -113,8 +97,9 @@ fn requested_report(
     evaluated: &EvaluatedQuestion,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
-    requested: &StudyMass,
+    requested: &MassOptions,
 ) -> Result<MassReport, StudyError> {
+    requested.check()?;
     let mut report = match damping {
         Some(damping) => with_damper(evaluated, damping)?,
         None => build_mass_report(evaluated)?,
@@ -125,8 +110,8 @@ fn requested_report(
     if requested.friction_thresholds {
         report.friction_thresholds = thresholds_of(evaluated)?;
     }
-    if let Some(tolerance) = requested.tolerance {
-        report.tolerance = tolerances_of(evaluated, question, tolerance, requested.sampling)?;
+    if let Some(tolerance) = requested.tolerance() {
+        report.tolerance = tolerances_of(evaluated, question, tolerance, requested.sampling())?;
     }
     Ok(report)
 }
@@ -136,7 +121,7 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
     let mut report = build_mass_report(evaluated)?;
     let mut answer = damping_report(evaluated, damping);
     // The only requested simulator does not support this contact: the report keeps the mass and the damper.
-    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..])
+    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools()[..])
         && !matches!(**error, ExportError::Contact(ContactLawError::OutOfRange { .. }))
     {
         let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));

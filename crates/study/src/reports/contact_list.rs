@@ -2,10 +2,10 @@
 
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::DampingQuestion;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
 use percuss_mechanism::{ContactKind, Mechanism, NamedContact};
@@ -61,7 +61,9 @@ pub fn contact_list(
 ) -> Result<ContactListReport, StudyError> {
     let contacts = model.mechanism.contacts();
     if contacts.is_empty() {
-        return Err(StudyError::input(Field::At, Fault::NoNamedContacts));
+        let why = "the model names no contact; a suspension sheet names its stops, springs and dampers, a URDF names contacts by \
+                   <contact> elements, an MJCF by its sites; give link, point and normal instead";
+        return Err(StudyError::input(Field::At, why));
     }
     let question = |name: &str| (name.to_owned(), conditions.at_contact(name));
     let contacts: Vec<_> =

@@ -3,7 +3,7 @@
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::model::wheel_points::{WHEEL_CENTRE, sliding_rack, wheel_points};
 use crate::pose::point_travel::reference_link;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
@@ -52,7 +52,8 @@ pub(crate) fn motion_ratios(
         let link = link.map_err(|error| StudyError::input(Field::RatioAt, error))?;
         let (point, direction) = (Vector3::from(ratio_point.point), Vector3::from(ratio_point.direction));
         if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
-            return Err(StudyError::input(Field::RatioAt, Fault::NoRatioDirection));
+            let why = "the direction has no length; expected a vector such as 0,0,1";
+            return Err(StudyError::input(Field::RatioAt, why));
         }
         found.extend(ratio(&evaluated.pose, response, link, point, direction.normalize()));
     }

@@ -10,6 +10,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;
+use crate::question::tables::safe_speed::{Limit, SafeSpeedQuestion};
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{
@@ -20,84 +21,6 @@ use percuss_impact::reachable_closing_speed;
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use serde::Serialize;
 use std::ops::ControlFlow;
-
-/// Limit of the impact, taken by the user from the applicable edition of the standard.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Limit {
-    /// Largest force, N.
-    Force(f64),
-    /// Largest pressure, Pa, and contact area, m².
-    Pressure(f64, f64),
-    /// Largest energy of the impact, J.
-    Energy(f64),
-    /// Largest exchanged momentum, N·s.
-    Momentum(f64),
-}
-
-/// Limit values as given; exactly one limit is required.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StatedLimits {
-    /// Largest force, N.
-    pub force: Option<f64>,
-    /// Largest pressure, Pa; with area.
-    pub pressure: Option<f64>,
-    /// Contact area, m²; with pressure.
-    pub area: Option<f64>,
-    /// Largest energy of the impact, J.
-    pub energy: Option<f64>,
-    /// Largest exchanged momentum, N·s.
-    pub momentum: Option<f64>,
-}
-
-/// Error: no limit, several limits, or an incomplete limit.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "one limit is required: force, pressure with area, energy or momentum, from the edition of the standard that applies to you; \
-     given: {}",
-    if given.is_empty() { "none".to_owned() } else { given.join(" and ") }
-)]
-pub struct LimitError {
-    /// Names of the given values.
-    pub given: Vec<&'static str>,
-}
-
-impl StatedLimits {
-    /// The given limit.
-    ///
-    /// # Errors
-    /// [`LimitError`]: no limit, several limits, a pressure without an area or an area without a pressure.
-    pub fn one(&self) -> Result<Limit, LimitError> {
-        match (self.force, self.pressure, self.area, self.energy, self.momentum) {
-            (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
-            (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure, area)),
-            (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy)),
-            (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum)),
-            (force, pressure, area, energy, momentum) => {
-                let numbers = [
-                    ("force", force),
-                    ("pressure", pressure),
-                    ("area", area),
-                    ("energy", energy),
-                    ("momentum", momentum),
-                ];
-                let given = numbers.iter().filter(|(_, number)| number.is_some()).map(|(name, _)| *name);
-                Err(LimitError { given: given.collect() })
-            }
-        }
-    }
-}
-
-/// Body region hit by the robot, and the limit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SafeSpeedQuestion {
-    /// Name of the body region; `None` for a body that cannot move (a person held against a wall), with an
-    /// energy or momentum limit only.
-    pub region: Option<String>,
-    /// Limit of the impact.
-    pub limit: Limit,
-    /// Load including the tool, if not part of the model, kg.
-    pub load: f64,
-}
 
 /// Speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -191,10 +114,11 @@ pub struct AlongRecord {
 pub fn safe_speed(
     model: &Model,
     question: &MassQuestion,
-    limit_question: &SafeSpeedQuestion,
+    asked: &SafeSpeedQuestion,
 ) -> Result<SafeSpeedReport, StudyError> {
-    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
-    if region.is_none() && matches!(limit_question.limit, Limit::Force(_) | Limit::Pressure(..)) {
+    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    let limit = asked.only_limit()?;
+    if region.is_none() && matches!(limit, Limit::Force(_) | Limit::Pressure(..)) {
         return Err(StudyError::NoRegion);
     }
     let question = &*question.resolve_contact(&model.mechanism)?;
@@ -204,13 +128,12 @@ pub fn safe_speed(
     }
     let bare = EvaluatedQuestion::new(model, question)?;
     let moving_mass = moving_mass(&bare);
-    let loaded =
-        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
+    let loaded = if asked.load() > 0.0 { Some(model_with_load(&bare, asked.load())?) } else { None };
     let evaluated = loaded.as_ref().map_or(Ok(bare), |model| EvaluatedQuestion::new(model, question))?;
-    let speed = |robot_mass: Option<f64>| safe_speed_record(region, limit_question.limit, robot_mass);
-    let by_standard = standard_robot_mass(moving_mass, limit_question.load)?;
+    let speed = |robot_mass: Option<f64>| safe_speed_record(region, limit, robot_mass);
+    let by_standard = standard_robot_mass(moving_mass, asked.load())?;
     // Without a region the standard has no formula; the full moving mass at the speed of the contact is used.
-    let by_standard = if region.is_some() { by_standard } else { moving_mass + limit_question.load };
+    let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load() };
     let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(evaluated.result.findings.iter().cloned().map(DiagnosticRecord::from));
@@ -241,7 +164,7 @@ pub fn safe_speed(
         region_mass: region.map(|region| region.mass),
         region_stiffness: region.map(|region| region.stiffness),
         region_note: region.and_then(|region| region.note.map(str::to_owned)),
-        limited_by: match limit_question.limit {
+        limited_by: match limit {
             Limit::Force(_) => "force",
             Limit::Pressure(..) => "pressure",
             Limit::Energy(_) => "energy",
@@ -254,7 +177,7 @@ pub fn safe_speed(
         reachable: reachable(&evaluated),
         normal_world: evaluated.result.response.contact.normal_world.into(),
         moving_mass,
-        load: limit_question.load,
+        load: asked.load(),
         along: None,
         diagnostics,
     })
@@ -295,49 +218,51 @@ fn safe_speed_record(
     Ok((SpeedRecord { robot_mass, reduced_mass, speed: safe.speed }, Some(safe)))
 }
 
-/// Safe speed in several world directions, and in the worst direction if `worst`.
+/// Safe speeds: one in each direction of the question, the worst direction last; without directions that of the contact, at its pose or
+/// at the slowest row of positions.
 ///
 /// The worst direction is the direction with the largest effective mass at the point, one of the axes with
 /// stationary m̄ (docs/reference/FORMULAS.md, F36).
 ///
 /// # Errors
-/// [`StudyError`], as for [`safe_speed`].
-pub fn safe_speed_directions(
+/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
+pub fn safe_speeds(
     model: &Model,
     question: &MassQuestion,
-    limit_question: &SafeSpeedQuestion,
-    directions: &[[f64; 3]],
-    worst: bool,
+    asked: &SafeSpeedQuestion,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    if !asked.has_directions() {
+        return Ok(vec![match asked.rows() {
+            None => safe_speed(model, question, asked)?,
+            Some(rows) => safe_speed_along(model, question, asked, &rows)?,
+        }]);
+    }
     let question = &*question.resolve_contact(&model.mechanism)?;
     question.refuse_moment("safe speed")?;
-    let mut all = directions.to_vec();
-    if worst {
+    let mut all: Vec<[f64; 3]> = asked.direction.iter().map(|direction| direction.0).collect();
+    if asked.worst_direction {
         all.push(worst_direction(model, question)?);
     }
     let of_direction = |direction: &[f64; 3]| {
         let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
-        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, limit_question)
+        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, asked)
     };
     all.iter().map(of_direction).collect()
 }
 
 /// Safe speed over rows of positions: the slowest row. The rest of the report refers to the question's own
 /// pose. The mass of a row is m̄ plus its error bound.
-///
-/// # Errors
-/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
-pub fn safe_speed_along(
+fn safe_speed_along(
     model: &Model,
     question: &MassQuestion,
-    limit_question: &SafeSpeedQuestion,
+    asked: &SafeSpeedQuestion,
     source: &RowSource,
 ) -> Result<SafeSpeedReport, StudyError> {
-    let mut report = safe_speed(model, question, limit_question)?;
-    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    let mut report = safe_speed(model, question, asked)?;
+    let limit = asked.only_limit()?;
+    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
     let bare = EvaluatedQuestion::new(model, question)?;
-    let loaded =
-        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
+    let loaded = if asked.load() > 0.0 { Some(model_with_load(&bare, asked.load())?) } else { None };
     let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
     let (mut unanswered, mut first_unanswered) = (0, None);
     let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
@@ -352,7 +277,7 @@ pub fn safe_speed_along(
                 return ControlFlow::Continue(());
             }
         };
-        match safe_speed_record(region, limit_question.limit, mass) {
+        match safe_speed_record(region, limit, mass) {
             Ok((speed, _)) if slowest.as_ref().is_none_or(|s| speed.speed < s.slowest.speed) => {
                 let (row, pose) = (row.row, row.pose);
                 let (rows, unanswered, first_unanswered) = (0, 0, None);

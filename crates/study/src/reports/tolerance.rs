@@ -1,54 +1,20 @@
 //! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
 //! first order, and by random samples.
 
+use crate::checks::design_variant::no_sheet;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::random_rows::RandomStream;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::mass::{Sampling, Tolerance};
 use crate::reports::explain::{Explanation, changed_mass, explain_parts};
 use crate::thresholds::SAMPLES;
 use percuss_dynamics::interruption;
-use percuss_units::{Dimension, Quantity};
 use rayon::prelude::*;
 use serde::Serialize;
-
-/// Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either
-/// side.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Tolerance {
-    /// Mass of each link, relative; the moments of inertia change in proportion.
-    pub mass: f64,
-    /// Each coordinate of the centre of mass of each link, m.
-    pub com: f64,
-    /// Armature of each joint, relative.
-    pub armature: f64,
-    /// Each coordinate of each hardpoint of a sheet, m.
-    pub point: f64,
-}
-
-/// Error in the text of a tolerance.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "\"{part}\": {why}; expected mass=2%, com=1mm, armature=10%, point=0.5mm, or several of them between commas"
-)]
-pub struct ToleranceError {
-    /// Part of the text with the error.
-    pub part: String,
-    /// Cause.
-    pub why: String,
-}
-
-/// Parameters of random sampling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sampling {
-    /// Number of samples.
-    pub count: usize,
-    /// Seed of the random numbers.
-    pub seed: u64,
-}
 
 /// Variation of m̄ within tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -119,55 +85,6 @@ pub struct SampleRecord {
     pub masses: Vec<f64>,
 }
 
-impl Tolerance {
-    /// Union of two sets of tolerances; `None` if both give the same quantity.
-    pub(crate) fn merge(self, other: Self) -> Option<Self> {
-        let both = |a: f64, b: f64| (a == 0.0 || b == 0.0).then_some(a + b);
-        Some(Self {
-            mass: both(self.mass, other.mass)?,
-            com: both(self.com, other.com)?,
-            armature: both(self.armature, other.armature)?,
-            point: both(self.point, other.point)?,
-        })
-    }
-
-    /// Reads comma-separated tolerances: `mass=2%,point=0.5mm`.
-    ///
-    /// # Errors
-    /// [`ToleranceError`] with the invalid part and the expected form.
-    pub fn parse(text: &str) -> Result<Self, ToleranceError> {
-        let mut tolerance = Self::default();
-        let mut given: Vec<&str> = Vec::new();
-        for part in text.split(',') {
-            let wrong = |why: String| ToleranceError { part: part.to_owned(), why };
-            let (what, value) = part.split_once('=').ok_or_else(|| wrong("it has no =".into()))?;
-            let what = what.trim();
-            let ratio = || Dimension::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
-            let length = || {
-                Quantity::parse(value)
-                    .and_then(|q| q.in_dimension(Dimension::Length, value))
-                    .map_err(|e| wrong(e.to_string()))
-            };
-            let (place, value) = match what {
-                "mass" => (&mut tolerance.mass, ratio()?),
-                "com" => (&mut tolerance.com, length()?),
-                "armature" => (&mut tolerance.armature, ratio()?),
-                "point" => (&mut tolerance.point, length()?),
-                _ => return Err(wrong(format!("\"{what}\" is no kind of tolerance"))),
-            };
-            if given.contains(&what) {
-                return Err(wrong("it is given twice".into()));
-            }
-            if value < 0.0 || (matches!(what, "mass" | "armature") && value >= 1.0) {
-                return Err(wrong("not a tolerance: it is below 0, or 100 % or more".into()));
-            }
-            *place = value;
-            given.push(what);
-        }
-        Ok(tolerance)
-    }
-}
-
 /// Variation of m̄ at a contact within tolerances; `None` if m̄ is not finite or the pose is singular.
 ///
 /// # Errors
@@ -192,10 +109,11 @@ pub(crate) fn tolerances_of(
     let model = evaluated.prepared.model;
     if tolerance.point > 0.0 && model.hardpoints().is_empty() {
         let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
-        return Err(StudyError::input(Field::Tolerance, Fault::NoSheet { path }));
+        return Err(StudyError::input(Field::Tolerance, no_sheet(&path)));
     }
     if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
-        return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
+        let why = format!("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end());
+        return Err(StudyError::input(Field::Samples, why));
     }
     let with_points = tolerance.point > 0.0;
     let Some(explanation) = explain_parts(evaluated, question, with_points)? else { return Ok(None) };
@@ -362,28 +280,4 @@ fn sample_masses(
         percentile_97_5: at(0.975),
         masses: found,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tolerances_are_read_or_refused() {
-        let read = Tolerance::parse("mass=2%, point=0.5mm,com=1e-3,armature=0.1").unwrap();
-        assert_eq!(read, Tolerance { mass: 0.02, com: 1e-3, armature: 0.1, point: 0.5e-3 });
-        for text in [
-            "",
-            "mass",
-            "mass=",
-            "mass=2kg",
-            "mass=-1%",
-            "mass=100%",
-            "point=2%",
-            "mass=1%,mass=2%",
-            "girth=1",
-        ] {
-            assert!(Tolerance::parse(text).is_err(), "{text}");
-        }
-    }
 }

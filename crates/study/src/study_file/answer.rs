@@ -10,19 +10,20 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::map::MapQuestion;
+use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
 use crate::reports::compare::{CompareError, ComparisonReport, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
 use crate::reports::impact::report::{ImpactReport, impact};
-use crate::reports::kinematics::question::KinematicsError;
-use crate::reports::kinematics::report::KinematicsReport;
+use crate::reports::kinematics::errors::KinematicsError;
+use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 use crate::reports::mass_report::MassReport;
-use crate::reports::safe_speed::SafeSpeedReport;
-use crate::study_file::file::{StudyFile, StudyFileError, StudySweep};
+use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
+use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;
-use crate::study_file::tables::map::StudyMapQuestion;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
 use serde::{Serialize, Serializer};
@@ -46,19 +47,21 @@ impl Serialize for MapResult {
     }
 }
 
-impl StudyMapQuestion {
-    /// Computes the map.
-    ///
-    /// # Errors
-    /// As for [`map`] and [`map_point`].
-    pub fn answer(&self, model: &Model) -> Result<MapResult, StudyError> {
-        Ok(match self {
-            Self::Surfaces(question) => MapResult::Surfaces(Box::new(map(model, question)?)),
-            Self::Directions(question, count) => {
-                MapResult::Directions(Box::new(map_point(model, question, *count)?))
-            }
-        })
-    }
+/// Map of surfaces, or of directions at a point. `contact`: pose, conditions and other side, and the point if `question` has none.
+///
+/// # Errors
+/// As for [`map`] and [`map_point`].
+pub fn requested_map(
+    model: &Model,
+    contact: &MassQuestion,
+    question: &MapQuestion,
+) -> Result<MapResult, StudyError> {
+    Ok(match question.directions {
+        None => MapResult::Surfaces(Box::new(map(model, contact, question)?)),
+        Some(count) => {
+            MapResult::Directions(Box::new(map_point(model, &question.point_question(contact), count)?))
+        }
+    })
 }
 
 impl MapResult {
@@ -129,6 +132,15 @@ impl RequestReport {
     }
 }
 
+/// Answer of a table of a study; `None` without its question. An error names the keys of the table.
+fn of_table<Q, T>(
+    table: &str,
+    question: Option<Q>,
+    answer: impl FnOnce(Q) -> Result<T, StudyError>,
+) -> Result<Option<T>, StudyError> {
+    question.map(answer).transpose().map_err(|error| error.in_table(table_keys(table)))
+}
+
 impl StudyFile {
     /// Results of all tables. `name`: name of the study's own model in a comparison. For a study with a sweep or variants, a pose without a
     /// result is no error: `mass_problem` has the reason.
@@ -138,21 +150,35 @@ impl StudyFile {
     pub fn ask(&self, name: &str) -> Result<RequestReport, AskError> {
         let contacts = self.contact_list()?;
         let has_rows = self.sweep.is_some() || !self.variants.is_empty();
-        let question = self.detailed_question(contacts.as_ref());
-        let (mass, mass_problem) = match self.mass_of(question) {
+        let (mass, mass_problem) = match self.mass_of(self.detailed_question(contacts.as_ref())) {
             Err(error) if has_rows && error.has_no_result() => (None, Some(error.message(Names::KEYS))),
             mass => (mass?, None),
         };
+        let report = self.results(name, contacts, mass)?;
+        Ok(RequestReport { mass_problem, sweep: self.sweep_report()?, ..report })
+    }
+
+    /// Results of all tables except the sweep, with the list of contacts and the result at the contact that are computed before.
+    ///
+    /// # Errors
+    /// The first error of a table.
+    pub fn results(
+        &self,
+        name: &str,
+        contacts: Option<ContactListReport>,
+        mass: Option<MassReport>,
+    ) -> Result<RequestReport, AskError> {
+        let question = self.detailed_question(contacts.as_ref());
         Ok(RequestReport {
             schema: "percuss.report/1",
             percuss: env!("CARGO_PKG_VERSION"),
             mass,
-            mass_problem,
+            mass_problem: None,
             damping: self.stop_damper()?,
             impact: self.impact_report(question)?,
             extremes: self.extremes_report(question)?,
             contacts,
-            sweep: self.sweep_report()?,
+            sweep: None,
             comparison: self.comparison(name)?,
             kinematics: self.kinematics_report()?,
             map: self.map_result()?,
@@ -169,11 +195,8 @@ impl StudyFile {
 
     /// Effective mass at a contact, with the results of `[mass]` and `[damping]`.
     fn mass_of(&self, question: Option<&MassQuestion>) -> Result<Option<MassReport>, StudyError> {
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
-        question
-            .map(|question| requested_mass(&self.model, question, damping, &self.mass))
-            .transpose()
-            .map_err(|error| error.in_table(table_keys("mass")))
+        let damping = self.damping.as_ref();
+        of_table("mass", question, |question| requested_mass(&self.model, question, damping, &self.mass))
     }
 
     /// Effective mass at the contact of the study, with the results of `[mass]` and `[damping]`.
@@ -190,11 +213,10 @@ impl StudyFile {
     /// As for [`requested_mass`].
     pub fn mass_with_drawing(
         &self,
-        question: &MassQuestion,
-    ) -> Result<(MassReport, DrawnMechanism), StudyError> {
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
-        mass_with_drawing(&self.model, question, damping, &self.mass)
-            .map_err(|error| error.in_table(table_keys("mass")))
+        question: Option<&MassQuestion>,
+    ) -> Result<Option<(MassReport, DrawnMechanism)>, StudyError> {
+        let damping = self.damping.as_ref();
+        of_table("mass", question, |question| mass_with_drawing(&self.model, question, damping, &self.mass))
     }
 
     /// All contacts of a study with several, each with its damper.
@@ -207,8 +229,7 @@ impl StudyFile {
         }
         let contacts: Vec<(String, MassQuestion)> =
             self.contacts.iter().map(|contact| (contact.name.clone(), contact.question.clone())).collect();
-        let damping = self.damping.as_ref().map(|damping| &damping.question);
-        contact_list_of(&self.model, &contacts, damping).map(Some)
+        contact_list_of(&self.model, &contacts, self.damping.as_ref()).map(Some)
     }
 
     /// Damper of `[damping]`: at the stop of a joint if the table names one, otherwise at the contact.
@@ -216,15 +237,12 @@ impl StudyFile {
     /// # Errors
     /// As for [`damp_stop`] and [`damp_contact`].
     pub fn damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        let Some(damping) = &self.damping else { return Ok(None) };
-        let report = match (&damping.stop, &self.question) {
-            (Some((stop, conditions)), _) => {
-                damp_stop(&self.model, stop, conditions.clone(), &damping.question)
-            }
-            (None, Some(contact)) => damp_contact(&self.model, contact, &damping.question),
-            (None, None) => return Ok(None),
-        };
-        report.map(Some).map_err(|error| error.in_table(table_keys("damping")))
+        match (self.stop_damper()?, &self.question) {
+            (None, Some(contact)) => of_table("damping", self.damping.as_ref(), |damping| {
+                damp_contact(&self.model, contact, damping)
+            }),
+            (found, _) => Ok(found),
+        }
     }
 
     /// Damper at the stop of a joint.
@@ -232,11 +250,10 @@ impl StudyFile {
     /// # Errors
     /// As for [`damp_stop`].
     pub fn stop_damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        if self.damping.as_ref().is_some_and(|damping| damping.stop.is_some()) {
-            self.damper()
-        } else {
-            Ok(None)
-        }
+        let stop = self.damping.as_ref().and_then(|damping| Some((damping, damping.limit.as_ref()?)));
+        of_table("damping", stop, |(damping, stop)| {
+            damp_stop(&self.model, stop, self.conditions.clone(), damping)
+        })
     }
 
     /// Impact at a contact of the study.
@@ -244,11 +261,9 @@ impl StudyFile {
     /// # Errors
     /// As for [`impact`].
     pub fn impact_report(&self, question: Option<&MassQuestion>) -> Result<Option<ImpactReport>, StudyError> {
-        let requested = question.zip(self.impact.as_ref());
-        requested
-            .map(|(question, requested)| impact(&self.model, question, requested))
-            .transpose()
-            .map_err(|error| error.in_table(table_keys("impact")))
+        of_table("impact", question.zip(self.impact.as_ref()), |(question, asked)| {
+            impact(&self.model, question, asked)
+        })
     }
 
     /// Extremes at a contact of the study.
@@ -259,11 +274,9 @@ impl StudyFile {
         &self,
         question: Option<&MassQuestion>,
     ) -> Result<Option<ExtremesReport>, StudyError> {
-        let requested = question.zip(self.extremes.as_ref());
-        requested
-            .map(|(question, requested)| extremes(&self.model, question, requested))
-            .transpose()
-            .map_err(|error| error.in_table(table_keys("extremes")))
+        of_table("extremes", question.zip(self.extremes.as_ref()), |(question, asked)| {
+            extremes(&self.model, question, asked)
+        })
     }
 
     /// Sweep of a study, ready to run, with the gradients that it requests. `question`: that of its rows,
@@ -273,10 +286,10 @@ impl StudyFile {
     /// As for [`Sweep::new`].
     pub fn prepared_sweep<'a>(
         &'a self,
-        requested: &StudySweep,
+        requested: &SweepQuestion,
         question: &'a MassQuestion,
     ) -> Result<Sweep<'a>, StudyError> {
-        let sweep = Sweep::new(&self.model, question, &requested.rows);
+        let sweep = Sweep::new(&self.model, question, requested.rows());
         let sweep = sweep.map_err(|error| error.in_table(table_keys("sweep")))?;
         Ok(if requested.gradient { sweep.with_gradient() } else { sweep })
     }
@@ -286,20 +299,18 @@ impl StudyFile {
     /// # Errors
     /// As for [`Sweep::new`].
     pub fn sweep_report(&self) -> Result<Option<SweepReport>, StudyError> {
-        let Some((requested, question)) = self.sweep.as_ref().zip(self.question.as_ref()) else {
-            return Ok(None);
-        };
-        let question = self.question_of_rows(question);
-        let sweep = self.prepared_sweep(requested, &question)?;
-        let heading = sweep.heading().clone();
-        let mut rows = Vec::new();
-        let end = sweep.run(&mut |row| {
-            rows.push(row);
-            ControlFlow::Continue(())
-        });
-        let end = end.map_err(|error| error.in_table(table_keys("sweep")))?;
-        let diagnostics = self.model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
-        Ok(Some(SweepReport { heading, rows, diagnostics }))
+        of_table("sweep", self.sweep.as_ref().zip(self.question.as_ref()), |(requested, question)| {
+            let question = self.question_of_rows(question);
+            let sweep = self.prepared_sweep(requested, &question)?;
+            let heading = sweep.heading().clone();
+            let mut rows = Vec::new();
+            let end = sweep.run(&mut |row| {
+                rows.push(row);
+                ControlFlow::Continue(())
+            })?;
+            let diagnostics = self.model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
+            Ok(SweepReport { heading, rows, diagnostics })
+        })
     }
 
     /// Comparison of the contacts and variants of the study, whose own model has the name `name`.
@@ -318,7 +329,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`kinematics`](crate::kinematics).
     pub fn kinematics_report(&self) -> Result<Option<KinematicsReport>, KinematicsError> {
-        self.kinematics.as_ref().map(|requested| requested.report(&self.model)).transpose()
+        self.kinematics.as_ref().map(|requested| kinematics(&self.model, requested)).transpose()
     }
 
     /// Map of `[map]`.
@@ -326,17 +337,17 @@ impl StudyFile {
     /// # Errors
     /// As for [`map`] and [`map_point`].
     pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
-        let found = self.map.as_ref().map(|requested| requested.question.answer(&self.model)).transpose();
-        found.map_err(|error| error.in_table(table_keys("map")))
+        of_table("map", self.map.as_ref(), |asked| requested_map(&self.model, &self.conditions, asked))
     }
 
     /// Safe speeds of `[safe_speed]`.
     ///
     /// # Errors
-    /// As for [`StudySafeSpeed::reports`](crate::StudySafeSpeed::reports).
+    /// As for [`safe_speeds`](crate::safe_speeds).
     pub fn safe_speeds(&self) -> Result<Option<Vec<SafeSpeedReport>>, StudyError> {
-        let found = self.safe_speed.as_ref().map(|requested| requested.reports(&self.model)).transpose();
-        found.map_err(|error| error.in_table(table_keys("safe_speed")))
+        of_table("safe_speed", self.safe_speed.as_ref(), |asked| {
+            safe_speeds(&self.model, &self.conditions, asked)
+        })
     }
 }
 

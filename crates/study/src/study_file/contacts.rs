@@ -2,8 +2,8 @@
 
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::ContactTable;
 use crate::reports::contact_list::contacts_by_kind;
-use crate::study_file::tables::contact::ContactTable;
 use crate::thresholds::MOST_VARIANTS;
 use crate::values::message_text::truncate_for_message;
 use percuss_mechanism::Mechanism;

@@ -3,31 +3,28 @@
 use crate::checks::design_variant::DesignError;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::joint_stop::JointStop;
 use crate::model::loading::{Input, Model, Origin, refuse_pipe};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::question::row_source::RowSource;
-use crate::reports::answer_mass::StudyMass;
+use crate::question::row_source::{RowSource, path_in};
+use crate::question::tables::contact::ContactTable;
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::impact::ImpactQuestion;
+use crate::question::tables::kinematics::KinematicsQuestion;
+use crate::question::tables::map::MapQuestion;
+use crate::question::tables::mass::MassOptions;
+use crate::question::tables::report::StudyReport;
+use crate::question::tables::safe_speed::SafeSpeedQuestion;
+use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::compare::Design;
-use crate::reports::impact::extremes_question::ExtremesQuestion;
-use crate::reports::impact::question::ImpactQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
-use crate::study_file::tables::contact::ContactTable;
-use crate::study_file::tables::damping::DampingTable;
-use crate::study_file::tables::impact::ImpactTable;
-use crate::study_file::tables::kinematics::StudyKinematics;
-use crate::study_file::tables::map::StudyMap;
-use crate::study_file::tables::report::StudyReport;
-use crate::study_file::tables::safe_speed::StudySafeSpeed;
-use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
 use crate::study_file::tables_of_page::StudyTables;
 use crate::study_file::text::StudyText;
 use crate::study_file::variant::{Variant, VariantModels};
@@ -42,6 +39,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Keys of output files.
+pub(crate) const OUTPUT_KEYS: [&str; 4] =
+    ["sweep.output", "damping.output", "map.output", "kinematics.output"];
+
 /// Content of a study file.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
@@ -54,23 +55,23 @@ pub struct StudyFile {
     /// Pose and conditions, also without a contact.
     pub conditions: MassQuestion,
     /// Requests about the contact besides the effective mass.
-    pub mass: StudyMass,
+    pub mass: MassOptions,
     /// Design variants.
     pub variants: Vec<Variant>,
     /// Damper for a restitution, if requested.
-    pub damping: Option<StudyDamping>,
+    pub damping: Option<DampingQuestion>,
     /// Rigid impact, if requested.
     pub impact: Option<ImpactQuestion>,
     /// Search for extremes, if requested.
     pub extremes: Option<ExtremesQuestion>,
     /// Sweep, if requested.
-    pub sweep: Option<StudySweep>,
+    pub sweep: Option<SweepQuestion>,
     /// Kinematics over a travel, if requested.
-    pub kinematics: Option<StudyKinematics>,
+    pub kinematics: Option<KinematicsQuestion>,
     /// Map of surfaces or directions, if requested.
-    pub map: Option<StudyMap>,
+    pub map: Option<MapQuestion>,
     /// Safe speed, if requested.
-    pub safe_speed: Option<StudySafeSpeed>,
+    pub safe_speed: Option<SafeSpeedQuestion>,
     /// Head of the report.
     pub report: StudyReport,
     /// Tables of the question, for a page.
@@ -79,32 +80,6 @@ pub struct StudyFile {
     pub folder: PathBuf,
     /// Keys with their positions.
     pub keys: StudyKeys,
-}
-
-/// Damper requested by a study.
-#[derive(Clone, Debug)]
-pub struct StudyDamping {
-    /// Restitution, stiffness and law.
-    pub question: DampingQuestion,
-    /// In place of the contact: joint stop and conditions.
-    pub stop: Option<(JointStop, MassQuestion)>,
-    /// Output file of the force over time.
-    pub output: Option<String>,
-}
-
-/// Sweep of a study.
-#[derive(Clone, Debug)]
-pub struct StudySweep {
-    /// Source of the rows.
-    pub rows: RowSource,
-    /// True if each row has the gradient of m̄.
-    pub gradient: bool,
-    /// Output file; `None`: stdout.
-    pub output: Option<String>,
-    /// Format of the table.
-    pub table: StudyTable,
-    /// Format of the figure.
-    pub figure: StudyFigure,
 }
 
 /// Error of an invalid study file.
@@ -193,9 +168,20 @@ impl StudyFile {
     /// Question of the rows of the sweep: that of the contact, without the travel of the pose if the rows vary a travel.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
         match &self.sweep {
-            Some(sweep) => sweep.rows.question_of_rows(question),
+            Some(sweep) => sweep.rows().question_of_rows(question),
             None => question.clone(),
         }
+    }
+
+    /// Keys and paths of the output files that the tables name.
+    pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let sweep = self.sweep.as_ref().and_then(|sweep| sweep.output.clone());
+        let damping = self.damping.as_ref().and_then(|damping| damping.output.clone());
+        let map = self.map.as_ref().map_or_else(Vec::new, |map| map.output.clone());
+        let kinematics = self.kinematics.as_ref().and_then(|kinematics| kinematics.output.clone());
+        let files = [Vec::from_iter(sweep), Vec::from_iter(damping), map, Vec::from_iter(kinematics)];
+        let paths = OUTPUT_KEYS.into_iter().zip(files);
+        paths.flat_map(|(key, files)| files.into_iter().map(move |file| (key, file)))
     }
 
     /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
@@ -250,7 +236,7 @@ impl StudyFile {
         let variants = self.variants.iter().map(|variant| {
             (variant.name.as_str(), &variant.model, &variant.question, variant.contact.as_ref())
         });
-        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
+        let rows = self.sweep.as_ref().map(SweepQuestion::rows);
         let mut designs = Vec::new();
         for (name, model, question, own_contact) in [own].into_iter().chain(variants) {
             let design = |name: String, question: MassQuestion, contact: Option<&ContactTable>| Design {
@@ -259,7 +245,7 @@ impl StudyFile {
                 question,
                 contact: contact
                     .map(|contact| format!("{:?}", ContactTable { name: None, ..contact.clone() })),
-                rows: rows.cloned(),
+                rows: rows.clone(),
             };
             if self.contacts.is_empty() || own_contact.is_some() {
                 designs.push(design(name.to_owned(), question.clone(), own_contact));
@@ -331,7 +317,7 @@ impl StudyReader<'_> {
         let refused = |refusal| self.invalid_key_error(refusal);
         // Parsing cannot fail here: the same text has been parsed before.
         let panels = toml::from_slice(&source.bytes).unwrap_or_default();
-        if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
+        if let Some(missing) = study.damping.as_ref().and_then(DampingQuestion::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
         // The study closes the loops that the file only marks.
@@ -345,25 +331,17 @@ impl StudyReader<'_> {
         let contact = &contacts.first().cloned().unwrap_or_default();
         let question = study.question(contact, folder, max_size).map_err(refused)?;
         let variants = self.variants(study, &model, &question, folder, &options)?;
-        let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
-        let sweep = match &study.sweep {
-            None => None,
-            Some(text) => Some(StudySweep {
-                rows: text.source(Vec::new(), folder, max_size).map_err(refused)?,
-                gradient: text.gradient,
-                output: text.output.as_ref().map(place),
-                table: text.table(),
-                figure: text.figure(),
-            }),
-        };
+        let sweep = study.sweep.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
+        let sweep = sweep.transpose().map_err(refused)?;
         let damping = self.damping(study, &model, &question, folder)?;
-        let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
-        let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
-        let extremes = study.extremes.as_ref().map(|table| table.question(Vec::new(), folder, max_size));
+        let map = study.map.as_ref().map(|asked| asked.checked(&question, folder));
+        let map = map.transpose().map_err(refused)?;
+        study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
+        let impact = study.impact.clone();
+        let extremes = study.extremes.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
         let extremes = extremes.transpose().map_err(refused)?;
-        let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
-        let mut kinematics = kinematics.transpose().map_err(refused)?;
-        kinematics.iter_mut().for_each(|kinematics| kinematics.add_pose(&question));
+        let kinematics = study.kinematics.as_ref().map(|asked| asked.checked(&question, folder));
+        let kinematics = kinematics.transpose().map_err(refused)?;
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {
@@ -372,20 +350,20 @@ impl StudyReader<'_> {
                 {
                     return Err(self.value("contact", "contact", format!("{part} is missing")));
                 }
-                Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
+                Some(text.checked(folder, max_size).map_err(refused)?)
             }
         };
         for (key, rows) in [
-            ("sweep.input", sweep.as_ref().map(|sweep| &sweep.rows)),
-            ("extremes.path", extremes.as_ref().and_then(|extremes| extremes.path.as_ref())),
-            ("safe_speed.input", safe_speed.as_ref().and_then(|speed| speed.rows.as_ref())),
+            ("sweep.input", sweep.as_ref().map(SweepQuestion::rows)),
+            ("extremes.path", extremes.as_ref().and_then(ExtremesQuestion::rows)),
+            ("safe_speed.input", safe_speed.as_ref().and_then(SafeSpeedQuestion::rows)),
         ] {
             if let Some(RowSource::File(file)) = rows {
                 refuse_pipe(&file.path).map_err(|error| refused(InvalidKey::new(key, error.to_string())))?;
             }
         }
         // A study without a contact needs another query.
-        let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
+        let stops = damping.as_ref().is_some_and(|damping: &DampingQuestion| damping.limit.is_some());
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
             || sweep.is_some()
@@ -412,13 +390,14 @@ impl StudyReader<'_> {
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
         let contacts = several_contacts(&contacts, &question, variants.len()).map_err(refused)?;
-        let mass = study.mass.as_ref().map(|mass| mass.options()).transpose().map_err(refused)?;
+        let mass = study.mass.clone().unwrap_or_default();
+        mass.check().map_err(refused)?;
         Ok(StudyFile {
             model,
             question: asks.then(|| question.clone()),
             contacts,
             conditions: question,
-            mass: mass.unwrap_or_default(),
+            mass,
             variants,
             damping,
             impact,
@@ -533,21 +512,17 @@ impl StudyReader<'_> {
         model: &Model,
         conditions: &MassQuestion,
         folder: &Path,
-    ) -> Result<Option<StudyDamping>, StudyFileError> {
-        let Some(text) = &study.damping else { return Ok(None) };
-        let question = text.question().map_err(|refusal| self.invalid_key_error(refusal))?;
-        let Some(question) = question else { return Ok(None) };
-        let stop = text.limit.clone();
-        let turns = match &stop {
+    ) -> Result<Option<DampingQuestion>, StudyFileError> {
+        let Some(given) = &study.damping else { return Ok(None) };
+        let given = given.checked().map_err(|refusal| self.invalid_key_error(refusal))?;
+        let Some(given) = given else { return Ok(None) };
+        let turns = match &given.limit {
             Some(stop) => stop.motion(model).map_err(|error| self.study_error(&error))? == StopMotion::Turn,
             None => conditions.is_moment(&model.mechanism),
         };
-        text.check_units(&question, turns).map_err(|error| self.study_error(&error))?;
-        Ok(Some(StudyDamping {
-            question,
-            stop: stop.map(|stop| (stop, conditions.clone())),
-            output: text.output.as_ref().map(|output| folder.join(output).to_string_lossy().into_owned()),
-        }))
+        given.check_units(turns).map_err(|error| self.study_error(&error))?;
+        let output = given.output.as_ref().map(|output| path_in(folder, output));
+        Ok(Some(DampingQuestion { output, ..given.clone() }))
     }
 }
 

@@ -9,7 +9,6 @@ pub(crate) mod keys;
 pub(crate) mod request;
 pub(crate) mod schema;
 pub(crate) mod starter;
-pub(crate) mod tables;
 pub(crate) mod tables_of_page;
 pub(crate) mod text;
 pub(crate) mod variant;

@@ -3,7 +3,7 @@
 use crate::model::loading::Model;
 use crate::question::pose_file::UniqueKeys;
 use crate::study_file::answer::{AskError, RequestReport};
-use crate::study_file::file::{StudyFile, StudyFileError};
+use crate::study_file::file::{OUTPUT_KEYS, StudyFile, StudyFileError};
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use serde_json::Value;
@@ -55,7 +55,8 @@ fn read_request(model: &Model, request: &str) -> Result<StudyFile, StudyFileErro
     let Some(tables) = value.as_object_mut() else {
         return refuse(REQUEST, "a JSON object with the tables of a study is expected".to_owned());
     };
-    for (key, why) in NOT_IN_REQUESTS {
+    let outputs = OUTPUT_KEYS.into_iter().map(|key| (key, NO_FILE));
+    for (key, why) in NOT_IN_REQUESTS.into_iter().chain(outputs) {
         let mut steps = key.split('.');
         let table = tables.get(steps.next().unwrap_or_default());
         if table.is_some_and(|table| steps.next().is_none_or(|last| table.get(last).is_some())) {
@@ -80,14 +81,10 @@ const NO_FILE: &str = "a request writes no file: the result is in the report";
 const NO_FORMAT: &str = "the numbers of a report are in SI units";
 
 /// Keys and tables of a study that have no effect on a report, with the reason.
-const NOT_IN_REQUESTS: [(&str, &str); 16] = [
+const NOT_IN_REQUESTS: [(&str, &str); 12] = [
     ("model.path", READ),
     ("model.worksheet", READ),
     ("model.accept", READ),
-    ("sweep.output", NO_FILE),
-    ("damping.output", NO_FILE),
-    ("map.output", NO_FILE),
-    ("kinematics.output", NO_FILE),
     ("sweep.unit", NO_FORMAT),
     ("sweep.decimal", NO_FORMAT),
     ("map.unit", NO_FORMAT),

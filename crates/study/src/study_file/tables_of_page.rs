@@ -1,10 +1,10 @@
 //! Tables of a study for a page that shows and changes its question.
 
-use super::tables::contact::{ConditionsTable, ContactTable, PoseTable};
-use super::tables::model::ModelTable;
 use super::text::StudyText;
 use super::variant::{VariantText, replace_by_name};
 use crate::question::mass_question::Hold;
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
+use crate::question::tables::model::ModelTable;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 

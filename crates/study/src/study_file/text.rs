@@ -3,19 +3,19 @@
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::impact::ImpactQuestion;
+use crate::question::tables::kinematics::KinematicsQuestion;
+use crate::question::tables::map::MapQuestion;
+use crate::question::tables::mass::MassOptions;
+use crate::question::tables::model::ModelTable;
+use crate::question::tables::report::StudyReport;
+use crate::question::tables::safe_speed::SafeSpeedQuestion;
+use crate::question::tables::sweep::SweepQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{ContactsSchema, contacts};
-use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
-use crate::study_file::tables::damping::DampingTable;
-use crate::study_file::tables::extremes::ExtremesTable;
-use crate::study_file::tables::impact::ImpactTable;
-use crate::study_file::tables::kinematics::KinematicsTable;
-use crate::study_file::tables::map::MapTable;
-use crate::study_file::tables::mass::MassTable;
-use crate::study_file::tables::model::ModelTable;
-use crate::study_file::tables::report::StudyReport;
-use crate::study_file::tables::safe_speed::SafeSpeedTable;
-use crate::study_file::tables::sweep::SweepTable;
 use crate::study_file::variant::VariantText;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -40,7 +40,7 @@ pub(crate) struct StudyText {
     #[schemars(with = "ContactsSchema")]
     pub contact: Vec<ContactTable>,
     /// Options of percuss mass.
-    pub mass: Option<MassTable>,
+    pub mass: Option<MassOptions>,
     /// Additional loops that are not part of the model.
     #[serde(default)]
     pub closure: Vec<ClosureText>,
@@ -51,19 +51,19 @@ pub(crate) struct StudyText {
     #[serde(default)]
     pub variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
-    pub damping: Option<DampingTable>,
+    pub damping: Option<DampingQuestion>,
     /// Rigid impact at the contact: percuss impact.
-    pub impact: Option<ImpactTable>,
+    pub impact: Option<ImpactQuestion>,
     /// Smallest and largest effective mass over positions: percuss extremes.
-    pub extremes: Option<ExtremesTable>,
+    pub extremes: Option<ExtremesQuestion>,
     /// The contact over rows of positions: percuss sweep.
-    pub sweep: Option<SweepTable>,
+    pub sweep: Option<SweepQuestion>,
     /// Camber, toe, motion ratios of a suspension over a travel: percuss kinematics.
-    pub kinematics: Option<KinematicsTable>,
+    pub kinematics: Option<KinematicsQuestion>,
     /// The surface of links, or all directions at a point: percuss map.
-    pub map: Option<MapTable>,
+    pub map: Option<MapQuestion>,
     /// Safe speed of the contact if it may hit a person: percuss safe-speed.
-    pub safe_speed: Option<SafeSpeedTable>,
+    pub safe_speed: Option<SafeSpeedQuestion>,
     /// The head of the report: percuss run STUDY.toml --report FILE.html.
     #[serde(default)]
     pub report: StudyReport,

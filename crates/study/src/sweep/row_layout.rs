@@ -61,7 +61,7 @@ impl RowLayout {
                 Varied::Joint(name) => {
                     let joint = single_joint(prepared, name)?;
                     if joints.contains(&joint) {
-                        return Err(refuse(Fault::VariedTwice { joint: name.clone() }));
+                        return Err(refuse(format!("\"{name}\" is varied twice; give it one range").into()));
                     }
                     joints.push(joint);
                 }
@@ -70,7 +70,12 @@ impl RowLayout {
                     joints.push(single_joint(prepared, motion.name())?);
                 }
                 Varied::Travel(_) if number + 1 < ranges.len() => {
-                    return Err(refuse(Fault::TravelNotLast { name: vary.name() }));
+                    let why = format!(
+                        "\"{}\" is not the last of the ranges: only one travel may have a range, and it comes last, because each of its \
+                         rows starts from the joint positions of the other ranges; give another travel one length",
+                        vary.name()
+                    );
+                    return Err(refuse(why.into()));
                 }
                 Varied::Travel(moved) => {
                     let points = moved.points(mechanism, Field::Vary, 1.0)?;
@@ -225,10 +230,15 @@ fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, Stud
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();
     let joint = mechanism.find_joint(name).map_err(|error| match mechanism.find_link(name) {
-        Ok(link) => refuse(Fault::VariedLink {
-            link: name.to_owned(),
-            parent_joint: mechanism.parent_joint(link).map(|joint| mechanism.joint(joint).name().to_owned()),
-        }),
+        Ok(link) => {
+            let parent = mechanism.parent_joint(link).map(|joint| mechanism.joint(joint).name());
+            let parent = parent.map_or_else(String::new, |joint| format!(" (its joint to the parent is \"{joint}\")"));
+            let why = format!(
+                "\"{name}\" is a link, and no joint{parent}; a point of a link is moved by travel:{name}:0,0,0:0,0,1=FROM:TO:COUNT, the \
+                 wheels of a suspension by wheel-travel=FROM:TO:COUNT"
+            );
+            refuse(why.into())
+        }
         Err(_) => refuse(error.into()),
     })?;
     let found = mechanism.joint(joint);
@@ -236,8 +246,8 @@ fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, Stud
         return Err(refuse(Fault::NoSinglePosition { joint: name.to_owned(), kind: found.kind() }));
     }
     if let Some(mimic) = found.mimic() {
-        let master = mechanism.joint(mimic.master).name().to_owned();
-        return Err(refuse(Fault::VariedMimic { joint: name.to_owned(), master }));
+        let master = mechanism.joint(mimic.master).name();
+        return Err(refuse(format!("\"{name}\": it mimics \"{master}\"; vary that joint").into()));
     }
     if prepared.question.set.iter().any(|(set, _)| set == name) {
         return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));

@@ -107,7 +107,8 @@ impl<'a> Sweep<'a> {
             }
             RowSource::Random { count, seed } => {
                 if count == 0 || count > GRID_ROWS {
-                    return Err(StudyError::input(Field::Random, Fault::RandomRows { count }));
+                    let why = format!("{count} random rows; 1 to {GRID_ROWS} are possible");
+                    return Err(StudyError::input(Field::Random, why));
                 }
                 let random = RandomRows::new(&prepared, count, seed)?;
                 (RowLayout::from_joints(&prepared, &random.joints, Field::Random), RowReader::Random(random))
@@ -267,26 +268,33 @@ fn append_travel(prepared: &PreparedQuestion, source: RowSource) -> Result<RowSo
             ranges.push(travel.as_range());
             Ok(RowSource::Grid(ranges))
         }
-        _ => Err(StudyError::input(Field::Travel, Fault::TravelExcludedByRows)),
+        _ => {
+            let why = "a travel of the pose can be combined with ranges of joints only, not with a varied travel, a file of \
+                       positions, random positions, or another travel";
+            Err(StudyError::input(Field::Travel, why))
+        }
     }
 }
 
 /// Row layout and rows of a grid.
 fn grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<(RowLayout, RowReader), StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    let rows =
+        |count| refuse(format!("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end()).into());
     if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {
-        return Err(refuse(Fault::Rows { count: vary.count }));
+        return Err(rows(vary.count));
     }
     let count: u128 = ranges.iter().map(|vary| vary.count as u128).fold(1, u128::saturating_mul);
     if ranges.is_empty() {
-        return Err(refuse(Fault::Rows { count: 0 }));
+        return Err(rows(0));
     }
     if ranges.len() > 1 && count > GRID_ROWS as u128 {
-        return Err(refuse(Fault::Combinations { count }));
+        let why = format!("the ranges have {count} combinations; {GRID_ROWS} are possible at most");
+        return Err(refuse(why.into()));
     }
     let setting = RowLayout::from_grid(prepared, ranges)?;
     let values = |(column, vary): (usize, &Vary)| {
-        vary.values(setting.dimension(column)).map_err(|error| refuse(Fault::Range(error)))
+        vary.values(setting.dimension(column)).map_err(|error| refuse(error.into()))
     };
     let values = ranges.iter().enumerate().map(values).collect::<Result<Vec<_>, _>>()?;
     Ok((setting, RowReader::Grid(values)))

@@ -6,6 +6,7 @@ use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::rates::GivenRates;
 use percuss_units::Dimension;
 use std::fmt::Display;
+use std::path::PathBuf;
 use std::str::FromStr;
 
 /// `NAME=VALUE` of a flag, split at the last equals sign.
@@ -66,6 +67,6 @@ pub fn point_shift(text: &str) -> Result<(String, Point), String> {
 }
 
 /// `NAME=FOLDER` of a flag.
-pub fn package(text: &str) -> Result<(String, String), String> {
+pub fn package(text: &str) -> Result<(String, PathBuf), String> {
     named(text, "NAME=FOLDER, such as ur_description=/opt/ros/share/ur_description")
 }

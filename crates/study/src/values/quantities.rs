@@ -40,6 +40,12 @@ macro_rules! quantities {
         #[serde(try_from = "NumberOrText")]
         pub struct $name(pub f64);
 
+        impl From<f64> for $name {
+            fn from(value: f64) -> Self {
+                Self(value)
+            }
+        }
+
         impl FromStr for $name {
             type Err = QuantityError;
             fn from_str(text: &str) -> Result<Self, QuantityError> {
@@ -110,6 +116,12 @@ macro_rules! quantities_of_a_motion {
         #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
         #[serde(try_from = "NumberOrText")]
         pub struct $name(pub Quantity);
+
+        impl From<f64> for $name {
+            fn from(value: f64) -> Self {
+                Self(Quantity { value, dimension: None })
+            }
+        }
 
         impl FromStr for $name {
             type Err = QuantityError;

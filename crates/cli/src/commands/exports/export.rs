@@ -40,7 +40,7 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     if !args.damping.tools.is_empty() {
         return Err(Failure::bad_input("--for: the format of the file selects the simulator (--to)"));
     }
-    let Some(damping) = args.damping.question()? else {
+    let Some(damping) = args.damping.checked()? else {
         return Err(Failure::bad_input(
             "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are missing; an impact at a contact requires \
              both. Omit the contact to write the mechanism alone",
@@ -56,15 +56,15 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
         Some(stop) => stop.motion(&model)? == StopMotion::Turn,
         None => contact.is_moment(&model.mechanism),
     };
-    args.damping.check_units(&damping, turns)?;
+    damping.check_units(turns)?;
     // The mark by which percuss recognises its own files.
     let heading = format!("imported by percuss from {}", args.model.model);
     let meshes = MeshNames::new(&args.model.model, &args.output, format);
     let find_mesh = |name: &str| meshes.find(name);
     let file = ImpactFileOptions { heading: &heading, find_mesh: &find_mesh };
     let exported = match &args.limit {
-        Some(stop) => export_stop(&model, stop, contact, &damping, &file)?,
-        None => export_impact(&model, &contact, &damping, &file)?,
+        Some(stop) => export_stop(&model, stop, contact, damping, &file)?,
+        None => export_impact(&model, &contact, damping, &file)?,
     };
     let report = ExportReport::new(&model, &exported, "mjcf", [&args.output, &script]);
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;

@@ -17,7 +17,7 @@ pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
     let contact = args.contact.question_of_rows()?;
     let question = args.question()?;
     let model = args.model.load()?;
-    if let Some(RowSource::File(file)) = &question.path {
+    if let Some(RowSource::File(file)) = question.rows() {
         record_input(&file.path);
     }
     let report = with_findings(extremes(&model, &contact, &question), &model)?;

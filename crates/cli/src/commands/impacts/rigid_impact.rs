@@ -28,9 +28,9 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
         return reflected::run(args);
     }
     let contact = args.contact.question()?;
-    let question = args.impact.question()?;
+    args.impact.check()?;
     let model = args.model.load()?;
-    let report = with_findings(impact(&model, &contact, &question), &model)?;
+    let report = with_findings(impact(&model, &contact, &args.impact), &model)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     if let Some(path) = &args.output {
         write_output(&report, path)?;

@@ -7,7 +7,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, triple};
 use percuss_study::contact::BodyRegion;
-use percuss_study::{SafeSpeedReport, SpeedRecord};
+use percuss_study::{SafeSpeedReport, SpeedRecord, safe_speeds};
 use std::path::Path;
 
 /// Runs the command.
@@ -29,9 +29,13 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     } else {
         contact.question()?
     };
-    let study = safe_speed.safe_speed(&question, Path::new(""), args.reading.max_size)?;
+    let safe_speed = safe_speed.checked(Path::new(""), args.reading.max_size)?;
     let model = args.reading.load(path)?;
-    show(&with_findings(study.reports(&model), &model)?, args.format, args.reading.strict)
+    show(
+        &with_findings(safe_speeds(&model, &question, &safe_speed), &model)?,
+        args.format,
+        args.reading.strict,
+    )
 }
 
 /// Report with the lowest speed.

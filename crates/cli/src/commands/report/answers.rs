@@ -9,7 +9,7 @@ use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::terminal::limits;
 use percuss_render::{Figure, Picture};
-use percuss_study::{ComparisonReport, KinematicsReport, StudyFile};
+use percuss_study::{ComparisonReport, KinematicsReport, StudyFile, SweepQuestion};
 
 /// Section of the variants.
 pub(super) fn add_variants(
@@ -26,7 +26,7 @@ pub(super) fn add_variants(
     page.section(title);
     compare::document(compared).show(page);
     // A comparison without a figure is covered by the sweep's table.
-    let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+    let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
     // Each of several contacts has its own figure below.
     let is_of_one = !compare::has_several_contacts(compared);
     if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {

@@ -25,7 +25,7 @@ pub(super) fn tolerances_over(
     values: &[f64],
     scale: f64,
 ) -> Result<Tolerances, Failure> {
-    let (Some(tolerance), RowSource::Grid(ranges)) = (study.mass.tolerance, rows) else {
+    let (Some(tolerance), RowSource::Grid(ranges)) = (study.mass.tolerance(), rows) else {
         return Ok(Vec::new());
     };
     let question = &study.question_of_rows(question);
@@ -64,7 +64,7 @@ pub(super) fn tolerances_of_contacts(
     let values: Vec<f64> = compared.rows.iter().filter_map(|row| row.varied.first().copied()).collect();
     let scale = axis_unit(varied, study.model.length_unit()).0;
     let of_contact =
-        |contact: &StudyContact| tolerances_over(study, &contact.question, &sweep.rows, &values, scale);
+        |contact: &StudyContact| tolerances_over(study, &contact.question, &sweep.rows(), &values, scale);
     study.contacts.par_iter().map(of_contact).collect()
 }
 

@@ -8,7 +8,7 @@ use crate::commands::sensitivity::effect_text;
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::text::{number, upper_bound, within_uncertainty};
-use percuss_study::{ContactListReport, DiagnosticRecord, MassReport, StudyMass};
+use percuss_study::{ContactListReport, DiagnosticRecord, MassOptions, MassReport};
 
 /// Adds the results of all contacts of a study with several, before all sections.
 pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
@@ -27,13 +27,13 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
 /// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
 pub(super) fn add_result(
     report: &MassReport,
-    requested: &StudyMass,
+    requested: &MassOptions,
     findings: &[&DiagnosticRecord],
     page: &mut Page,
 ) {
     page.open_result(&format!("m̄ = {}", headline(report)));
     let mut facts = uncertainty(report);
-    if let (Some(expected), Some(mass)) = (requested.expect, report.effective_mass) {
+    if let (Some(expected), Some(mass)) = (requested.expected(), report.effective_mass) {
         let off = 100.0 * (mass / expected - 1.0);
         facts.push(("expected", format!("{} {}, difference {off:+.2e} %", number(expected), report.unit)));
     }

@@ -20,7 +20,7 @@ const LEGEND: &str = "Arms and rods of a suspension are drawn from each bush to 
 /// Section with the picture of the mechanism.
 pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
     page.section("The mechanism at this pose");
-    let report = results.mass.as_ref();
+    let report = results.report.mass.as_ref();
     let mut caption = LEGEND.to_owned();
     if let Some(report) = report {
         caption += match report.contact.is_moment {

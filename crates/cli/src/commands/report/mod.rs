@@ -18,8 +18,7 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics, write_out};
-pub use outputs::files_of;
-use percuss_study::{RowSource, StudyFile, StudySweep};
+use percuss_study::{RowSource, StudyFile, SweepQuestion};
 use results::StudyResults;
 use std::path::Path;
 
@@ -44,13 +43,13 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
     }
     study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| record_input(&input.path));
-    if let Some(StudySweep { rows: RowSource::File(file), .. }) = &study.sweep {
+    if let Some(RowSource::File(file)) = study.sweep.as_ref().map(SweepQuestion::rows) {
         record_input(&file.path);
     }
     // The checks precede the computation.
     let mut files = files_of_page(study, path);
     files.extend(args.explorer.clone());
-    files.extend(files_of(study).map(|(_, file)| file));
+    files.extend(study.outputs().map(|(_, file)| file));
     files.iter().try_for_each(|file| check_writable(file))?;
     // The page refuses a study before the computation.
     let explorer = match &args.explorer {
@@ -62,7 +61,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     inputs.iter().for_each(|input| record_input(&input.path));
     let diagnostics = answers.diagnostics();
     write_diagnostics(&diagnostics, args.strict)?;
-    for contact in answers.listed.iter().flat_map(|listed| &listed.contacts) {
+    for contact in answers.report.contacts.iter().flat_map(|listed| &listed.contacts) {
         if let Some(problem) = &contact.problem {
             warn(&format!("{}: {problem}", contact.name));
         }
@@ -78,8 +77,9 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         write_file(path, text.as_bytes())?;
     }
     write_file(path, page.as_bytes())?;
-    let headline = answers.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
+    let headline =
+        answers.report.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
     let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));
     write_out(&(headline.unwrap_or_default() + &written))?;
-    answers.mass.map_or(Ok(()), |mass| check_expected(&mass, &study.mass))
+    answers.report.mass.map_or(Ok(()), |mass| check_expected(&mass, &study.mass))
 }

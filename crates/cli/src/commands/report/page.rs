@@ -22,17 +22,17 @@ pub(super) fn text(
     inputs: &[Input],
 ) -> Result<String, Failure> {
     let mut page = Page::new(&head(results, study, args));
-    if let Some(listed) = &results.listed {
+    if let Some(listed) = &results.report.contacts {
         contact::add_contact_list(listed, &mut page);
     }
-    if let Some(report) = &results.mass {
+    if let Some(report) = &results.report.mass {
         contact::add_result(report, &study.mass, &results.unlisted(report), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {
         page.link("Move the mechanism and change the design in the explorer.", &relative(explorer, path));
     }
-    if let Some(report) = &results.mass {
+    if let Some(report) = &results.report.mass {
         mass::document(report).show(&mut page);
     }
     if let Some(contents) = &results.contents {
@@ -43,29 +43,34 @@ pub(super) fn text(
         let first = study.contacts.first().filter(|_| results.has_several_contacts());
         sweep.add_to(&mut page, &table, first.map(|contact| contact.name.as_str()));
     }
-    if let Some(compared) = &results.compared {
+    if let Some(compared) = &results.report.comparison {
         answers::add_variants(compared, &results.tolerances, study, &mut page);
     }
-    if let Some(report) = &results.kinematics {
+    if let Some(report) = &results.report.kinematics {
         answers::add_kinematics(report, study, &mut page);
     }
-    let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
+    let damper = results
+        .report
+        .mass
+        .as_ref()
+        .and_then(|report| report.damper.as_ref())
+        .or(results.report.damping.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
         page.section("The damper");
-        damp::document(damper, &damping.question)?.show(&mut page);
+        damp::document(damper, damping)?.show(&mut page);
         add_warnings(&damper.diagnostics, &mut page);
     }
-    if let Some(report) = &results.impact {
+    if let Some(report) = &results.report.impact {
         page.section("Impact");
         rigid_impact::document(report, Some(&results.mechanism)).show(&mut page);
         add_warnings(&report.diagnostics, &mut page);
     }
-    if let Some(report) = &results.extremes {
+    if let Some(report) = &results.report.extremes {
         page.section("Extremes");
         extremes::document(report).show(&mut page);
         add_warnings(&report.diagnostics, &mut page);
     }
-    if let Some(mapped) = &results.mapped {
+    if let Some(mapped) = &results.report.map {
         page.section(map::title(mapped));
         map::document(mapped).show(&mut page);
         add_warnings(mapped.diagnostics(), &mut page);
@@ -73,7 +78,7 @@ pub(super) fn text(
             answer.report.left_out.iter().for_each(|left| page.note(&format!("left out: {}", left.reason)));
         }
     }
-    if let Some(reports) = &results.speeds {
+    if let Some(reports) = &results.report.safe_speed {
         page.section("Safe speed");
         safe_speed::document(reports).show(&mut page);
         add_warnings(&safe_speed::slowest(reports).diagnostics, &mut page);
@@ -85,8 +90,8 @@ pub(super) fn text(
 /// Title, object, author and date of a study, and the file.
 fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
     let given = &study.report;
-    let default = || match &results.mass {
-        Some(_) if results.listed.is_some() => {
+    let default = || match &results.report.mass {
+        Some(_) if results.report.contacts.is_some() => {
             format!("Effective mass at {} contacts of {}", study.contacts.len(), study.model.mechanism.name())
         }
         Some(report) => match &report.named_contact {
@@ -114,7 +119,7 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.hashes(inputs.iter().map(|input| (file_name(&input.path), format!("SHA-256 {}", input.sha256))));
     let diagnostics = results.diagnostics();
     // Warnings about results are beside their number.
-    let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
+    let of_variants = results.report.comparison.iter().flat_map(|compared| &compared.diagnostics);
     let of_variants: Vec<&DiagnosticRecord> =
         of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
     let is_listed =
@@ -153,7 +158,7 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
         ))
     ));
     page.heading("Validity");
-    let impact = results.impact.as_ref();
+    let impact = results.report.impact.as_ref();
     let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
     let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
     let several = if is_several { "" } else { ", several impacts at once" };

@@ -7,9 +7,8 @@ use crate::commands::compare;
 use crate::commands::impacts::safe_speed;
 use crate::terminal::failure::Failure;
 use percuss_study::{
-    CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
-    ExtremesReport, ImpactReport, Input, KinematicsReport, MapResult, MassReport, Names, SafeSpeedReport,
-    StudyAdditions, StudyFile, WithAdditions, check as check_of, draw_mechanism,
+    AskError, CheckReport, ContactListReport, DiagnosticRecord, DrawnMechanism, Input, MapResult, MassReport,
+    Names, RequestReport, StudyAdditions, StudyFile, WithAdditions, check as check_of, draw_mechanism,
 };
 
 /// Name of the first contact of a list with a result: the contact of the details of a report.
@@ -20,70 +19,55 @@ pub(super) fn first_with_result(listed: &ContactListReport) -> Option<&str> {
 
 /// Results of all questions of a study.
 pub(super) struct StudyResults {
-    pub mass: Option<MassReport>,
-    /// List of all contacts of a study with several.
-    pub listed: Option<ContactListReport>,
+    /// Results of all tables except the sweep.
+    pub report: RequestReport,
     pub mechanism: DrawnMechanism,
     /// Contents of the model; only for a study without a contact.
     pub contents: Option<CheckReport>,
-    /// Damper of a joint stop.
-    pub stop: Option<DampingReport>,
-    pub impact: Option<ImpactReport>,
-    pub extremes: Option<ExtremesReport>,
     pub sweep: Option<SweepSection>,
-    pub compared: Option<ComparisonReport>,
     /// Tolerances over the rows at each of several contacts.
     pub tolerances: Vec<Tolerances>,
-    pub kinematics: Option<KinematicsReport>,
-    pub mapped: Option<MapResult>,
-    pub speeds: Option<Vec<SafeSpeedReport>>,
+}
+
+impl From<AskError> for Failure {
+    fn from(error: AskError) -> Self {
+        match error {
+            AskError::Request(error) => error.into(),
+            AskError::Question(error) => error.into(),
+            AskError::Kinematics(error) => error.into(),
+            AskError::Comparison(error) => compare::failure(&error, Names::KEYS),
+            other => Failure::bad_input(other.to_string()),
+        }
+    }
 }
 
 impl StudyResults {
     /// Computes the results of all questions of a study.
     pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
         let listed = study.contact_list()?;
-        let question = study.detailed_question(listed.as_ref());
-        let (mass, mechanism, contents) = match question {
-            Some(question) => {
-                let (mass, mechanism) = study.mass_with_drawing(question)?;
-                (Some(mass), mechanism, None)
-            }
-            None => (None, draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
+        let (mass, drawn) = study.mass_with_drawing(study.detailed_question(listed.as_ref()))?.unzip();
+        let (mechanism, contents) = match drawn {
+            Some(mechanism) => (mechanism, None),
+            None => (draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
         };
-        let compared = study.comparison(&compare::study_name(&args.study));
-        let compared = compared.map_err(|error| compare::failure(&error, Names::KEYS))?;
-        let tolerances = match &compared {
-            Some(compared) => tolerances_of_contacts(study, compared)?,
-            None => Vec::new(),
-        };
+        let report = study.results(&compare::study_name(&args.study), listed, mass)?;
+        let compared = report.comparison.as_ref();
+        let tolerances =
+            compared.map_or(Ok(Vec::new()), |compared| tolerances_of_contacts(study, compared))?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
-        Ok(Self {
-            mass,
-            listed,
-            mechanism,
-            contents,
-            stop: study.stop_damper()?,
-            impact: study.impact_report(question)?,
-            extremes: study.extremes_report(question)?,
-            sweep,
-            compared,
-            tolerances,
-            kinematics: study.kinematics_report()?,
-            mapped: study.map_result()?,
-            speeds: study.safe_speeds()?,
-        })
+        Ok(Self { report, mechanism, contents, sweep, tolerances })
     }
 
     /// Input files of all results, without duplicates.
     pub fn inputs(&self) -> Vec<Input> {
         let sweep = self.sweep.iter().flat_map(|sweep| &sweep.inputs);
-        let compared = self.compared.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
-        let mapped = self.mapped.iter().flat_map(MapResult::inputs);
-        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.inputs);
-        let own = self.mass.iter().flat_map(|mass| &mass.inputs);
+        let compared =
+            self.report.comparison.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
+        let mapped = self.report.map.iter().flat_map(MapResult::inputs);
+        let speeds = self.report.safe_speed.iter().flatten().flat_map(|report| &report.inputs);
+        let own = self.report.mass.iter().flat_map(|mass| &mass.inputs);
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.inputs));
-        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.inputs));
+        let own = own.chain(self.report.damping.iter().flat_map(|stop| &stop.inputs));
         let all = own.chain(&self.mechanism.meshes).chain(sweep).chain(compared);
         let mut each: Vec<Input> = Vec::new();
         for input in all.chain(mapped).chain(speeds) {
@@ -96,13 +80,13 @@ impl StudyResults {
 
     /// True if the study has several contacts, which are compared over the rows of its sweep.
     pub fn has_several_contacts(&self) -> bool {
-        self.compared.as_ref().is_some_and(compare::has_several_contacts)
+        self.report.comparison.as_ref().is_some_and(compare::has_several_contacts)
     }
 
     /// Findings about the result of a contact that the list of several contacts does not have. Messages of the list may begin with the
     /// names of contacts. Findings with a path of a file are always returned.
     pub fn unlisted<'m>(&self, mass: &'m MassReport) -> Vec<&'m DiagnosticRecord> {
-        let listed = self.listed.iter().flat_map(|listed| &listed.diagnostics);
+        let listed = self.report.contacts.iter().flat_map(|listed| &listed.diagnostics);
         let listed: Vec<&str> = listed.map(|record| record.message.as_str()).collect();
         let is_listed = |record: &DiagnosticRecord| {
             let named = format!(": {}", record.message);
@@ -116,16 +100,16 @@ impl StudyResults {
         // The comparison has the findings of all contacts over the rows.
         let sweep = self.sweep.iter().filter(|_| !self.has_several_contacts());
         let sweep = sweep.flat_map(|sweep| &sweep.end.diagnostics);
-        let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
-        let mapped = self.mapped.iter().flat_map(MapResult::diagnostics);
-        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
-        let own = self.mass.iter().flat_map(|mass| self.unlisted(mass));
-        let own = own.chain(self.listed.iter().flat_map(|listed| &listed.diagnostics));
+        let compared = self.report.comparison.iter().flat_map(|compared| &compared.diagnostics);
+        let mapped = self.report.map.iter().flat_map(MapResult::diagnostics);
+        let speeds = self.report.safe_speed.iter().flatten().flat_map(|report| &report.diagnostics);
+        let own = self.report.mass.iter().flat_map(|mass| self.unlisted(mass));
+        let own = own.chain(self.report.contacts.iter().flat_map(|listed| &listed.diagnostics));
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
-        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
-        let own = own.chain(self.impact.iter().flat_map(|impact| &impact.diagnostics));
-        let own = own.chain(self.extremes.iter().flat_map(|extremes| &extremes.diagnostics));
-        let own = own.chain(self.kinematics.iter().flat_map(|kinematics| &kinematics.diagnostics));
+        let own = own.chain(self.report.damping.iter().flat_map(|stop| &stop.diagnostics));
+        let own = own.chain(self.report.impact.iter().flat_map(|impact| &impact.diagnostics));
+        let own = own.chain(self.report.extremes.iter().flat_map(|extremes| &extremes.diagnostics));
+        let own = own.chain(self.report.kinematics.iter().flat_map(|kinematics| &kinematics.diagnostics));
         let all = own.chain(&self.mechanism.diagnostics).chain(sweep);
         let mut each: Vec<DiagnosticRecord> = Vec::new();
         for record in all.chain(compared).chain(mapped).chain(speeds) {
@@ -139,11 +123,16 @@ impl StudyResults {
     /// JSON of the accompanying file, as with --format json: the result of the contact, otherwise of the stop, map or
     /// safe speed.
     pub fn json(&self) -> Result<String, Failure> {
-        let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
-            (Some(_), ..) if self.listed.is_some() => serde_json::to_string_pretty(&self.listed),
+        let text = match (&self.report.mass, &self.report.damping, &self.report.map, &self.report.safe_speed)
+        {
+            (Some(_), ..) if self.report.contacts.is_some() => {
+                serde_json::to_string_pretty(&self.report.contacts)
+            }
             (Some(mass), ..) => {
-                let additions =
-                    StudyAdditions { impact: self.impact.clone(), extremes: self.extremes.clone() };
+                let additions = StudyAdditions {
+                    impact: self.report.impact.clone(),
+                    extremes: self.report.extremes.clone(),
+                };
                 serde_json::to_string_pretty(&WithAdditions { report: mass, additions: &additions })
             }
             (None, Some(stop), ..) => serde_json::to_string_pretty(stop),

@@ -11,7 +11,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number};
 use percuss_render::Picture;
-use percuss_study::{Input, StudyFile, StudySweep, SweepEnd};
+use percuss_study::{Input, StudyFile, SweepEnd, SweepQuestion};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -34,11 +34,11 @@ pub(super) struct SweepSection {
 }
 
 /// Runs the sweep of a study: its table, its end, and its picture.
-pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<SweepSection, Failure> {
+pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<SweepSection, Failure> {
     let question = &study.question_of_rows(study.question.as_ref().unwrap_or(&study.conditions));
     let sweep = study.prepared_sweep(requested, question)?;
     let table =
-        SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));
+        SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table()));
     let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));
     let (inputs, unit) = (sweep.heading().inputs.clone(), sweep.heading().unit);
     let varied = match &sweep.heading().varied[..] {
@@ -75,7 +75,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
         }
         ControlFlow::Continue(())
     })?;
-    let picture = match curves.map(|curves| curves.figure(question, &requested.figure)) {
+    let picture = match curves.map(|curves| curves.figure(question, &requested.figure())) {
         Some(Ok(mut figure)) => {
             // A report shows no path of the machine.
             let model = Path::new(&figure.subtitle).file_name();
@@ -83,7 +83,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
             let clipped = clip_outliers(&mut figure);
             let scale = varied.as_ref().map_or(1.0, |(_, (scale, _))| *scale);
             let band = match &study.question {
-                Some(question) => tolerances_over(study, question, &requested.rows, &values, scale)?,
+                Some(question) => tolerances_over(study, question, &requested.rows(), &values, scale)?,
                 None => Vec::new(),
             };
             let band = add_band(&mut figure, &band);

@@ -15,7 +15,7 @@ use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_render::Picture;
 use percuss_study::{
     KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow,
-    Model, StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    Model, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
 use std::fmt::Write;
@@ -35,7 +35,7 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     if let Some(search) = args.search()? {
         return show_search(args, &model, &question, &search);
     }
-    let report = kinematics(&model, &question)?.with_columns(&args.columns)?;
+    let report = kinematics(&model, &question)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     let format = args.format.unwrap_or(KinematicsFormat::Table);
     match &args.output {
@@ -61,7 +61,7 @@ fn text_of(report: &KinematicsReport, format: KinematicsFormat) -> String {
 /// Shows the kinematics of a study: the table on stdout, or the file that the study names.
 pub fn show_of_study(
     report: &KinematicsReport,
-    requested: &StudyKinematics,
+    requested: &KinematicsQuestion,
     strict: bool,
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;

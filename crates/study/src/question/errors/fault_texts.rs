@@ -1,21 +1,8 @@
-//! Texts of faults that depend on the names of flags, study keys or fields, and numbers in texts.
+//! Texts of faults that depend on the names of flags, study keys or fields.
 
 use crate::question::field::{Field, Names, assembly_error_message};
 use percuss_dynamics::AssemblyError;
 use percuss_mechanism::JointKind;
-
-/// Speed rounded to six significant digits.
-pub(super) fn rounded_speed(speed: f64) -> f64 {
-    format!("{speed:.5e}").parse().unwrap_or(speed)
-}
-
-/// Message: a floating root link without mass.
-pub(super) fn massless_base(link: &str) -> String {
-    format!(
-        "the root link \"{link}\" has no mass; a floating root link needs mass and inertia: write mass, com and inertia in the \
-         model, or in a section [{link}] of a suspension sheet, or use a fixed base"
-    )
-}
 
 /// Message: a joint is varied and set.
 pub(super) fn varied_is_set(joint: &str, names: Names) -> String {

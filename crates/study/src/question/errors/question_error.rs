@@ -1,7 +1,7 @@
 //! Errors of a question: the cause and the flag or key at fault.
 
 pub use crate::question::errors::fault::Fault;
-use crate::question::errors::refusal::flag;
+use crate::question::errors::refusal::{InvalidKey, flag};
 use crate::question::field::{Field, Names, TableKeys, assembly_error_message};
 use percuss_contact::exports::ExportError;
 use percuss_contact::{ContactLawError, LawParameter};
@@ -30,6 +30,9 @@ pub enum StudyError {
         /// Fault.
         fault: Box<Fault>,
     },
+    /// Invalid key of a question.
+    #[error(transparent)]
+    Key(#[from] InvalidKey),
     /// Loops that do not close, or do not close at the requested positions.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
@@ -171,6 +174,7 @@ impl StudyError {
         let table = if let StudyError::InTable { table, .. } = self { Some(*table) } else { None };
         match self.without_table() {
             StudyError::Input { field, .. } => Some(field.name_in(Names::Keys(table)).to_owned()),
+            StudyError::Key(error) => Some(error.key.to_owned()),
             error => error.parameter().and_then(|parameter| parameter_key(parameter, table)),
         }
     }
@@ -232,6 +236,7 @@ impl StudyError {
     pub fn message(&self, names: Names) -> String {
         match self {
             StudyError::InTable { table, error } => error.message(names.in_table(table)),
+            StudyError::Key(error) => error.message(names),
             StudyError::Input { field, fault } => {
                 format!("{}: {}", field.name_in(names), fault.message(names))
             }

@@ -51,7 +51,7 @@ impl WheelMotion {
     /// Wheel centres, each with its travel at a unit of the motion. `field`: origin of the travel, for messages.
     fn wheels(self, mechanism: &Mechanism, field: Field) -> Result<Vec<(LinkId, f64)>, Fault> {
         let wheels = wheel_centres(mechanism, "");
-        let fault = |why: &'static str| Fault::WheelMotion { motion: self.name(), why };
+        let fault = |why: &str| Fault::from(format!("{}: {why}", self.name()));
         let is_right = |wheel: &LinkId| mechanism.link(*wheel).name().ends_with("_right");
         match (self, wheels.len()) {
             (_, 0) => Err(fault("the model has no link named wheel_centre, as imported suspensions have")),

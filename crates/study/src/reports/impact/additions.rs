@@ -2,10 +2,9 @@
 
 use crate::damper::damping::damper;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
+use crate::question::tables::impact::{ImpactQuestion, PercussionRequest};
 use crate::thresholds::{CONVERGED_SPEED, SPEED_ITERATIONS, UNCHANGED_RATE};
 use crate::values::drives::GearLimit;
 use crate::values::rates::GivenRates;
@@ -63,7 +62,10 @@ const GROUND: &str = "ground";
 pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
     mechanism.find_joint(name).map_err(|error| {
         if mechanism.closures().iter().any(|closure| closure.name() == name) {
-            return StudyError::input(field, Fault::IsClosure { closure: name.to_owned() });
+            let why = format!(
+                "\"{name}\" is the closure of a loop; expected a joint of the tree. The reactions of `percuss impact` include this closure"
+            );
+            return StudyError::input(field, why);
         }
         StudyError::input(field, error)
     })
@@ -84,9 +86,12 @@ pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> R
         let closures = mechanism.closures().iter().map(|closure| closure.name());
         let all: Vec<&str> = joints.chain(closures).chain([GROUND]).collect();
         let near = near_names(name, all.iter().copied());
-        let names =
-            if near.is_empty() { all.iter().take(12).map(|name| (*name).to_owned()).collect() } else { near };
-        StudyError::input(field, Fault::UnknownBearing { name: name.to_owned(), names })
+        // Without similar names, the first twelve bearings.
+        let names = if near.is_empty() { all[..all.len().min(12)].join(", ") } else { near.join(", ") };
+        StudyError::input(
+            field,
+            format!("no joint or loop closure has the name \"{name}\"; expected one of {names}"),
+        )
     })
 }
 
@@ -115,7 +120,8 @@ pub(crate) fn percussion(
             None => centre_of_percussion_in_plane(pose, contact, bearing),
         };
         let found = found.map_err(|error| StudyError::input(Field::Percussion, error))?;
-        let worst = question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius));
+        let worst =
+            question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius.0));
         let worst = worst.transpose().map_err(|error| StudyError::input(Field::PointError, error))?;
         Ok(PercussionRecord {
             worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),
@@ -142,24 +148,22 @@ pub(crate) fn greatest_speed(
     let mechanism = &evaluated.prepared.model.mechanism;
     let mut limits = Vec::new();
     let is_changed = |joint: JointId| !unchanged_joints(evaluated).contains(&joint);
-    for given in &question.rate_limits {
+    for given in &question.rate_limit {
         let (joint, values) = rates_of(mechanism, Field::RateLimit, given)?;
         let expected = mechanism.joint(joint).kind().dofs();
         if values.len() != expected {
-            let fault = Fault::RateCount { joint: given.0.clone(), got: values.len(), expected };
-            return Err(StudyError::input(Field::RateLimit, fault));
+            let (joint, got) = (&given.0, values.len());
+            let why = format!("joint \"{joint}\": {got} rates are given; expected {expected}");
+            return Err(StudyError::input(Field::RateLimit, why));
         }
         if let Some(&value) = values.iter().find(|value| **value <= 0.0) {
-            return Err(StudyError::input(
-                Field::RateLimit,
-                Fault::RateLimit { joint: given.0.clone(), value },
-            ));
+            return Err(StudyError::input(Field::RateLimit, limit_text(&given.0, value)));
         }
         if is_changed(joint) {
             limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
         }
     }
-    let (response, e) = (&evaluated.result.response, question.restitution);
+    let (response, e) = (&evaluated.result.response, question.restitution());
     let by_rates = greatest_closing_speed(response, e, &limits).map(|found| (found, "rate"));
     let (mut impulses, mut torques) = gear_limits(evaluated, question)?;
     impulses.retain(|(joint, _, _)| is_changed(*joint));
@@ -174,13 +178,18 @@ pub(crate) fn greatest_speed(
     Ok(least.map(|((speed, joint), limit)| GreatestSpeedRecord { speed, joint: name(joint), limit }))
 }
 
+/// Message: a limit that is not positive.
+fn limit_text(joint: &str, value: f64) -> String {
+    format!("joint \"{joint}\": the limit is {value}; expected a number above zero")
+}
+
 /// Joints with a limit of the rate or of the gear that has no effect, since the impact does not change their rates.
 pub(crate) fn limits_without_effect(evaluated: &EvaluatedQuestion, question: &ImpactQuestion) -> Vec<String> {
     let mechanism = &evaluated.prepared.model.mechanism;
     let unchanged: Vec<&str> =
         unchanged_joints(evaluated).into_iter().map(|joint| mechanism.joint(joint).name()).collect();
-    let rates = question.rate_limits.iter().map(|(name, _)| name);
-    let gears = question.gear_limits.iter().map(|(name, _)| name);
+    let rates = question.rate_limit.iter().map(|(name, _)| name);
+    let gears = question.gear_limit.iter().map(|(name, _)| name);
     let mut names: Vec<String> = Vec::new();
     for name in rates.chain(gears).filter(|name| unchanged.contains(&name.as_str())) {
         if !names.contains(name) {
@@ -209,18 +218,22 @@ fn gear_limits(
 ) -> Result<(Vec<JointLimit>, Vec<JointLimit>), StudyError> {
     let mechanism = &evaluated.prepared.model.mechanism;
     let (mut impulses, mut torques) = (Vec::new(), Vec::new());
-    for (name, given) in &question.gear_limits {
-        let refuse = |fault| StudyError::input(Field::GearLimit, fault);
+    for (name, given) in &question.gear_limit {
+        let refuse = |fault: Fault| StudyError::input(Field::GearLimit, fault);
         let joint = find_joint(mechanism, Field::GearLimit, name)?;
         let kind = mechanism.joint(joint).kind();
         let wrong = |source| refuse(Fault::Position { joint: name.clone(), source });
         let limits = given.limits_for_joint(kind).map_err(wrong)?;
         let (got, expected) = (limits.len(), kind.dofs());
         if got != expected {
-            return Err(refuse(Fault::LimitCount { joint: name.clone(), got, expected }));
+            let why = format!("joint \"{name}\": {got} limits are given; expected {expected}");
+            return Err(refuse(why.into()));
         }
         if evaluated.pose.armature(joint).iter().all(|armature| *armature == 0.0) {
-            return Err(refuse(Fault::NoGear { joint: name.clone() }));
+            let why = format!(
+                "joint \"{name}\" has no armature, so its gear receives no impulse; give --armature {name}=VALUE"
+            );
+            return Err(refuse(why.into()));
         }
         for (k, limit) in limits.into_iter().enumerate() {
             let (value, list) = match limit {
@@ -228,7 +241,7 @@ fn gear_limits(
                 GearLimit::Torque(value) => (value, &mut torques),
             };
             if value <= 0.0 {
-                return Err(refuse(Fault::RateLimit { joint: name.clone(), value }));
+                return Err(refuse(limit_text(name, value).into()));
             }
             list.push((joint, k, value));
         }
@@ -249,8 +262,12 @@ fn greatest_speed_of_torques(
     if limits.is_empty() {
         return Ok(None);
     }
-    let refuse = || StudyError::input(Field::GearLimit, Fault::NoContactStiffness);
-    let law = question.law.as_ref().ok_or_else(refuse)?;
+    let refuse = || {
+        let why =
+            "a limit in N·m or N requires the stiffness of the contact, which determines the peak torque";
+        StudyError::input(Field::GearLimit, why)
+    };
+    let exponent = question.contact_law(1.0).ok_or_else(refuse)?.exponent();
     let response = &evaluated.result.response;
     let Some(mass) = response.effective_mass.kilograms() else { return Ok(None) };
     let force = |&(joint, k, limit): &JointLimit| {
@@ -261,7 +278,7 @@ fn greatest_speed_of_torques(
     let least = limits.iter().filter_map(force).min_by(|(a, _), (b, _)| a.total_cmp(b));
     let Some((largest_force, joint)) = least else { return Ok(None) };
     let peak_at = |speed: f64| -> Result<Option<f64>, StudyError> {
-        let law = DampingQuestion { restitution: question.restitution, speed: Some(speed), ..law.clone() };
+        let law = question.contact_law(speed).ok_or_else(refuse)?;
         Ok(damper(&law, mass)?.peak_force)
     };
     let mut speed = 1.0;
@@ -269,7 +286,7 @@ fn greatest_speed_of_torques(
         let Some(peak) = peak_at(speed)?.filter(|peak| peak.is_finite() && *peak > 0.0) else {
             return Ok(None);
         };
-        let factor = (largest_force / peak).powf((law.exponent + 1.0) / (2.0 * law.exponent));
+        let factor = (largest_force / peak).powf((exponent + 1.0) / (2.0 * exponent));
         speed *= factor;
         if (factor - 1.0).abs() < CONVERGED_SPEED {
             break;

@@ -2,7 +2,7 @@
 
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::reports::impact::question::ImpactQuestion;
+use crate::question::tables::impact::ImpactQuestion;
 use percuss_impact::ImpactError;
 
 /// Error of an impact, about the part of the question at fault.

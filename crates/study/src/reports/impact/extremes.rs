@@ -3,32 +3,35 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::many_turns_finding;
+use crate::damper::damping::damper;
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::evaluation::status::Status;
+use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::check_dimensions;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
-use crate::reports::impact::additions::find_joint;
-use crate::reports::impact::extremes_question::{ExtremesQuestion, GivenRange, Keep};
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::extremes::{
+    DEFAULT_STARTS, ExtremesQuestion, GivenQuantity, GivenRange, Keep, MOST_STARTS,
+};
+use crate::reports::impact::additions::{find_bearing, find_joint};
 use crate::sweep::sweep_rows::Sweep;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint, ReactionMap,
-    SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint, PeakForceLaw,
+    ReactionMap, SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path,
+    extreme_quantity,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Number of starts without a given one.
-pub const DEFAULT_STARTS: usize = 32;
-/// Largest number of starts.
-pub const MOST_STARTS: usize = 2_000;
+/// Message: a peak force in a bearing without a contact law, or another quantity with one.
+const PEAK_AND_LAW: &str = "expected a contact law (stiffness, restitution and closing speed) for the peak force in a bearing, peak:JOINT, and for \
+                            no other quantity";
 
 /// Position of a joint at an extreme.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -162,31 +165,35 @@ pub fn extremes(
     question: &MassQuestion,
     extremes: &ExtremesQuestion,
 ) -> Result<ExtremesReport, StudyError> {
-    let of_rows = extremes.path.as_ref().map(|path| path.question_of_rows(question));
+    let path = extremes.rows();
+    let of_rows = path.as_ref().map(|path| path.question_of_rows(question));
     let question = of_rows.as_ref().unwrap_or(question);
     let prepared = PreparedQuestion::new(model, question)?;
     if prepared.other_mass().is_some() {
-        return Err(StudyError::input(Field::AgainstMass, Fault::ExtremesOfMechanism));
+        let why = "extremes are those of the mechanism alone; expected no free body on the other side";
+        return Err(StudyError::input(Field::AgainstMass, why));
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let is_moment = contact.normal.is_moment();
-    let [speed, stiffness] = extremes.dimensions;
-    check_dimensions(
-        extremes.law.as_ref().map_or(1.0, |law| law.exponent),
-        (Field::ExtremesStiffness, stiffness),
-        (Field::ExtremesSpeed, speed),
-        is_moment,
-    )?;
-    let (quantity, unit) = extremes.quantity.searched(&model.mechanism, is_moment, extremes.law.as_ref())?;
+    let law = extremes.contact_law();
+    if let Some(law) = &law {
+        law.check_dimensions(Field::ExtremesStiffness, Field::ExtremesSpeed, is_moment)?;
+    }
+    let requested = extremes.quantity();
+    let (quantity, unit) = searched_quantity(requested, &model.mechanism, is_moment, law.as_ref())?;
     let search = ExtremesSearch {
         prepared: &prepared,
         pose: &pose,
-        contact: SearchedContact { contact: &contact, wheel: prepared.wheel(), normals: extremes.normals.0 },
+        contact: SearchedContact {
+            contact: &contact,
+            wheel: prepared.wheel(),
+            normals: extremes.normals.unwrap_or_default().0,
+        },
         quantity,
         question: extremes,
     };
-    let found = match &extremes.path {
+    let found = match &path {
         None => search.over_ranges()?,
         Some(path) => search.along_path(question, path)?,
     };
@@ -228,14 +235,14 @@ pub fn extremes(
         }
     };
     let [least, most] = &found.extremes;
-    let bearing = extremes.quantity.joint().unwrap_or_default();
+    let bearing = requested.joint().unwrap_or_default();
     let open_components = open_components(&pose, &contact, quantity, bearing).map(DiagnosticRecord::from);
     Ok(ExtremesReport {
         schema: "percuss.extremes/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        quantity: extremes.quantity.name(),
+        quantity: requested.name(),
         is_moment: contact.normal.is_moment(),
-        joint: extremes.quantity.joint().map(str::to_owned),
+        joint: requested.joint().map(str::to_owned),
         unit,
         ranges: found.ranges.iter().map(|range| (name(range.joint), range.lower, range.upper)).collect(),
         kept: extremes.keep.iter().map(kept_record).collect(),
@@ -246,6 +253,45 @@ pub fn extremes(
         path: found.path,
         diagnostics: found.diagnostics.into_iter().chain(open_components).collect(),
     })
+}
+
+/// Quantity of the search, and its unit. `is_moment`: true if the contact is a moment; `law`: contact law of a peak force.
+fn searched_quantity(
+    requested: &GivenQuantity,
+    mechanism: &Mechanism,
+    is_moment: bool,
+    law: Option<&DampingQuestion>,
+) -> Result<(SearchedQuantity, &'static str), StudyError> {
+    if law.is_some() && !matches!(requested, GivenQuantity::Peak(_)) {
+        return Err(StudyError::input(Field::Quantity, PEAK_AND_LAW));
+    }
+    let Some(name) = requested.joint() else {
+        return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
+    };
+    let bearing = || find_bearing(mechanism, Field::Quantity, name);
+    let held = match requested {
+        GivenQuantity::Bearing(_) => {
+            let quantity = SearchedQuantity::BearingImpulse { bearing: bearing()? };
+            return Ok((quantity, if is_moment { "kg·m" } else { "kg" }));
+        }
+        GivenQuantity::Peak(_) => {
+            let law = law.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
+            let law = peak_force_law(law)?;
+            return Ok((SearchedQuantity::BearingPeakForce { bearing: bearing()?, law }, "N"));
+        }
+        GivenQuantity::Mass | GivenQuantity::Reflected(_) => false,
+        GivenQuantity::Held(_) => true,
+    };
+    let joint = find_joint(mechanism, Field::Quantity, name)?;
+    let quantity = SearchedQuantity::ReflectedInertia { joint, held };
+    let slides = mechanism.joint(joint).kind() == JointKind::Prismatic;
+    Ok((quantity, if slides { "kg" } else { "kg·m²" }))
+}
+/// Peak force of a contact law at its closing speed, as a function force · m̄^power of the effective mass.
+fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
+    let force = damper(law, 1.0)?.peak_force;
+    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
+    Ok(PeakForceLaw { force, power: law.exponent() / (law.exponent() + 1.0) })
 }
 
 /// Warning that redundant constraints leave components of the force in a searched bearing open at a pose; `None` for another quantity.
@@ -279,7 +325,7 @@ impl ExtremesSearch<'_> {
     fn over_ranges(&self) -> Result<Found, StudyError> {
         let Self { prepared, pose, question, .. } = self;
         let ranges = ranges(prepared, pose, question)?;
-        let starts = if question.starts == 0 { DEFAULT_STARTS } else { question.starts.min(MOST_STARTS) };
+        let starts = question.starts.map_or(DEFAULT_STARTS, usize::from).min(MOST_STARTS);
         let kept = self.kept_points()?;
         let search = |extreme| {
             let poses = SearchedPoses { ranges: &ranges, kept: &kept };
@@ -319,8 +365,10 @@ impl ExtremesSearch<'_> {
     /// Extremes along a path: the rows of a sweep give the positions of the drivers.
     fn along_path(&self, question: &MassQuestion, source: &RowSource) -> Result<Found, StudyError> {
         let Self { prepared, pose, .. } = self;
-        if !self.question.ranges.is_empty() || !self.question.keep.is_empty() {
-            return Err(StudyError::input(Field::Path, Fault::PathAndRanges));
+        if !self.question.range.is_empty() || !self.question.keep.is_empty() {
+            let why =
+                "a path gives all positions of the search; expected neither ranges nor kept points with it";
+            return Err(StudyError::input(Field::Path, why));
         }
         let is_path = match source {
             RowSource::Grid(ranges) => ranges.len() == 1,
@@ -328,7 +376,8 @@ impl ExtremesSearch<'_> {
             RowSource::Random { .. } => false,
         };
         if !is_path {
-            return Err(StudyError::input(Field::Path, Fault::NoPath));
+            let why = "a path is a file of positions, or one range; expected neither several ranges nor random rows";
+            return Err(StudyError::input(Field::Path, why));
         }
         let sweep = Sweep::new(prepared.model, question, source)?;
         let mechanism = &prepared.model.mechanism;
@@ -414,7 +463,7 @@ fn range_findings<'a>(
     question: &'a ExtremesQuestion,
     ranges: &'a [JointRange],
 ) -> impl Iterator<Item = Finding> + 'a {
-    question.ranges.iter().zip(ranges).filter_map(|(given, range)| {
+    question.range.iter().zip(ranges).filter_map(|(given, range)| {
         let joint = mechanism.joint(range.joint);
         let limits = joint.limits().filter(|limits| {
             Pose::is_outside(range.lower, *limits) || Pose::is_outside(range.upper, *limits)
@@ -446,7 +495,7 @@ fn ranges(
     // With kept links or points, the given positions only define where these stay.
     let is_set =
         |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
-    if question.ranges.is_empty() {
+    if question.range.is_empty() {
         let mut drivers = driving_joints(pose);
         drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));
         let limited = drivers.into_iter().filter_map(|joint| {
@@ -463,7 +512,9 @@ fn ranges(
     let range = |given: &GivenRange| {
         let joint = find_joint(mechanism, Field::Range, &given.joint)?;
         if is_set(&given.joint) {
-            return Err(StudyError::input(Field::Range, Fault::SetAndRanged { joint: given.joint.clone() }));
+            let joint = &given.joint;
+            let why = format!("joint \"{joint}\" has a range and a given position; expected one of the two");
+            return Err(StudyError::input(Field::Range, why));
         }
         let dimension = match mechanism.joint(joint).kind() {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
@@ -474,9 +525,42 @@ fn ranges(
         };
         let end = |end: Quantity| {
             end.in_dimension(dimension, &end.to_string())
-                .map_err(|error| StudyError::input(Field::Range, Fault::Range(error)))
+                .map_err(|error| StudyError::input(Field::Range, error))
         };
         Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
     };
-    question.ranges.iter().map(range).collect()
+    question.range.iter().map(range).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use percuss_contact::Law;
+
+    /// For every law, exponent and restitution, the peak force is proportional to the same power p/(p+1) of the mass.
+    #[test]
+    fn peak_forces_are_powers_of_the_mass() {
+        let mut count = 0;
+        for law in Law::ALL {
+            for (exponent, restitution) in [(1.0, 0.0), (1.0, 0.4), (1.5, 0.4), (1.5, 1.0), (2.2, 0.7)] {
+                let question = DampingQuestion {
+                    law: Some(law.into()),
+                    exponent: Some(exponent.into()),
+                    speed: Some(1.7.into()),
+                    ..DampingQuestion::new(restitution, 3e4)
+                };
+                let Ok(power_law) = peak_force_law(&question) else { continue };
+                for mass in [0.03, 2.0, 700.0] {
+                    let force = damper(&question, mass).expect("a damper").peak_force.expect("a force");
+                    let expected = power_law.force * mass.powf(power_law.power);
+                    assert!(
+                        (force / expected - 1.0).abs() < 1e-8,
+                        "{law:?} {exponent} {restitution} {mass}: {force} {expected}"
+                    );
+                    count += 1;
+                }
+            }
+        }
+        assert!(count >= 15, "{count}");
+    }
 }

@@ -7,7 +7,7 @@ use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
-use crate::reports::impact::question::ImpactQuestion;
+use crate::question::tables::impact::ImpactQuestion;
 use percuss_dynamics::{Contact, Direction, Gap};
 
 /// Further contact of an impact at a pose.

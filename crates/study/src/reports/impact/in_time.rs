@@ -5,12 +5,11 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::errors::impact_error;
-use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::{CREATED_RESTITUTION, STROKES};
 use crate::values::drives::GivenSpring;
@@ -98,15 +97,14 @@ pub(crate) fn in_time(
     held: &[String],
 ) -> Result<Option<ImpactTimeRecord>, StudyError> {
     let EvaluatedQuestion { prepared, pose, contact: touched, result } = evaluated;
-    let Some(law) = impact.law.as_ref().filter(|_| impact.in_time) else { return Ok(None) };
-    let law =
-        DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
+    let law = impact.contact_law(rigid.closing_speed).filter(|_| impact.in_time);
+    let Some(law) = law else { return Ok(None) };
     let own = result.mechanism_response().effective_mass;
     let mass = result.response.effective_mass.kilograms();
     let mass = mass.ok_or(StudyError::NoDamper { status: "immovable" })?;
     let compliant = contact(&law, mass)?;
     let damper = contact_damper(&law, compliant)?;
-    let gravity = impact.gravity.unwrap_or_default();
+    let gravity = impact.gravity().unwrap_or_default();
     let conditions = TimeConditions {
         gravity: Vector3::from(gravity),
         other_mass: prepared.other_mass(),
@@ -121,7 +119,7 @@ pub(crate) fn in_time(
     let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)
         .map_err(|error| impact_error(error, impact))?;
     let is_single = pose.degrees_of_freedom() == 1 && prepared.other_mass().is_none();
-    let one_freedom = if is_single && impact.gravity.is_none() && impact.joint_springs.is_empty() {
+    let one_freedom = if is_single && impact.gravity.is_empty() && impact.joint_spring.is_empty() {
         let path = PenetrationPath { prepared, contact: touched };
         STROKES.into_iter().find_map(|factor| {
             let depth = factor * found.max_penetration;
@@ -166,11 +164,12 @@ pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
 /// Springs of the joints.
 fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
     let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
-        if impact.joint_springs[..number].iter().any(|(earlier, _)| earlier == name) {
-            return Err(StudyError::input(Field::JointSpring, Fault::JointTwice { joint: name.clone() }));
+        if impact.joint_spring[..number].iter().any(|(earlier, _)| earlier == name) {
+            let why = format!("joint \"{name}\" is given twice; give it once");
+            return Err(StudyError::input(Field::JointSpring, why));
         }
         let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let refuse = |fault| StudyError::input(Field::JointSpring, fault);
+        let refuse = |fault: Fault| StudyError::input(Field::JointSpring, fault);
         let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
         let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
         let (stiffness, damping, free_position) = match values[..] {
@@ -178,12 +177,14 @@ fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, Stu
             [stiffness, damping] => (stiffness, damping, None),
             [stiffness, damping, free] => (stiffness, damping, Some(free)),
             _ => {
-                return Err(refuse(Fault::SpringCount { joint: name.clone(), got: values.len() }));
+                let got = values.len();
+                let why = format!("joint \"{name}\": {got} numbers are given; expected K, K,D or K,D,FREE");
+                return Err(refuse(why.into()));
             }
         };
         Ok(JointSpring { joint, stiffness, damping, free_position })
     };
-    impact.joint_springs.iter().enumerate().map(spring).collect()
+    impact.joint_spring.iter().enumerate().map(spring).collect()
 }
 
 /// Velocities of the movable joints.

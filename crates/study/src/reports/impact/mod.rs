@@ -3,12 +3,10 @@
 pub(crate) mod additions;
 pub(crate) mod errors;
 pub(crate) mod extremes;
-pub(crate) mod extremes_question;
 pub(crate) mod friction;
 pub(crate) mod further_contacts;
 pub(crate) mod in_time;
 pub(crate) mod masses;
-pub(crate) mod question;
 pub(crate) mod reactions;
 pub(crate) mod reflected;
 pub(crate) mod report;

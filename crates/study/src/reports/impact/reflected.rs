@@ -280,7 +280,7 @@ pub(crate) fn reflected_over(
         let joint = find_joint(mechanism, Field::Reflected, name)?;
         let kind = mechanism.joint(joint).kind();
         let range = Vary::parse(text);
-        let range: Vary = range.map_err(|error| refuse(Fault::RangeText { message: error.to_string() }))?;
+        let range: Vary = range.map_err(|error| refuse(error.to_string().into()))?;
         let dimension = match kind {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
             JointKind::Prismatic => Dimension::Length,
@@ -292,7 +292,7 @@ pub(crate) fn reflected_over(
         if !is_stop && posed.question.set.iter().any(|(set, _)| set == name) {
             return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));
         }
-        let values = range.values(dimension).map_err(|error| refuse(Fault::Range(error)))?;
+        let values = range.values(dimension).map_err(|error| refuse(error.into()))?;
         let positions: Vec<f64> = (0..values.count).map(|row| values.value_at(row)).collect();
         findings.extend(outside_limits(mechanism, joint, &positions));
         let found = {

@@ -9,10 +9,11 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::damping_question::{DampingQuestion, check_dimensions};
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::answer_mass::build_mass_report;
 use crate::reports::impact::additions::{
     GreatestSpeedRecord, PercussionRecord, greatest_speed, limits_without_effect, percussion, rates_of,
@@ -22,7 +23,6 @@ use crate::reports::impact::friction::{FrictionRecord, friction_record};
 use crate::reports::impact::further_contacts::stop_findings;
 use crate::reports::impact::in_time::{ImpactTimeRecord, in_time, restitution_finding};
 use crate::reports::impact::masses::{MassStateRecord, mass_states};
-use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{
     JointConstraintRecord, ReactionPlace, ReactionRecord, joint_constraint_records, records,
 };
@@ -188,16 +188,12 @@ pub fn impact(
     question: &MassQuestion,
     impact: &ImpactQuestion,
 ) -> Result<ImpactReport, StudyError> {
+    impact.check()?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
     let response = &result.response;
-    let [speed, stiffness] = impact.dimensions;
-    check_dimensions(
-        impact.law.as_ref().map_or(1.0, |law| law.exponent),
-        (Field::ImpactStiffness, stiffness),
-        (Field::ClosingSpeed, speed),
-        response.contact.is_moment,
-    )?;
+    let units = DampingQuestion { speed: impact.speed, ..impact.contact_law(1.0).unwrap_or_default() };
+    units.check_dimensions(Field::ImpactStiffness, Field::ClosingSpeed, response.contact.is_moment)?;
     let has_point = contact_without_point(&evaluated).is_none();
     refuse_results_at_point(&evaluated, impact)?;
     if response.singular_pose {
@@ -205,20 +201,23 @@ pub fn impact(
     }
     let (speed, before) = motion_before(&evaluated, impact)?;
     let is_given = before.is_some();
-    let rigid = match impact.friction {
-        None => RigidImpact::new(pose, response, speed, impact.restitution, before),
+    let rigid = match impact.friction() {
+        None => RigidImpact::new(pose, response, speed, impact.restitution(), before),
         Some(friction) => {
-            let friction = FrictionLaw { coefficient: friction, restitution: impact.restitution_law };
-            RigidImpact::with_friction(pose, response, speed, impact.restitution, friction, before)
+            let friction = FrictionLaw {
+                coefficient: friction,
+                restitution: impact.restitution_law.unwrap_or_default().law(),
+            };
+            RigidImpact::with_friction(pose, response, speed, impact.restitution(), friction, before)
         }
     };
     let rigid = rigid.map_err(|error| impact_error(error, impact))?;
     let mut mass = build_mass_report(&evaluated)?;
     let mut diagnostics = std::mem::take(&mut mass.diagnostics);
-    let mut contact_law = match &impact.law {
+    let mut contact_law = match impact.contact_law(rigid.closing_speed) {
         None => None,
         Some(law) => {
-            let (record, found) = peak_force(&evaluated, law, &rigid)?;
+            let (record, found) = peak_force(&evaluated, &law, &rigid)?;
             diagnostics = found;
             Some(record)
         }
@@ -331,12 +330,13 @@ fn motion_before(
 ) -> Result<(f64, Option<JointRates>), StudyError> {
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
     let is_fixed = prepared.question.base == Base::Fixed;
-    if impact.base_twist.is_some() && is_fixed {
-        return Err(StudyError::input(Field::BaseTwist, Fault::BaseIsFixed));
+    if !impact.base_twist.is_empty() && is_fixed {
+        let why = "the base is fixed; a velocity requires a floating base";
+        return Err(StudyError::input(Field::BaseTwist, why));
     }
-    if impact.rates.is_empty() && impact.base_twist.is_none() {
-        let speed =
-            impact.speed.ok_or_else(|| StudyError::input(Field::ClosingSpeed, Fault::NoClosingSpeed))?;
+    if impact.rates.is_empty() && impact.base_twist.is_empty() {
+        let why = "no motion before the impact is given; expected the closing speed, or the rates of the driving joints";
+        let speed = impact.speed().ok_or_else(|| StudyError::input(Field::ClosingSpeed, why))?;
         return Ok((speed, None));
     }
     let driver = |given| {
@@ -344,7 +344,7 @@ fn motion_before(
         Ok(DriverRate { joint, rates })
     };
     let drivers: Vec<DriverRate> = impact.rates.iter().map(driver).collect::<Result<_, StudyError>>()?;
-    let [wx, wy, wz, vx, vy, vz] = impact.base_twist.unwrap_or_default();
+    let [wx, wy, wz, vx, vy, vz] = impact.base_twist().unwrap_or_default();
     let base = Twist::new(
         pose.base().inverse_vector(&Vector3::new(wx, wy, wz)),
         pose.base().inverse_vector(&Vector3::new(vx, vy, vz)),
@@ -354,16 +354,28 @@ fn motion_before(
     let contact = &result.response.contact;
     let unit = if contact.is_moment { "rad/s" } else { "m/s" };
     let closing = closing_speed(pose, contact, &rates);
-    let speed = match (impact.speed, prepared.other_mass()) {
+    let speed = match (impact.speed(), prepared.other_mass()) {
         // The other body moves with the difference of both speeds.
         (Some(speed), Some(_)) => speed,
         (Some(speed), None) if (speed - closing).abs() > SAME_SPEED * speed.abs().max(closing.abs()) => {
-            return Err(StudyError::input(Field::ClosingSpeed, Fault::OtherSpeed { speed, closing, unit }));
+            let why = format!(
+                "{speed} {unit} is given, but the given rates close the gap at {closing} {unit}; leave one of the two out"
+            );
+            return Err(StudyError::input(Field::ClosingSpeed, why));
         }
         _ => closing,
     };
     if speed.is_nan() || speed <= 0.0 {
-        return Err(StudyError::input(given, Fault::GapOpens { closing: speed, unit }));
+        // Speed rounded to six significant digits.
+        let rounded: f64 = format!("{speed:.5e}").parse().unwrap_or(speed);
+        let rates = match speed < 0.0 {
+            true => "open the gap; opposite rates close it",
+            false => "do not change the gap",
+        };
+        let why = format!(
+            "the closing speed of these rates is {rounded} {unit}; expected a speed above zero: the rates {rates}"
+        );
+        return Err(StudyError::input(given, why));
     }
     Ok((speed, Some(rates)))
 }
@@ -372,7 +384,7 @@ fn motion_before(
 fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
     let question = &evaluated.prepared.question;
     let is_assumed =
-        question.base == Base::Floating && !impact.rates.is_empty() && impact.base_twist.is_none();
+        question.base == Base::Floating && !impact.rates.is_empty() && impact.base_twist.is_empty();
     let mechanism = &evaluated.prepared.model.mechanism;
     is_assumed.then(|| {
         let message = format!(
@@ -388,7 +400,7 @@ fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
 /// Warning about results that do not include the friction of the impact.
 fn without_friction_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
     let parts = [
-        (!impact.rate_limits.is_empty() || !impact.gear_limits.is_empty(), "the greatest closing speed"),
+        (!impact.rate_limit.is_empty() || !impact.gear_limit.is_empty(), "the greatest closing speed"),
         (!impact.percussion.is_empty(), "the centre of percussion"),
     ];
     let parts: Vec<&str> =
@@ -432,16 +444,14 @@ fn base_rates(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<Base
 /// Peak force of a compliant contact with the restitution and the closing speed of the impact, and all findings.
 fn peak_force(
     evaluated: &EvaluatedQuestion,
-    law: &DampingQuestion,
+    damping: &DampingQuestion,
     rigid: &RigidImpact,
 ) -> Result<(ImpactLawRecord, Vec<DiagnosticRecord>), StudyError> {
-    let damping =
-        DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
-    let report = damping_report(evaluated, &damping)?;
+    let report = damping_report(evaluated, damping)?;
     // With friction, the peak is that of a frictionless contact with the same work of compression.
     let compression = rigid.friction.as_ref().map(|friction| &friction.compression);
     let damper = match compression {
-        Some(compression) => damper(&damping, compression.equivalent_mass)?,
+        Some(compression) => damper(damping, compression.equivalent_mass)?,
         None => report.damper,
     };
     let record = ImpactLawRecord {

@@ -6,9 +6,9 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
+use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::further_contacts::TouchingContact;
-use crate::reports::impact::question::ImpactQuestion;
 use crate::thresholds::SAME_FRICTION;
 use nalgebra::DVector;
 use percuss_dynamics::LocatedContact;
@@ -162,11 +162,12 @@ pub(crate) fn simultaneous(
         delassus.add_free_body(0, mass);
         velocities[0] = -rigid.closing_speed;
     }
-    let ratios = match question.stiffness_ratios.len() {
+    let ratios = match question.stiffness_ratio.len() {
         0 => vec![1.0; k],
-        _ => question.stiffness_ratios.clone(),
+        _ => question.stiffness_ratio.clone(),
     };
-    let stiffness = ContactStiffness { ratios, exponent: question.contact_exponent.unwrap_or(1.0) };
+    let stiffness =
+        ContactStiffness { ratios, exponent: question.contact_exponent.map_or(1.0, |exponent| exponent.0) };
     let speeds = DVector::from_fn(k, |i, _| velocities[3 * i]);
     // If the units differ (rad/s and m/s), each speed is divided by √W_ii = 1/√m̄: the squares are comparable energies.
     let is_mixed = located.iter().any(|contact| contact.is_moment != located[0].is_moment);
@@ -175,8 +176,8 @@ pub(crate) fn simultaneous(
     let scaled = |speed: f64, i: usize| if weights[i] > 0.0 { speed / weights[i] } else { 0.0 };
     let closing = (0..k).map(|i| scaled(-velocities[3 * i], i)).fold(0.0, f64::max);
     let restitution: Vec<f64> = match question.also_restitution.len() {
-        0 => vec![question.restitution; k],
-        _ => [question.restitution].iter().chain(&question.also_restitution).copied().collect(),
+        0 => vec![question.restitution(); k],
+        _ => [question.restitution()].iter().chain(&question.also_restitution).copied().collect(),
     };
     let mut laws = Vec::new();
     if k > 1 {
@@ -270,7 +271,7 @@ fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
             StudyError::input(Field::Also, error)
         }
         ImpactError::NoConsistentSubset => StudyError::input(Field::Sticking, error),
-        ImpactError::OutOfRange { got, .. } if question.contact_exponent == Some(got) => {
+        ImpactError::OutOfRange { got, .. } if question.contact_exponent == Some(got.into()) => {
             StudyError::input(Field::ContactExponent, error)
         }
         ImpactError::ContactValues { .. } | ImpactError::OutOfRange { .. } => {
@@ -294,7 +295,7 @@ pub(crate) fn unit_finding(
     }
     let names = evaluated.prepared.question.names;
     let mut reasons = Vec::new();
-    if question.stiffness_ratios.is_empty() {
+    if question.stiffness_ratio.is_empty() {
         reasons.push(format!(
             "the energetic law uses equal stiffnesses by default, 1 N·m/rad for each 1 N/m; expected their ratios{}",
             Field::StiffnessRatio.hint(names)
@@ -310,7 +311,7 @@ pub(crate) fn unit_finding(
         };
         record.laws.iter().filter(|law| law.refusal.is_none()).any(of_kind)
     };
-    let differ = question.also_restitution.iter().any(|e| *e != question.restitution);
+    let differ = question.also_restitution.iter().any(|e| *e != question.restitution());
     if is_open(true) && is_open(false) && differ {
         reasons.push(format!(
             "Poisson's law distributes the impulses of redundant contacts by the least sum of squares of N·s and N·m·s; leave out a redundant contact{}",
@@ -371,7 +372,7 @@ fn sticking_record(
         normal_impulses: found.contacts.iter().map(|c| c.normal_impulse).collect(),
         tangential_impulses: found.contacts.iter().map(|c| c.tangential_impulse).collect(),
         friction_suffices: question
-            .friction
+            .friction()
             .map(|mu| found.least_friction.is_some_and(|least| least <= mu * (1.0 + SAME_FRICTION))),
         least_friction: found.least_friction,
         required_friction: required,

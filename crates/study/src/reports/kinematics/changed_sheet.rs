@@ -1,7 +1,7 @@
 //! Text of a sheet with moved hardpoints.
 
 use crate::model::loading::Model;
-use crate::reports::kinematics::question::KinematicsError;
+use crate::reports::kinematics::errors::KinematicsError;
 use std::collections::BTreeMap;
 
 /// Text of the TOML sheet of a model with the hardpoints moved by `moves` (m, axes of the sheet) in addition to the moves of

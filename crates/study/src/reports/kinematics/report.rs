@@ -5,10 +5,11 @@ use crate::checks::finding_kind::FindingKind;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
+use crate::question::tables::kinematics::{KinematicVariable, KinematicsQuestion};
 use crate::question::travel::moved::WheelMotion;
 use crate::reports::kinematics::column_names::{column_name, is_of_every_contact, unknown_column};
+use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::linkage_motion::Linkage;
-use crate::reports::kinematics::question::{KinematicVariable, KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::row_values::RowEvaluation;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
@@ -98,7 +99,7 @@ impl KinematicsReport {
     ///
     /// # Errors
     /// [`KinematicsError::Search`]: an unknown name, with the nearest.
-    pub fn with_columns(mut self, names: &[String]) -> Result<Self, KinematicsError> {
+    fn with_columns(mut self, names: &[String]) -> Result<Self, KinematicsError> {
         if names.is_empty() || self.columns.is_empty() {
             return Ok(self);
         }
@@ -188,7 +189,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(prepared.rack_finding(question.steers()).map(DiagnosticRecord::from));
     diagnostics.extend(beyond_data.into_iter().map(DiagnosticRecord::from));
-    Ok(KinematicsReport {
+    let report = KinematicsReport {
         schema: "percuss.kinematics/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: model.inputs.clone(),
@@ -198,7 +199,8 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         rows,
         diagnostics,
         length_unit: model.length_unit(),
-    })
+    };
+    report.with_columns(&question.columns)
 }
 
 /// Findings about forces outside the data of the sheet: a spring longer than its free length, a stop compressed beyond its curve. The

@@ -1,13 +1,14 @@
 //! All quantities of a suspension at one pose.
 
 use crate::model::wheel_points::wheel_of_patch;
+use crate::question::tables::kinematics::{AxlePosition, VehicleData};
 use crate::reports::kinematics::force_element::{ElementRates, ForceElement};
 use crate::reports::kinematics::linkage_motion::{Linkage, LinkageMotion};
-use crate::reports::kinematics::question::{AxlePosition, TorqueReaction, VehicleData};
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::reports::kinematics::wheel::WheelState;
 use crate::thresholds::LEAST_TILT_RATE;
+use crate::values::quantities::{Length, Ratio};
 use nalgebra::{Matrix2, Vector3};
 use percuss_dynamics::{Contact, EffectiveMass, PointVelocity, Pose};
 use std::f64::consts::TAU;
@@ -138,14 +139,11 @@ impl<'k> RowEvaluation<'k> {
         let at_contact = here.contact_velocity(parts, &self.motion).map(slope).ok_or_else(no_radius);
         self.add(wheel, "side_view_angle", KinematicUnit::Angle, at_contact.clone().map(f64::atan));
         self.add(wheel, "side_view_angle_centre", KinematicUnit::Angle, Ok(at_centre.atan()));
-        let of = |reaction: TorqueReaction| match reaction {
-            TorqueReaction::Outboard => at_contact.clone(),
-            TorqueReaction::Inboard => Ok(at_centre),
-        };
+        let of = |is_inboard: bool| if is_inboard { Ok(at_centre) } else { at_contact.clone() };
         let vehicle = *self.vehicle;
         let (braking, driving) = (support(&vehicle, true), support(&vehicle, false));
-        let braking = braking.and_then(|factor| Ok(factor * of(vehicle.brakes)?));
-        let driving = driving.and_then(|factor| Ok(factor * of(vehicle.drive)?));
+        let braking = braking.and_then(|factor| Ok(factor * of(vehicle.inboard_brakes)?));
+        let driving = driving.and_then(|factor| Ok(factor * of(vehicle.inboard_drive)?));
         let names = match vehicle.axle {
             Some(AxlePosition::Front) => ["anti_dive", "anti_lift_driving"],
             Some(AxlePosition::Rear) => ["anti_lift_braking", "anti_squat"],
@@ -271,8 +269,8 @@ impl<'k> RowEvaluation<'k> {
         let mass = mass.unwrap_or_else(|| Err(no_radius()));
         self.add(wheel, "unsprung_mass", KinematicUnit::Mass, mass.clone());
         let VehicleData { sprung_mass, tyre_rate, .. } = *self.vehicle;
-        let sprung = sprung_mass.ok_or_else(|| "missing: --sprung-mass".to_owned());
-        let tyre = tyre_rate.ok_or_else(|| "missing: --tyre-rate".to_owned());
+        let sprung = sprung_mass.map(|mass| mass.0).ok_or_else(|| "missing: --sprung-mass".to_owned());
+        let tyre = tyre_rate.map(|rate| rate.0.value).ok_or_else(|| "missing: --tyre-rate".to_owned());
         let body = match (&tyre, &sprung) {
             (Ok(tyre), Ok(sprung)) => frequencies(&rate, &mass, *sprung, *tyre).map(|both| both[0]),
             // Without its rate, the tyre is rigid.
@@ -335,9 +333,9 @@ fn no_radius() -> String {
 fn support(vehicle: &VehicleData, braking: bool) -> Result<f64, String> {
     let front = vehicle.axle.map(|axle| axle == AxlePosition::Front);
     let share = if braking {
-        vehicle.brake_bias.map(|bias| if front == Some(true) { bias } else { 1.0 - bias })
+        vehicle.brake_bias.map(|Ratio(bias)| if front == Some(true) { bias } else { 1.0 - bias })
     } else {
-        vehicle.drive_share
+        vehicle.drive_share.map(|Ratio(share)| share)
     };
     let flag = if braking { "--brake-bias" } else { "--drive-share" };
     let given = [
@@ -348,7 +346,7 @@ fn support(vehicle: &VehicleData, braking: bool) -> Result<f64, String> {
     ];
     let missing: Vec<&str> =
         given.into_iter().filter(|(_, is_given)| !is_given).map(|(flag, _)| flag).collect();
-    let (Some(front), Some(share), Some(height), Some(wheelbase)) =
+    let (Some(front), Some(share), Some(Length(height)), Some(Length(wheelbase))) =
         (front, share, vehicle.cg_height, vehicle.wheelbase)
     else {
         return Err(format!("missing: {}", missing.join(", ")));

@@ -6,8 +6,9 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
+use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::reports::kinematics::column_names::{column_name, target_column, unknown_column};
-use crate::reports::kinematics::question::{KinematicsError, KinematicsQuestion};
+use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};

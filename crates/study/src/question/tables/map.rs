@@ -1,11 +1,11 @@
-//! Map table of a study file.
+//! Question about a map: surfaces of links, or directions at a point.
 
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, READING, SURFACE};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::MassQuestion;
-use crate::study_file::tables::sweep::{DecimalSign, StudyTable, TableUnit, path_in};
+use crate::question::row_source::path_in;
+use crate::question::tables::sweep::{DecimalSign, StudyTable, TableUnit};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Point};
@@ -14,33 +14,27 @@ use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Map requested by a study.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StudyMap {
-    /// Surfaces or directions.
-    pub question: StudyMapQuestion,
-    /// Output files.
-    pub outputs: Vec<String>,
-    /// Style of the tables.
-    pub table: StudyTable,
-}
-
-/// Kind of a map.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StudyMapQuestion {
-    /// The surfaces of links.
-    Surfaces(MapQuestion),
-    /// This number of directions at the point of a question.
-    Directions(MassQuestion, usize),
+/// Selection of the shapes that form the surface of a link.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum MapShapes {
+    /// `<collision>`; `<visual>` for links without `<collision>`.
+    #[default]
+    Auto,
+    /// `<collision>`.
+    Collision,
+    /// `<visual>`.
+    Visual,
 }
 
 /// Surfaces or directions of a map, and its files. The command line takes the link and the point from the contact.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
-pub struct MapTable {
+pub struct MapQuestion {
     /// Links to map; default: the contact's link.
     #[cfg_attr(feature = "flags", arg(skip))]
     #[serde(deserialize_with = "value::words")]
@@ -84,7 +78,7 @@ pub struct MapTable {
     )]
     #[serde(deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, String>")]
-    pub package: Vec<(String, String)>,
+    pub package: Vec<(String, PathBuf)>,
     /// Refuse mesh files larger than this many bytes.
     #[cfg_attr(
         feature = "flags",
@@ -115,62 +109,65 @@ fn default_max_mesh_size() -> u64 {
     DEFAULT_MAX_MESH_SIZE
 }
 
-impl MapTable {
-    /// Converts the table to a map. The contact of the study may be incomplete.
+impl MapQuestion {
+    /// Question about the surfaces of all links.
+    pub fn all() -> Self {
+        Self { all: true, max_mesh_size: DEFAULT_MAX_MESH_SIZE, ..Self::default() }
+    }
+
+    /// Question with checked keys, and with the link of a contact, which may be incomplete, if none is given. Paths are relative to
+    /// `folder`.
     ///
     /// # Errors
     /// [`InvalidKey`]: no link, or keys that exclude each other.
-    pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, InvalidKey> {
+    pub fn checked(&self, contact: &MassQuestion, folder: &Path) -> Result<Self, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());
-        let links = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
+        let link = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
         if self.all && !self.link.is_empty() {
             return refuse("map", "give either `link` or `all`");
         }
-        if links.is_empty() && !self.all {
+        if link.is_empty() && !self.all {
             return refuse("map", "give a link (`link`), or `all` for every link");
         }
-        let mut conditions = contact.clone();
-        conditions.estimate = None;
         let of_surfaces = [("map.edge", self.edge.is_some()), ("map.package", !self.package.is_empty())];
-        let question = match self.directions {
-            Some(count) => {
-                if let Some((key, _)) = of_surfaces.into_iter().find(|(_, is_given)| *is_given) {
-                    return refuse(key, "it belongs to a map of surfaces; remove it, or remove `directions`");
-                }
-                let [link] = &links[..] else {
-                    return refuse(
-                        "map.directions",
-                        "directions apply to a point of one link; give one `link`",
-                    );
-                };
-                if self.all {
-                    return refuse("map.directions", "directions apply to a point of one link; remove `all`");
-                }
-                if self.point.is_none() && !self.link.is_empty() {
-                    return refuse("map.directions", "directions require a point; give `point`");
-                }
-                conditions.link.clone_from(link);
-                conditions.point = self.point.map_or(contact.point, |point| point.0);
-                StudyMapQuestion::Directions(conditions, count)
+        if self.directions.is_some() {
+            if let Some((key, _)) = of_surfaces.into_iter().find(|(_, is_given)| *is_given) {
+                return refuse(key, "it belongs to a map of surfaces; remove it, or remove `directions`");
             }
-            None if self.point.is_some() => {
-                let why = "not used for a surface; add `directions` to map the directions at this point";
-                return refuse("map.point", why);
+            if link.len() != 1 {
+                return refuse("map.directions", "directions apply to a point of one link; give one `link`");
             }
-            None => StudyMapQuestion::Surfaces(MapQuestion {
-                conditions,
-                links: if self.all { MapLinks::All } else { MapLinks::Named(links) },
-                shapes: self.shapes,
-                edge: self.edge.map(|edge| edge.0),
-                packages: self.package.iter().map(|(name, path)| (name.clone(), folder.join(path))).collect(),
-                max_mesh_size: self.max_mesh_size,
-            }),
-        };
-        Ok(StudyMap {
-            question,
-            outputs: self.output.iter().map(|output| path_in(folder, output)).collect(),
-            table: StudyTable { units: self.unit.clone(), decimal: self.decimal },
+            if self.all {
+                return refuse("map.directions", "directions apply to a point of one link; remove `all`");
+            }
+            if self.point.is_none() && !self.link.is_empty() {
+                return refuse("map.directions", "directions require a point; give `point`");
+            }
+        } else if self.point.is_some() {
+            let why = "not used for a surface; add `directions` to map the directions at this point";
+            return refuse("map.point", why);
+        }
+        Ok(Self {
+            link,
+            package: self.package.iter().map(|(name, path)| (name.clone(), folder.join(path))).collect(),
+            output: self.output.iter().map(|output| path_in(folder, output)).collect(),
+            ..self.clone()
         })
+    }
+
+    /// Question at the point of the directions.
+    pub(crate) fn point_question(&self, contact: &MassQuestion) -> MassQuestion {
+        MassQuestion {
+            link: self.link.first().unwrap_or(&contact.link).clone(),
+            point: self.point.map_or(contact.point, |point| point.0),
+            estimate: None,
+            ..contact.clone()
+        }
+    }
+
+    /// Style of the tables.
+    pub fn table(&self) -> StudyTable {
+        StudyTable { units: self.unit.clone(), decimal: self.decimal }
     }
 }

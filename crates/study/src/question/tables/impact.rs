@@ -1,23 +1,21 @@
-//! Impact table of a study file.
+//! Question about a rigid impact, in addition to its contact.
 
-use super::damping::LawName;
+use super::damping::{DampingQuestion, LawName, SeparationName};
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, IMPACT};
-use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::spelled_contact::FurtherContact;
-use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
 use crate::values::drives::{self, GivenGearLimits, GivenSpring};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, NumberOrText, PositionText, Words};
-use percuss_contact::Law;
 use percuss_impact::RestitutionLaw;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::str::FromStr;
 
 /// Law of restitution of an impact with friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -36,6 +34,9 @@ pub enum RestitutionLawName {
 }
 
 impl RestitutionLawName {
+    /// All laws.
+    pub const ALL: [Self; 4] = [Self::Energetic, Self::Poisson, Self::Newton, Self::Algebraic];
+
     /// The law.
     pub fn law(self) -> RestitutionLaw {
         match self {
@@ -47,11 +48,33 @@ impl RestitutionLawName {
     }
 }
 
+/// Request of a centre of percussion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PercussionRequest {
+    /// Bearing with the least impulse: name of a joint or of a closure, or `ground` for the ground under the root link.
+    pub joint: String,
+    /// Direction of the line, axes of the contact link; `None` for the tangent plane.
+    pub direction: Option<[f64; 3]>,
+}
+
+impl FromStr for PercussionRequest {
+    type Err = String;
+    /// Reads `JOINT` or `JOINT:X,Y,Z`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some((joint, direction)) = text.rsplit_once(':') else {
+            return Ok(Self { joint: text.to_owned(), direction: None });
+        };
+        let direction = percuss_units::parse_triple(direction, percuss_units::Dimension::Plain);
+        let direction = direction.map_err(|error| format!("JOINT or JOINT:X,Y,Z is expected: {error}"))?;
+        Ok(Self { joint: joint.to_owned(), direction: Some(direction) })
+    }
+}
+
 /// Rigid impact at the contact: impulse, rates after the impact, and reactions.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
-pub struct ImpactTable {
+pub struct ImpactQuestion {
     /// Coefficient of restitution, from 0 to 1.
     #[cfg_attr(
         feature = "flags",
@@ -242,6 +265,10 @@ pub struct ImpactTable {
         arg(long, value_name = "DISTANCE", requires = "percussion", help_heading = ADDITIONAL)
     )]
     pub point_error: Option<Length>,
+    /// End of the contact of the law; no key gives it.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip)]
+    pub separation: Option<SeparationName>,
 }
 
 /// Reads rates by joint.
@@ -258,33 +285,30 @@ fn rates<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<(String, Given
     BTreeMap::<String, PositionText>::deserialize(from)?.into_iter().map(given).collect()
 }
 
-impl ImpactTable {
-    /// Converts the table to a question.
+impl ImpactQuestion {
+    /// Checks the keys.
     ///
     /// # Errors
-    /// [`InvalidKey`]: missing restitution, or a law that contradicts the exponent.
-    pub fn question(&self) -> Result<ImpactQuestion, InvalidKey> {
+    /// [`InvalidKey`]: missing restitution, keys without an effect, or a law that contradicts the exponent.
+    pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
-        let Some(Ratio(restitution)) = self.restitution else {
+        if self.restitution.is_none() {
             return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
-        };
-        let base_twist = match <[f64; 6]>::try_from(self.base_twist.as_slice()) {
-            Ok(twist) if twist.iter().all(|x| x.is_finite()) => Some(twist),
-            _ if self.base_twist.is_empty() => None,
-            _ => return refuse("impact.base_twist", "six finite numbers are expected: WX,WY,WZ,VX,VY,VZ"),
-        };
+        }
+        let has = |numbers: &[f64], count| numbers.len() == count && numbers.iter().all(|x| x.is_finite());
+        if !self.base_twist.is_empty() && !has(&self.base_twist, 6) {
+            return refuse("impact.base_twist", "six finite numbers are expected: WX,WY,WZ,VX,VY,VZ");
+        }
         if !self.also_restitution.is_empty() && self.also_restitution.len() != self.also.len() {
             return refuse("impact.also_restitution", "one number for each contact of `also` is expected");
         }
         if self.also_restitution.iter().any(|e| !(0.0..=1.0).contains(e)) {
             return refuse("impact.also_restitution", "numbers from 0 to 1 are expected");
         }
-        let gravity = match <[f64; 3]>::try_from(self.gravity.as_slice()) {
-            Ok(gravity) if gravity.iter().all(|x| x.is_finite()) => Some(gravity),
-            _ if self.gravity.is_empty() => None,
-            _ => return refuse("impact.gravity", "three finite numbers are expected: X,Y,Z in m/s²"),
-        };
-        if gravity.is_some() && !self.in_time {
+        if !self.gravity.is_empty() && !has(&self.gravity, 3) {
+            return refuse("impact.gravity", "three finite numbers are expected: X,Y,Z in m/s²");
+        }
+        if !self.gravity.is_empty() && !self.in_time {
             return refuse("impact.gravity", "it requires `in_time`: a rigid impact is instantaneous");
         }
         if self.in_time && self.stiffness.is_none() {
@@ -311,61 +335,49 @@ impl ImpactTable {
         if self.point_error.is_some() && self.percussion.is_empty() {
             return refuse("impact.point_error", "it requires `percussion`, the joints");
         }
-        Ok(ImpactQuestion {
+        let law = self.contact_law(f64::NAN);
+        let law = law.map_or(Ok(()), |law| law.check_law());
+        law.map_err(|error| InvalidKey::new("impact.law", error.to_string()))
+    }
+
+    /// Coefficient of restitution e, from 0 to 1; NaN if it is missing.
+    pub fn restitution(&self) -> f64 {
+        self.restitution.map_or(f64::NAN, |restitution| restitution.0)
+    }
+
+    /// Closing speed, m/s (rad/s for a moment); `None` if the rates give it.
+    pub fn speed(&self) -> Option<f64> {
+        self.speed.map(|speed| speed.0.value)
+    }
+
+    /// Coefficient of friction; `None` without friction.
+    pub fn friction(&self) -> Option<f64> {
+        self.friction.map(|friction| friction.0)
+    }
+
+    /// Velocity of a floating base before the impact: angular, then that of the root's origin, world axes; `None` if it is not given.
+    pub fn base_twist(&self) -> Option<[f64; 6]> {
+        self.base_twist.as_slice().try_into().ok()
+    }
+
+    /// Gravity during the impact in time, world axes, m/s²; `None` for none.
+    pub fn gravity(&self) -> Option<[f64; 3]> {
+        self.gravity.as_slice().try_into().ok()
+    }
+
+    /// Contact law with the restitution of the impact at a closing speed; `None` without a stiffness.
+    pub(crate) fn contact_law(&self, closing_speed: f64) -> Option<DampingQuestion> {
+        let Self { restitution, stiffness, exponent, law, separation, .. } = *self;
+        let speed = Some(closing_speed.into());
+        stiffness?;
+        Some(DampingQuestion {
             restitution,
-            speed: self.speed.map(|speed| speed.0.value),
-            dimensions: [
-                self.speed.and_then(|speed| speed.0.dimension),
-                self.stiffness.and_then(|stiffness| stiffness.0.dimension),
-            ],
-            friction: self.friction.map(|friction| friction.0),
-            restitution_law: self.restitution_law.unwrap_or_default().law(),
-            also: self.also.clone(),
-            also_restitution: self.also_restitution.clone(),
-            sticking: self.sticking,
-            stiffness_ratios: self.stiffness_ratio.clone(),
-            contact_exponent: self.contact_exponent.map(|exponent| exponent.0),
-            rates: self.rates.clone(),
-            base_twist,
-            law: self.law(restitution)?,
-            in_time: self.in_time,
-            gravity,
-            joint_springs: self.joint_spring.clone(),
-            rate_limits: self.rate_limit.clone(),
-            gear_limits: self.gear_limit.clone(),
-            point_error: self.point_error.map(|length| length.0),
-            reflected: self.reflected.clone(),
-            percussion: self.percussion.clone(),
+            stiffness,
+            speed,
+            exponent,
+            law,
+            separation,
+            ..DampingQuestion::default()
         })
     }
-
-    /// Contact law of the peak forces; `None` without a stiffness.
-    fn law(&self, restitution: f64) -> Result<Option<DampingQuestion>, InvalidKey> {
-        let Some(stiffness) = self.stiffness else {
-            return match self.exponent.is_some() || self.law.is_some() {
-                true => Err(InvalidKey::new(
-                    "impact.stiffness",
-                    "`law` and `exponent` describe a contact of this stiffness; give it",
-                )),
-                false => Ok(None),
-            };
-        };
-        contact_law("impact.law", restitution, stiffness, self.exponent, self.law.as_ref()).map(Some)
-    }
-}
-
-/// Contact law with a stiffness; Kelvin–Voigt if no law is given. `key`: key of the law, for errors.
-pub(super) fn contact_law(
-    key: &'static str,
-    restitution: f64,
-    stiffness: Stiffness,
-    exponent: Option<Plain>,
-    law: Option<&LawName>,
-) -> Result<DampingQuestion, InvalidKey> {
-    let mut question = DampingQuestion::new(restitution, stiffness.0.value);
-    let name = law.map_or(Law::KelvinVoigt.name(), |law| law.name());
-    question
-        .choose(name, exponent.map(|exponent| exponent.0), None)
-        .map_err(|error| InvalidKey::new(key, error.to_string()))?;
-    Ok(question)
 }

@@ -1,60 +1,46 @@
-//! Safe-speed table of a study file.
+//! Question about the safe speed of a robot that may hit a person.
 
 #[cfg(feature = "flags")]
 use super::headings::{LIMIT, WHICH};
-use crate::model::loading::Model;
-use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::{PositionFile, RowSource};
-use crate::reports::safe_speed::{
-    SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
-};
-use crate::study_file::tables::sweep::path_in;
 use crate::values::quantities::{Area, Energy, Force, Mass, Momentum, Pressure, Vector};
 use crate::values::value::{self, Words};
+use percuss_formats::DEFAULT_MAX_SIZE;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
 
-/// Safe speed requested by a study.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StudySafeSpeed {
-    /// Contact; the normal is absent if directions are given.
-    pub contact: MassQuestion,
-    /// Body region, limit and load.
-    pub limit_question: SafeSpeedQuestion,
-    /// Directions that replace the normal, world axes.
-    pub directions: Vec<[f64; 3]>,
-    /// True to add the direction of the largest mass.
-    pub worst_direction: bool,
-    /// Rows of positions; the slowest row determines the speed.
-    pub rows: Option<RowSource>,
+/// Limit of the impact, taken by the user from the applicable edition of the standard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// Largest force, N.
+    Force(f64),
+    /// Largest pressure, Pa, and contact area, m².
+    Pressure(f64, f64),
+    /// Largest energy of the impact, J.
+    Energy(f64),
+    /// Largest exchanged momentum, N·s.
+    Momentum(f64),
 }
 
-impl StudySafeSpeed {
-    /// Reports: one per direction, or one for the contact.
-    ///
-    /// # Errors
-    /// [`StudyError`], as for [`safe_speed`].
-    pub fn reports(&self, model: &Model) -> Result<Vec<SafeSpeedReport>, StudyError> {
-        let Self { contact, limit_question, directions, worst_direction, rows } = self;
-        if *worst_direction || !directions.is_empty() {
-            return safe_speed_directions(model, contact, limit_question, directions, *worst_direction);
-        }
-        let report = match rows {
-            None => safe_speed(model, contact, limit_question)?,
-            Some(rows) => safe_speed_along(model, contact, limit_question, rows)?,
-        };
-        Ok(vec![report])
-    }
+/// Error: no limit, several limits, or an incomplete limit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "one limit is required: force, pressure with area, energy or momentum, from the edition of the standard that applies to you; \
+     given: {}",
+    if given.is_empty() { "none".to_owned() } else { given.join(" and ") }
+)]
+pub struct LimitError {
+    /// Names of the given values.
+    pub given: Vec<&'static str>,
 }
 
 /// Limit of the impact of a robot on a person.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
-pub struct SafeSpeedTable {
+pub struct SafeSpeedQuestion {
     /// Region of the body; --list-regions shows all.
     ///
     /// The robot hits this region. Without a region, the other side is rigid and fixed (a person held against a wall;
@@ -107,62 +93,82 @@ pub struct SafeSpeedTable {
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
     #[cfg_attr(feature = "flags", arg(long, value_name = "KG", allow_hyphen_values = true, help_heading = LIMIT))]
     pub load: Option<Mass>,
+    /// Rows of positions in place of `input`; the slowest row counts.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip)]
+    pub rows: Option<RowSource>,
 }
 
-impl SafeSpeedTable {
+impl SafeSpeedQuestion {
     /// True if directions replace the contact's normal.
     pub fn has_directions(&self) -> bool {
         self.worst_direction || !self.direction.is_empty()
     }
 
-    /// Converts the table to a safe speed at a contact. Paths are relative to `folder`; a file read as a stream has at
-    /// most `max_size` bytes.
+    /// Question with checked keys. Paths are relative to `folder`; a file read as a stream has at most `max_size` bytes.
     ///
     /// # Errors
     /// [`InvalidKey`]: not exactly one limit, or keys that exclude each other.
-    pub fn safe_speed(
-        &self,
-        contact: &MassQuestion,
-        folder: &Path,
-        max_size: u64,
-    ) -> Result<StudySafeSpeed, InvalidKey> {
+    pub fn checked(&self, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
-        let limit = StatedLimits {
-            force: self.force.map(|force| force.0),
-            pressure: self.pressure.map(|pressure| pressure.0),
-            area: self.area.map(|area| area.0),
-            energy: self.energy.map(|energy| energy.0),
-            momentum: self.momentum.map(|momentum| momentum.0),
-        }
-        .one();
-        let limit = limit.map_err(|error| {
-            let given = if error.given.is_empty() { "none".to_owned() } else { error.given.join(", ") };
-            let why = format!(
-                "one limit is required: `force` (N), `pressure` (N/cm²) with `area` (cm²) of the region, `energy` (J) or \
-                 `momentum` (N·s), from the edition of the standard that applies to you; given: {given}"
-            );
-            InvalidKey::new("safe_speed", why)
-        })?;
+        self.only_limit()?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it removes columns of `input`; give that file");
         }
         if self.input.is_some() && self.has_directions() {
             return refuse("safe_speed", "give either `input` or directions");
         }
-        let rows = self.input.as_ref().map(|path| {
-            let path = path_in(folder, path);
-            RowSource::File(PositionFile { path, ignore: self.ignore.clone(), max_size })
-        });
-        Ok(StudySafeSpeed {
-            contact: contact.clone(),
-            limit_question: SafeSpeedQuestion {
-                region: self.region.clone(),
-                limit,
-                load: self.load.unwrap_or_default().0,
-            },
-            directions: self.direction.iter().map(|direction| direction.0).collect(),
-            worst_direction: self.worst_direction,
-            rows,
+        let rows = self.rows().map(|rows| rows.in_folder(folder, max_size));
+        Ok(Self { rows, ..self.clone() })
+    }
+
+    /// Rows of positions; `None` for the pose of the question.
+    pub fn rows(&self) -> Option<RowSource> {
+        let file = |path: &String| {
+            let (path, ignore, max_size) = (path.clone(), self.ignore.clone(), DEFAULT_MAX_SIZE);
+            RowSource::File(PositionFile { path, ignore, max_size })
+        };
+        self.rows.clone().or_else(|| self.input.as_ref().map(file))
+    }
+
+    /// The given limit.
+    ///
+    /// # Errors
+    /// [`LimitError`]: no limit, several limits, a pressure without an area or an area without a pressure.
+    pub fn limit(&self) -> Result<Limit, LimitError> {
+        match (self.force, self.pressure, self.area, self.energy, self.momentum) {
+            (Some(force), None, None, None, None) => Ok(Limit::Force(force.0)),
+            (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure.0, area.0)),
+            (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy.0)),
+            (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum.0)),
+            (force, pressure, area, energy, momentum) => {
+                let values = [
+                    ("force", force.is_some()),
+                    ("pressure", pressure.is_some()),
+                    ("area", area.is_some()),
+                    ("energy", energy.is_some()),
+                    ("momentum", momentum.is_some()),
+                ];
+                let given = values.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name);
+                Err(LimitError { given: given.collect() })
+            }
+        }
+    }
+
+    /// The given limit; an error names the keys.
+    pub(crate) fn only_limit(&self) -> Result<Limit, InvalidKey> {
+        self.limit().map_err(|error| {
+            let given = if error.given.is_empty() { "none".to_owned() } else { error.given.join(", ") };
+            let why = format!(
+                "one limit is required: `force` (N), `pressure` (N/cm²) with `area` (cm²) of the region, `energy` (J) or \
+                 `momentum` (N·s), from the edition of the standard that applies to you; given: {given}"
+            );
+            InvalidKey::new("safe_speed", why)
         })
+    }
+
+    /// Load including the tool, if not part of the model, kg.
+    pub fn load(&self) -> f64 {
+        self.load.unwrap_or_default().0
     }
 }

@@ -1,11 +1,12 @@
-//! Sweep table of a study file, and the style of tables and figures.
+//! Question about the rows of a sweep, and the style of tables and figures.
 
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, ROWS};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::{PositionFile, RowSource};
+use crate::question::row_source::{PositionFile, RowSource, path_in};
 use crate::question::travel::vary::Vary;
 use crate::values::value::{self, Words};
+use percuss_formats::DEFAULT_MAX_SIZE;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
@@ -131,10 +132,10 @@ pub struct StudyFigure {
 
 /// Rows of a sweep, and the files of its results. The command line has the last five keys in [`StudyTable`] and
 /// [`StudyFigure`].
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
-pub struct SweepTable {
+pub struct SweepQuestion {
     /// Range of a joint, or of the travel of a point.
     ///
     /// The varied quantity is a driving joint, or the travel of a point: travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT,
@@ -212,15 +213,19 @@ pub struct SweepTable {
     #[cfg_attr(feature = "flags", arg(skip))]
     #[schemars(with = "Option<[f64; 2]>")]
     pub y_limits: Option<AxisLimits>,
+    /// Largest number of bytes of a file that is read as a stream; `None` for the default.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip)]
+    pub max_size: Option<u64>,
 }
 
-impl SweepTable {
-    /// Source of the rows: ranges and `motions` of the wheels, a file, or random positions. Paths are relative to
-    /// `folder`; a file read as a stream has at most `max_size` bytes.
+impl SweepQuestion {
+    /// Question with checked keys and with the ranges of the wheels, `motions`. Paths are relative to `folder`; a file read as a stream has
+    /// at most `max_size` bytes.
     ///
     /// # Errors
-    /// [`InvalidKey`]: not exactly one source, or a key that belongs to another one.
-    pub fn source(&self, motions: Vec<Vary>, folder: &Path, max_size: u64) -> Result<RowSource, InvalidKey> {
+    /// [`InvalidKey`]: not exactly one source of rows, or a key that belongs to another one.
+    pub fn checked(&self, motions: Vec<Vary>, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("sweep.ignore", "it removes columns of `input`; give that file");
@@ -228,17 +233,30 @@ impl SweepTable {
         if self.random.is_none() && self.seed.is_some() {
             return refuse("sweep.seed", "it requires `random`, the number of random positions");
         }
-        let ranges: Vec<Vary> = self.vary.iter().cloned().chain(motions).collect();
+        let vary: Vec<Vary> = self.vary.iter().cloned().chain(motions).collect();
+        if [!vary.is_empty(), self.input.is_some(), self.random.is_some()]
+            .map(usize::from)
+            .iter()
+            .sum::<usize>()
+            != 1
+        {
+            return refuse("sweep", "give one of `vary`, `input` and `random`");
+        }
+        let place = |path: &String| path_in(folder, path);
+        let (input, output) = (self.input.as_ref().map(place), self.output.as_ref().map(place));
+        Ok(Self { vary, input, output, max_size: Some(max_size), ..self.clone() })
+    }
+
+    /// Source of the rows: a file, random positions, or ranges.
+    pub fn rows(&self) -> RowSource {
         match (&self.input, self.random) {
-            (None, None) if !ranges.is_empty() => Ok(RowSource::Grid(ranges)),
-            (Some(path), None) if ranges.is_empty() => {
-                let path = path_in(folder, path);
-                Ok(RowSource::File(PositionFile { path, ignore: self.ignore.clone(), max_size }))
-            }
-            (None, Some(count)) if ranges.is_empty() => {
-                Ok(RowSource::Random { count, seed: self.seed.unwrap_or_default() })
-            }
-            _ => refuse("sweep", "give one of `vary`, `input` and `random`"),
+            (Some(path), _) => RowSource::File(PositionFile {
+                path: path.clone(),
+                ignore: self.ignore.clone(),
+                max_size: self.max_size.unwrap_or(DEFAULT_MAX_SIZE),
+            }),
+            (None, Some(count)) => RowSource::Random { count, seed: self.seed.unwrap_or_default() },
+            (None, None) => RowSource::Grid(self.vary.clone()),
         }
     }
 
@@ -251,9 +269,4 @@ impl SweepTable {
     pub fn figure(&self) -> StudyFigure {
         StudyFigure { title: self.title.clone(), x_limits: self.x_limits, y_limits: self.y_limits }
     }
-}
-
-/// Path relative to a folder; an absolute path is kept.
-pub(crate) fn path_in(folder: &Path, path: &str) -> String {
-    folder.join(path).to_string_lossy().into_owned()
 }

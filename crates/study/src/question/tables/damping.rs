@@ -1,0 +1,357 @@
+//! Question about a damper: the coefficient of restitution, the contact law, and the simulators.
+
+#[cfg(feature = "flags")]
+use super::headings::DAMPER;
+use crate::question::errors::question_error::StudyError;
+use crate::question::errors::refusal::InvalidKey;
+use crate::question::field::Field;
+use crate::question::spelled_contact::JointStop;
+use crate::values::quantities::{Plain, PositiveMass, Ratio, Speed, Stiffness, Time};
+use crate::values::value::{self, Words};
+use percuss_contact::exports::{ExportError, Options, Tool};
+use percuss_contact::{Alias, ContactLawError, Law, LawParameter, Separation};
+use percuss_units::Dimension;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::str::FromStr;
+
+/// Contact law by its name, or by an alias that can fix the exponent and the end of the contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LawName {
+    law: Law,
+    alias: Option<&'static Alias>,
+}
+
+impl From<Law> for LawName {
+    fn from(law: Law) -> Self {
+        Self { law, alias: None }
+    }
+}
+
+impl FromStr for LawName {
+    type Err = ContactLawError;
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(Self { law: Law::from_name(text)?, alias: Law::alias(text) })
+    }
+}
+
+/// Simulators: one, or all.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tools(pub Vec<Tool>);
+
+impl FromStr for Tools {
+    type Err = ExportError;
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "all" => Ok(Self(Tool::ALL.to_vec())),
+            _ => Tool::from_name(text).map(|tool| Self(vec![tool])),
+        }
+    }
+}
+
+/// End of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum SeparationName {
+    /// When the force vanishes.
+    Force,
+    /// When the gap closes.
+    Gap,
+}
+
+impl From<SeparationName> for Separation {
+    fn from(name: SeparationName) -> Self {
+        match name {
+            SeparationName::Force => Separation::ForceVanishes,
+            SeparationName::Gap => Separation::GapCloses,
+        }
+    }
+}
+
+impl From<Separation> for SeparationName {
+    fn from(separation: Separation) -> Self {
+        match separation {
+            Separation::ForceVanishes => SeparationName::Force,
+            Separation::GapCloses => SeparationName::Gap,
+        }
+    }
+}
+
+/// Damper for a coefficient of restitution, and the simulators that need its parameters.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct DampingQuestion {
+    /// Required coefficient of restitution, from 0 to 1.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "E", allow_hyphen_values = true, requires = "stiffness", help_heading = DAMPER)
+    )]
+    #[schemars(required)]
+    pub restitution: Option<Ratio>,
+    /// Stiffness of the contact (N/m; 200N/mm).
+    ///
+    /// Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// N·m/rad (Nm/rad, Nm/deg).
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "K", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    #[schemars(required)]
+    pub stiffness: Option<Stiffness>,
+    /// Exponent p of the spring force k x^p.
+    ///
+    /// 1 is a linear spring (the default), 1.5 a Hertz contact.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub exponent: Option<Plain>,
+    /// Approach speed (m/s): penetration, force, energy.
+    ///
+    /// Adds penetration, force and energy to the result. Units: m/s, mm/s, km/h; for the stop of a revolute joint
+    /// rad/s, deg/s. Some laws depend on the speed.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "V", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub speed: Option<Speed>,
+    /// Law of the damper (damp --list-laws).
+    ///
+    /// `percuss damp --list-laws` lists the laws. Default: kelvin-voigt.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "NAME", requires = "restitution", help_heading = DAMPER)
+    )]
+    #[serde(deserialize_with = "value::some_word")]
+    #[schemars(with = "Option<String>", extend("enum" = laws()))]
+    pub law: Option<LawName>,
+    /// End of the contact: when the force vanishes (the default), or when the gap closes (the damper then pulls at
+    /// the end).
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "restitution", help_heading = DAMPER))]
+    pub separation: Option<SeparationName>,
+    /// Parameters for one simulator, or for all.
+    ///
+    /// mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape, dart, opensim,
+    /// exudyn, newton, jolt, or all; separate several names by commas.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long = "for",
+            value_name = "TOOL",
+            value_delimiter = ',',
+            requires = "restitution",
+            help_heading = DAMPER
+        )
+    )]
+    #[serde(rename = "for", deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub tools: Vec<Tools>,
+    /// Permitted error of the simulator's restitution, default 0.001; determines the time step.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "E", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub accuracy: Option<Ratio>,
+    /// Time step of the simulator (s, ms); default: the step that the accuracy requires.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "S", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub time_step: Option<Time>,
+    /// Mass (kg) of the contact link alone, for simulators that need it; default: from the model, if any.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub own_mass: Option<PositiveMass>,
+    /// Mass (kg) of the other body alone, as for the contact link.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub other_own_mass: Option<PositiveMass>,
+    /// MuJoCo's α = Â·m̄; Â is the sum of body_invweight0 of both bodies. Default: from the model, if any.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "A", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+    )]
+    pub diagonal_ratio: Option<Plain>,
+    /// In place of a contact: the stop of this joint, JOINT, JOINT:lower or JOINT:upper.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(deserialize_with = "value::some_word")]
+    #[schemars(with = "Option<String>")]
+    pub limit: Option<JointStop>,
+    /// The figure (.svg, .png, .pdf) or the table (.csv) of the force over time; with speed.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    pub output: Option<String>,
+    /// Further data for simulators; the values of the keys replace its accuracy, time step, masses and ratio.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip)]
+    pub options: Options,
+}
+
+/// Names of the laws, including aliases.
+fn laws() -> Vec<&'static str> {
+    Law::ALL.iter().map(|law| law.name()).chain(Law::ALIASES.iter().map(|alias| alias.name)).collect()
+}
+
+impl DampingQuestion {
+    /// Question for a linear spring without a speed: Kelvin–Voigt law with separation at zero force, no
+    /// simulators.
+    pub fn new(restitution: f64, stiffness: f64) -> Self {
+        Self { restitution: Some(restitution.into()), stiffness: Some(stiffness.into()), ..Self::default() }
+    }
+
+    /// First required key that is missing.
+    pub fn missing(&self) -> Option<&'static str> {
+        let required = [("restitution", self.restitution.is_some()), ("stiffness", self.stiffness.is_some())];
+        required.into_iter().find(|(_, is_given)| !is_given).map(|(key, _)| key)
+    }
+
+    /// The question with checked keys; `None` without a restitution or a stiffness.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: a law whose name fixes another exponent or separation, or a figure without a speed.
+    pub fn checked(&self) -> Result<Option<&Self>, InvalidKey> {
+        if self.missing().is_some() {
+            return Ok(None);
+        }
+        self.check_law().map_err(|error| InvalidKey::new("damping.law", error.to_string()))?;
+        if self.separation.is_some() && self.law() != Law::KelvinVoigt {
+            let why = "it is the end of a contact with the law kelvin-voigt; remove it, or give that `law`";
+            return Err(InvalidKey::new("damping.separation", why));
+        }
+        if self.output.is_some() && self.speed.is_none() {
+            let why = "the force over time requires a speed; give `speed`";
+            return Err(InvalidKey::new("damping.output", why));
+        }
+        Ok(Some(self))
+    }
+
+    /// Refuses an exponent or an end of the contact that contradicts the alias of the law.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Contradicts`].
+    pub fn check_law(&self) -> Result<(), ContactLawError> {
+        let Some(alias) = self.law.and_then(|law| law.alias) else { return Ok(()) };
+        let contradicts = |what, fixed: String, got: String| {
+            Err(ContactLawError::Contradicts { name: alias.name, what, fixed: fixed.into(), got: got.into() })
+        };
+        match (alias.exponent, self.exponent) {
+            (Some(fixed), Some(Plain(got))) if fixed != got => {
+                return contradicts(LawParameter::Exponent, fixed.to_string(), got.to_string());
+            }
+            _ => {}
+        }
+        match (alias.separation, self.separation.map(Separation::from)) {
+            (Some(fixed), Some(got)) if fixed != got => {
+                contradicts(LawParameter::Separation, fixed.name().into(), got.name().into())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Coefficient of restitution e, from 0 to 1; NaN if it is missing.
+    pub fn restitution(&self) -> f64 {
+        self.restitution.map_or(f64::NAN, |restitution| restitution.0)
+    }
+
+    /// Stiffness k, N/m^p; NaN if it is missing.
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness.map_or(f64::NAN, |stiffness| stiffness.0.value)
+    }
+
+    /// Exponent p of the spring force k xᵖ.
+    pub fn exponent(&self) -> f64 {
+        let fixed = self.law.and_then(|law| law.alias?.exponent);
+        fixed.or(self.exponent.map(|exponent| exponent.0)).unwrap_or(1.0)
+    }
+
+    /// Approach speed, m/s.
+    pub fn speed(&self) -> Option<f64> {
+        self.speed.map(|speed| speed.0.value)
+    }
+
+    /// The law of the damper.
+    pub fn law(&self) -> Law {
+        self.law.map_or(Law::KelvinVoigt, |law| law.law)
+    }
+
+    /// Alias by which the law was requested.
+    pub fn alias(&self) -> Option<&'static str> {
+        Some(self.law?.alias?.name)
+    }
+
+    /// Condition for the end of a Kelvin–Voigt contact.
+    pub fn separation(&self) -> Separation {
+        let fixed = self.law.and_then(|law| law.alias?.separation);
+        fixed.or(self.separation.map(Separation::from)).unwrap_or(Separation::ForceVanishes)
+    }
+
+    /// Simulators to write parameters for, each once.
+    pub fn tools(&self) -> Vec<Tool> {
+        let mut tools = Vec::new();
+        for tool in self.tools.iter().flat_map(|tools| &tools.0) {
+            if !tools.contains(tool) {
+                tools.push(*tool);
+            }
+        }
+        tools
+    }
+
+    /// Options of single simulators; missing values are completed from the model.
+    pub(crate) fn export_options(&self) -> Options {
+        let Options { accuracy, time_step, own_mass, other_own_mass, diagonal_ratio, .. } = self.options;
+        Options {
+            accuracy: self.accuracy.map_or(accuracy, |accuracy| accuracy.0),
+            time_step: self.time_step.map(|step| step.0).or(time_step),
+            own_mass: self.own_mass.map(|mass| mass.0).or(own_mass),
+            other_own_mass: self.other_own_mass.map(|mass| mass.0).or(other_own_mass),
+            diagonal_ratio: self.diagonal_ratio.map(|ratio| ratio.0).or(diagonal_ratio),
+            ..self.options
+        }
+    }
+
+    /// Checks the units of stiffness and speed: units of rotation for a joint that turns, units of translation
+    /// otherwise, and units of a linear spring only with exponent 1.
+    ///
+    /// # Errors
+    /// [`StudyError`] with the field and the expected unit.
+    pub fn check_units(&self, turns: bool) -> Result<(), StudyError> {
+        self.check_dimensions(Field::Stiffness, Field::Speed, turns)
+    }
+
+    /// As [`check_units`](Self::check_units), with the fields of the stiffness and the speed.
+    pub(crate) fn check_dimensions(
+        &self,
+        stiffness: Field,
+        speed: Field,
+        turns: bool,
+    ) -> Result<(), StudyError> {
+        let exponent = self.exponent();
+        let given_stiffness = self.stiffness.and_then(|given| given.0.dimension);
+        let given_speed = self.speed.and_then(|given| given.0.dimension);
+        if given_stiffness.is_some() && exponent != 1.0 {
+            let why = format!(
+                "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
+                 (1 N/mm^{exponent} is {:e} N/m^{exponent})",
+                1e3_f64.powf(exponent)
+            );
+            return Err(StudyError::input(stiffness, why));
+        }
+        let of_stiffness = if turns { Dimension::RotationalStiffness } else { Dimension::Stiffness };
+        let of_speed = if turns { Dimension::AngularSpeed } else { Dimension::Speed };
+        for (field, given, expected) in
+            [(stiffness, given_stiffness, of_stiffness), (speed, given_speed, of_speed)]
+        {
+            if given.is_some_and(|dimension| dimension != expected) {
+                let (motion, unit) = (if turns { "a rotation" } else { "a translation" }, expected.si_unit());
+                let why = format!("its unit is not that of {motion}; expected {unit}");
+                return Err(StudyError::input(field, why));
+            }
+        }
+        Ok(())
+    }
+}
