@@ -6,6 +6,7 @@ mod imports_tests;
 mod literals;
 mod modules;
 mod names;
+mod touched;
 
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 use std::collections::{BTreeMap, BTreeSet};
