@@ -227,7 +227,7 @@ fn a_batch_allocates_nothing() {
     let before = allocations();
     let rows = BatchPositions::Rows { values: &rows, stride: 6 };
     batch
-        .run_columns(rows, &mut masses, &mut errors, |at, _| panic!("{at} is not answered in lanes"))
+        .run_columns(rows, None, &mut masses, &mut errors, |at, _| panic!("{at} is not answered in lanes"))
         .expect("enough");
     assert_eq!(allocations() - before, 0);
     assert!(masses.iter().all(|m| *m > 0.0));

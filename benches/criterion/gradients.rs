@@ -3,7 +3,7 @@
 
 use cpu_time::ThreadTime;
 use percuss_benches::loaded;
-use percuss_dynamics::{BatchPositions, Conditions, Contact, System};
+use percuss_dynamics::{BatchPositions, Conditions, Contact, ContactStatus, RowColumns, System};
 use std::fmt::Write;
 use std::hint::black_box;
 
@@ -33,6 +33,16 @@ fn chain(hinges: usize) -> String {
     text + "</robot>"
 }
 
+fn columns<'a>(
+    masses: &'a mut [f64],
+    errors: &'a mut [f64],
+    statuses: &'a mut [ContactStatus],
+    gradients: &'a mut [f64],
+) -> RowColumns<'a, ContactStatus> {
+    let gradients = Some(gradients);
+    RowColumns { masses, errors, statuses, remarks: None, gradients, inverse_inertias: None }
+}
+
 fn main() {
     // `cargo bench -- NAME` of another benchmark.
     if std::env::args().skip(1).any(|word| !word.starts_with("--") && !"gradients".contains(&word)) {
@@ -55,8 +65,9 @@ fn main() {
         let positions = BatchPositions::Rows { values: &values, stride: hinges };
         let [mut masses, mut errors] = [(); 2].map(|()| vec![0.0; COUNT]);
         let mut gradients = vec![0.0; COUNT * hinges];
+        let mut statuses = vec![ContactStatus::Finite; COUNT];
         batch
-            .gradients(positions, None, (&mut masses, &mut errors), &mut gradients, |_, _| {})
+            .run(positions, columns(&mut masses, &mut errors, &mut statuses, &mut gradients), COUNT)
             .expect("rows");
         for k in (0..COUNT).step_by(101) {
             let pose = assembly.pose(
@@ -78,13 +89,13 @@ fn main() {
             let start = ThreadTime::now();
             batch
                 .batch()
-                .run_columns(black_box(positions), &mut masses, &mut errors, |_, _| {})
+                .run_columns(black_box(positions), None, &mut masses, &mut errors, |_, _| {})
                 .expect("rows");
             alone = alone.min(start.elapsed().as_secs_f64());
             black_box(&masses);
             let start = ThreadTime::now();
             batch
-                .gradients(black_box(positions), None, (&mut masses, &mut errors), &mut gradients, |_, _| {})
+                .run(black_box(positions), columns(&mut masses, &mut errors, &mut statuses, &mut gradients), COUNT)
                 .expect("rows");
             both = both.min(start.elapsed().as_secs_f64());
             black_box(&gradients);

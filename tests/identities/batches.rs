@@ -209,7 +209,7 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             }
             let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
             let mut others = vec![None; count];
-            one.run_columns(positions, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
+            one.run_columns(positions, None, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
                 .expect("enough");
             for (at, answer) in answers.iter().enumerate() {
                 let lanes = BatchAnswer {
@@ -555,9 +555,9 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     }
     // Columns of different lengths, and fewer numbers than needed.
     let rows = BatchPositions::Rows { values: &values[..12], stride: 6 };
-    let uneven = batch.run_columns(rows, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
+    let uneven = batch.run_columns(rows, None, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
     assert_eq!(uneven, Err(BatchError::Columns { masses: 2, errors: 3 }));
-    let short = batch.run_columns(rows, &mut [0.0; 3], &mut [0.0; 3], |_, _| {});
+    let short = batch.run_columns(rows, None, &mut [0.0; 3], &mut [0.0; 3], |_, _| {});
     assert!(matches!(short, Err(BatchError::Short { needed: 18, got: 12, .. })), "{short:?}");
 }
 

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    BatchAnswer, BatchContacts, BatchError, BatchPositions, Contact, Direction, EffectiveMass, Frame,
+    BatchAnswer, BatchContacts, BatchError, BatchPositions, BatchRows, Contact, ContactStatus, Direction,
+    EffectiveMass, Frame, RowColumns,
 };
 use percuss_spatial::rotation_about;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
@@ -52,7 +53,7 @@ fn each_row_equals_a_batch_of_its_contact() {
             let (mut masses, mut errors) = (vec![0.0; COUNT], vec![0.0; COUNT]);
             let mut others = vec![None; COUNT];
             let other = |at: usize, answer| others[at] = Some(answer);
-            batch.run_contacts(positions, contacts, &mut masses, &mut errors, other).expect("enough");
+            batch.run_columns(positions, Some(contacts), &mut masses, &mut errors, other).expect("enough");
             for row in 0..COUNT {
                 let of = |numbers: &[f64]| {
                     let first = if numbers.len() == 3 { 0 } else { 3 * row };
@@ -97,7 +98,8 @@ fn wrong_contacts_are_refused() {
     let two = BatchPositions::Rows { values: &values, stride: pose.positions().len() };
     let ask = |positions, points: &[f64], normals: &[f64], count: usize| {
         let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
-        batch.run_contacts(positions, BatchContacts { points, normals }, &mut masses, &mut errors, |_, _| {})
+        let contacts = Some(BatchContacts { points, normals });
+        batch.run_columns(positions, contacts, &mut masses, &mut errors, |_, _| {})
     };
     let x = [1.0, 0.0, 0.0];
     assert!(matches!(ask(two, &[0.0; 6], &[1.0; 5], 2), Err(BatchError::ContactCount { normals: 5, .. })));
@@ -146,18 +148,15 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
         let n = batch.velocities();
         let (mut masses, mut errors) = ([f64::NAN; COUNT], [f64::NAN; COUNT]);
         let (mut gradients, mut inverses) = (vec![0.0; COUNT * n], vec![0.0; COUNT * 36]);
-        batch
-            .inverse_operational_inertias(
-                positions,
-                Some(contacts),
-                (&mut masses, &mut errors),
-                &mut inverses,
-                |_, _| {},
-            )
-            .expect("enough");
-        batch
-            .gradients(positions, Some(contacts), (&mut masses, &mut errors), &mut gradients, |_, _| {})
-            .expect("enough");
+        let columns = RowColumns {
+            masses: &mut masses,
+            errors: &mut errors,
+            statuses: &mut [ContactStatus::Finite; COUNT],
+            remarks: None,
+            gradients: Some(&mut gradients),
+            inverse_inertias: Some(&mut inverses),
+        };
+        batch.run(BatchRows { contacts: Some(contacts), ..positions.into() }, columns, 4).expect("enough");
         for row in 0..COUNT {
             let of = |numbers: &[f64]| Vector3::from_column_slice(&numbers[3 * row..3 * row + 3]);
             let alone =
@@ -190,9 +189,16 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
     println!("{in_lanes} rows in lanes, {at_poses} at poses, largest deviation {worst:e}");
     assert!(in_lanes > 500 && at_poses > 500, "{in_lanes} rows in lanes, {at_poses} at poses");
     let batch = zoo_batch();
-    let columns = (&mut [0.0; 2][..], &mut [0.0; 2][..]);
+    let columns = RowColumns {
+        masses: &mut [0.0; 2],
+        errors: &mut [0.0; 2],
+        statuses: &mut [ContactStatus::Finite; 2],
+        remarks: None,
+        gradients: Some(&mut [0.0; 3]),
+        inverse_inertias: None,
+    };
     let positions = BatchPositions::Rows { values: &[0.0; 4], stride: 2 };
-    let refused = batch.gradients(positions, None, columns, &mut [0.0; 3], |_, _| {});
+    let refused = batch.run(positions, columns, 2);
     assert!(
         matches!(refused, Err(BatchError::DerivativeCount { got: 3, configurations: 2, .. })),
         "{refused:?}"

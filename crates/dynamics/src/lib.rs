@@ -30,6 +30,7 @@ pub use batch::contact_map::{
 pub use batch::derivatives::BatchDerivatives;
 pub use batch::driven_path::{DrivenPath, PathAnswer};
 pub use batch::error::BatchError;
+pub use batch::row_columns::{BatchRows, GivenPositions, RowColumns};
 pub use batch::row_contacts::BatchContacts;
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
 pub use batch::rows::{Batch, BatchAnswer, BatchPositions};

@@ -139,7 +139,7 @@ impl Subject {
         let (mut masses, mut errors, mut other) = ([0.0; 16], [0.0; 16], None);
         let positions = BatchPositions::Columns { values: &values, stride: 16 };
         batch
-            .run_columns(positions, &mut masses, &mut errors, |at, answer| {
+            .run_columns(positions, None, &mut masses, &mut errors, |at, answer| {
                 if at == 5 {
                     other = Some(answer);
                 }

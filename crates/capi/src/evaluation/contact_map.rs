@@ -7,9 +7,7 @@ use crate::boundary::handle::{argument_mut, object_of};
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, guard_call, percuss_status,
 };
-use crate::evaluation::contact::{
-    PERCUSS_FINITE, PERCUSS_GROUND, PERCUSS_IMMOVABLE, PERCUSS_MASSLESS, PERCUSS_NO_ANSWER, percuss_outcome,
-};
+use crate::evaluation::contact::{PERCUSS_GROUND, percuss_outcome};
 use crate::evaluation::pose::percuss_pose;
 use percuss::nalgebra::Vector3;
 use percuss::{ContactColumns, ContactStatus, MapAnswers, RemarkFlags};
@@ -157,12 +155,7 @@ pub unsafe extern "C" fn percuss_pose_contact_map(
         };
         map.fill_answers(contacts, &mut answers).map_err(Failure::with_status(PERCUSS_ERROR_LENGTH))?;
         for ((outcome, mass), status) in outcomes.iter_mut().zip(&mut *masses).zip(&statuses) {
-            *outcome = match status {
-                ContactStatus::Finite => PERCUSS_FINITE,
-                ContactStatus::Immovable => PERCUSS_IMMOVABLE,
-                ContactStatus::Massless => PERCUSS_MASSLESS,
-                ContactStatus::Unanswered => PERCUSS_NO_ANSWER,
-            };
+            *outcome = (*status).into();
             if *status != ContactStatus::Finite {
                 *mass = f64::NAN;
             }

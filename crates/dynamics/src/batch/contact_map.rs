@@ -33,8 +33,9 @@ use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
 use percuss_spatial::lanes::Instructions;
 
-/// Status of a contact of a map.
+/// Status of a contact of a map or of a row. The numbers are those of the Python package and of `PERCUSS_FINITE` … in C.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u8)]
 pub enum ContactStatus {
     /// m̄ is finite.
     #[default]
@@ -46,6 +47,20 @@ pub enum ContactStatus {
     /// No result: the contact is invalid (no normal, a number that is not finite), or [`Pose::respond`] returns an
     /// error.
     Unanswered,
+    /// Only in rows: massless within rounding. The error is the upper limit of m̄, kg.
+    MasslessToRounding,
+}
+
+impl From<ContactStatus> for u8 {
+    fn from(status: ContactStatus) -> Self {
+        status as u8
+    }
+}
+
+impl From<ContactStatus> for i32 {
+    fn from(status: ContactStatus) -> Self {
+        i32::from(u8::from(status))
+    }
 }
 
 /// Output columns of a map, as long as the columns of the contacts.
@@ -191,7 +206,7 @@ impl ContactMap<'_> {
         let mass = match status[0] {
             ContactStatus::Finite => Some(EffectiveMass::Finite(mass[0])),
             ContactStatus::Immovable => Some(EffectiveMass::Immovable),
-            ContactStatus::Massless => Some(EffectiveMass::Massless),
+            ContactStatus::Massless | ContactStatus::MasslessToRounding => Some(EffectiveMass::Massless),
             ContactStatus::Unanswered => None,
         };
         let error = Some(error[0]).filter(|e| e.is_finite());

@@ -5,10 +5,12 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
+use crate::batch::contact_map::ContactStatus;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
-use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
-use crate::batch::rows::{BLOCK, Batch, BatchAnswer, BatchPositions};
+use crate::batch::row_columns::{BatchRows, RowColumns};
+use crate::batch::row_contacts::{RowContacts, in_root_axes};
+use crate::batch::rows::{BLOCK, Batch, BatchPositions};
 use crate::kernels::{kernel_contact, mechanism};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
@@ -25,6 +27,8 @@ pub struct BatchDerivatives {
     batch: Batch,
     worker: Worker,
     pool: WorkerPool<Worker>,
+    /// Positions of blocks.
+    buffers: WorkerPool<Vec<f64>>,
 }
 
 /// Workspace of one thread.
@@ -62,7 +66,7 @@ impl Batch {
             columns: Aligned::zeros(columns * BLOCK),
             values: Aligned::zeros(values * BLOCK),
         };
-        BatchDerivatives { batch: self, worker, pool: WorkerPool::default() }
+        BatchDerivatives { batch: self, worker, pool: WorkerPool::default(), buffers: WorkerPool::default() }
     }
 }
 
@@ -91,90 +95,99 @@ impl BatchDerivatives {
         velocity_count(self.batch.assembly())
     }
 
-    /// m̄ as [`Batch::run_columns`] gives it (`contacts`: as [`Batch::run_contacts`]), and its gradient:
+    /// m̄ at rows, with the derivatives for which there are columns, on the threads of rayon's pool. A thread takes `block` rows at
+    /// once; all rows if there are fewer, on the calling thread. The results depend on the rows only.
     ///
     /// ```text
-    /// g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
+    /// gradient          g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
+    /// inverse inertia   Φ = J M_c⁻¹ Jᵀ;   1/m̄ = wᵀ Φ w with w = (0, n̂), for contacts with the ground
     /// ```
     ///
-    /// `gradients[c · n ..][.. n]`, n = [`velocities`](Self::velocities): configuration c, kg/rad or kg/m, as
-    /// [`Pose::effective_mass_gradient`]; NaN unless m̄ is finite with an error of at most 1e-6 m̄. Points and normals of the rows are fixed in their frames.
+    /// Gradients: [`velocities`](Self::velocities) numbers per row, kg/rad or kg/m, as [`Pose::effective_mass_gradient`]; NaN unless m̄
+    /// is finite with an error of at most 1e-6 m̄. Points and normals of the rows are fixed in their frames. Relative accuracy: that of
+    /// m̄, for the size of the terms.
     ///
-    /// On the calling thread. Relative accuracy: that of m̄, for the size of the terms.
-    ///
-    /// # Errors
-    /// [`BatchError`]: as for [`Batch::run_contacts`]; [`BatchError::DerivativeCount`]: a wrong number of gradients.
-    pub fn gradients(
-        &self,
-        positions: BatchPositions<'_>,
-        contacts: Option<BatchContacts<'_>>,
-        (masses, errors): (&mut [f64], &mut [f64]),
-        gradients: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        self.run(Derivative::Gradient, positions, contacts, (masses, errors), gradients, other)
-    }
-
-    /// m̄ as [`gradients`](Self::gradients) gives it, and the inverse operational inertia of the contact link at the contact point:
-    /// the upper left 6×6 block of [`Pose::inverse_operational_inertia`], in root axes.
-    ///
-    /// ```text
-    /// Φ = J M_c⁻¹ Jᵀ;   1/m̄ = wᵀ Φ w with w = (0, n̂), for contacts with the ground
-    /// ```
-    ///
-    /// `inverses[36 c ..][.. 36]`: rows of Φ at configuration c (1/(kg·m²), 1/(kg·m), 1/kg by blocks). NaN if a motion without mass
-    /// responds, or if the configuration has no result.
+    /// Inverse operational inertias: 36 numbers per row (1/(kg·m²), 1/(kg·m), 1/kg by blocks), the upper left 6×6 block of
+    /// [`Pose::inverse_operational_inertia`], in root axes, row by row. NaN if a motion without mass responds, or if the row has no result.
     ///
     /// # Errors
-    /// As for [`gradients`](Self::gradients).
-    pub fn inverse_operational_inertias(
+    /// [`BatchError`]: as for [`Batch::run_columns`]; [`BatchError::DerivativeCount`]: a wrong number of derivatives;
+    /// [`BatchError::NotFinite`], [`BatchError::GivenPositions`]: invalid rows.
+    pub fn run<'a, S: From<ContactStatus> + Clone + Send>(
         &self,
-        positions: BatchPositions<'_>,
-        contacts: Option<BatchContacts<'_>>,
-        (masses, errors): (&mut [f64], &mut [f64]),
-        inverses: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
+        rows: impl Into<BatchRows<'a>>,
+        columns: RowColumns<'_, S>,
+        block: usize,
     ) -> Result<(), BatchError> {
-        self.run(Derivative::InverseInertia, positions, contacts, (masses, errors), inverses, other)
+        let configurations = columns.masses.len();
+        let others = [columns.errors.len(), columns.statuses.len()];
+        let others = others.into_iter().chain(columns.remarks.as_ref().map(|remarks| remarks.len()));
+        if let Some(errors) = others.into_iter().find(|length| *length != configurations) {
+            return Err(BatchError::Columns { masses: configurations, errors });
+        }
+        let derivatives =
+            [(&columns.gradients, self.velocities()), (&columns.inverse_inertias, INERTIA_NUMBERS)];
+        for (values, width) in derivatives {
+            let got = values.as_ref().map(|values| values.len());
+            if let Some(got) = got.filter(|got| configurations.checked_mul(width) != Some(*got)) {
+                return Err(BatchError::DerivativeCount { got, width, configurations });
+            }
+        }
+        let rows = rows.into();
+        rows.check(self.batch.assembly().model().positions, configurations)?;
+        self.run_blocks(rows, columns, block.max(1))
     }
 
-    fn run(
+    /// Computes rows in blocks; each half of several blocks may run on another thread.
+    fn run_blocks<S: From<ContactStatus> + Clone + Send>(
         &self,
-        derivative: Derivative,
-        positions: BatchPositions<'_>,
-        contacts: Option<BatchContacts<'_>>,
-        (masses, errors): (&mut [f64], &mut [f64]),
-        values: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
+        rows: BatchRows<'_>,
+        columns: RowColumns<'_, S>,
+        block: usize,
     ) -> Result<(), BatchError> {
-        let width = match derivative {
-            Derivative::Gradient => self.velocities(),
-            Derivative::InverseInertia => INERTIA_NUMBERS,
-        };
-        if masses.len().checked_mul(width) != Some(values.len()) {
-            let (got, configurations) = (values.len(), masses.len());
-            return Err(BatchError::DerivativeCount { got, width, configurations });
+        let count = columns.masses.len();
+        if count <= block {
+            let empty = Vec::new();
+            return self.buffers.with_worker(&empty, |buffer| self.run_block(rows, columns, buffer));
         }
-        match contacts {
-            None => self.batch.run_columns(positions, masses, errors, other)?,
-            Some(contacts) => self.batch.run_contacts(positions, contacts, masses, errors, other)?,
+        let middle = count.div_ceil(block).div_ceil(2) * block;
+        let (before, after) = columns.split_at(middle);
+        let (first, second) = rayon::join(
+            || self.run_blocks(rows.part(0..middle), before, block),
+            || self.run_blocks(rows.part(middle..count), after, block),
+        );
+        first.and_then(|()| second.map_err(|error| error.in_rows_from(middle)))
+    }
+
+    fn run_block<S: From<ContactStatus> + Clone>(
+        &self,
+        rows: BatchRows<'_>,
+        columns: RowColumns<'_, S>,
+        buffer: &mut Vec<f64>,
+    ) -> Result<(), BatchError> {
+        let RowColumns { masses, errors, statuses, mut remarks, gradients, inverse_inertias } = columns;
+        let (batch, count) = (&self.batch, masses.len());
+        let positions = rows.all_positions(batch.assembly().model().positions, count, buffer)?;
+        statuses.fill(ContactStatus::Finite.into());
+        if let Some(remarks) = &mut remarks {
+            remarks.fill(batch.remarks().bits());
         }
-        let rows = Rows {
-            positions,
-            contacts: RowContacts { contact: self.batch.contact(), contacts },
-            base: self.batch.base_of_normal(),
-            count: masses.len(),
-        };
-        self.pool.with_worker(&self.worker, |worker| {
-            worker.compute(
-                self.batch.assembly(),
-                self.batch.instructions(),
-                derivative,
-                rows,
-                (masses, errors),
-                values,
-            )
-        });
+        batch.run_columns(positions, rows.contacts, masses, errors, |at, answer| {
+            statuses[at] = answer.status().into();
+            if let Some(remarks) = &mut remarks {
+                remarks[at] = answer.remarks.bits();
+            }
+        })?;
+        let contacts = RowContacts { contact: batch.contact(), contacts: rows.contacts };
+        let rows = Rows { positions, contacts, base: batch.base_of_normal(), count };
+        let derivatives =
+            [(Derivative::Gradient, gradients), (Derivative::InverseInertia, inverse_inertias)];
+        for (derivative, values) in derivatives.into_iter().filter_map(|(d, values)| Some((d, values?))) {
+            let results = (&*masses, &*errors);
+            self.pool.with_worker(&self.worker, |worker| {
+                worker.compute(batch.assembly(), batch.instructions(), derivative, rows, results, values);
+            });
+        }
         Ok(())
     }
 }

@@ -77,10 +77,46 @@ pub enum BatchError {
          fixed normal"
     )]
     NormalAlongLine,
+    /// A number that is not finite.
+    #[error("configuration {configuration}: number {number} is {value}; expected finite numbers")]
+    NotFinite {
+        /// Index of the configuration.
+        configuration: usize,
+        /// Index of the number in the configuration.
+        number: usize,
+        /// The number.
+        value: f64,
+    },
+    /// Given positions of another mechanism.
+    #[error("{got} positions of all joints are given, and position {largest} is set; expected {width} positions")]
+    GivenPositions {
+        /// Number of positions of all joints, as given.
+        got: usize,
+        /// Largest index that a row gives.
+        largest: usize,
+        /// Number of positions of the mechanism.
+        width: usize,
+    },
     /// The caller stopped the run.
     #[error("stopped after {done} configurations")]
     Stopped {
         /// Number of finished configurations.
         done: usize,
     },
+}
+
+impl BatchError {
+    /// The error with the index of its configuration among all rows; `first`: index of the first row of the run.
+    #[must_use]
+    pub fn in_rows_from(self, first: usize) -> Self {
+        match self {
+            Self::Contact { configuration, error } => {
+                Self::Contact { configuration: first + configuration, error }
+            }
+            Self::NotFinite { configuration, number, value } => {
+                Self::NotFinite { configuration: first + configuration, number, value }
+            }
+            other => other,
+        }
+    }
 }

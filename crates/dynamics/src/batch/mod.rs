@@ -5,6 +5,7 @@ pub(crate) mod derivatives;
 pub(crate) mod driven_path;
 pub(crate) mod error;
 pub(crate) mod pool;
+pub(crate) mod row_columns;
 pub(crate) mod row_contacts;
 pub(crate) mod row_path;
 mod row_remarks;

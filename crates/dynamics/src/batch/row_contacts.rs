@@ -6,6 +6,7 @@ use crate::model::Model;
 use crate::tolerances::{LARGEST_NUMBER, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
+use std::ops::Range;
 
 /// Contact points and normals that differ from configuration to configuration, on the link of one contact.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +17,17 @@ pub struct BatchContacts<'a> {
     pub normals: &'a [f64],
 }
 
-impl BatchContacts<'_> {
+impl<'a> BatchContacts<'a> {
+    /// Contacts of some configurations.
+    #[must_use]
+    pub fn part(&self, rows: &Range<usize>) -> Self {
+        let part = |numbers: &'a [f64]| match numbers.len() {
+            3 => numbers,
+            _ => numbers.get(3 * rows.start..3 * rows.end).unwrap_or_default(),
+        };
+        Self { points: part(self.points), normals: part(self.normals) }
+    }
+
     /// Point (m) and normal of a configuration, as given.
     #[inline]
     pub(super) fn at(&self, configuration: usize) -> [Vector3<f64>; 2] {
@@ -24,6 +35,15 @@ impl BatchContacts<'_> {
             let first = if numbers.len() == 3 { 0 } else { 3 * configuration };
             Vector3::new(numbers[first], numbers[first + 1], numbers[first + 2])
         })
+    }
+
+    /// Checks the number of points and normals.
+    pub(super) fn check_count(&self, configurations: usize) -> Result<(), BatchError> {
+        let (points, normals) = (self.points.len(), self.normals.len());
+        match [points, normals].iter().any(|n| *n != 3 && configurations.checked_mul(3) != Some(*n)) {
+            true => Err(BatchError::ContactCount { points, normals, configurations }),
+            false => Ok(()),
+        }
     }
 
     /// Checks the number of points and normals, and each contact.
@@ -34,10 +54,7 @@ impl BatchContacts<'_> {
         configurations: usize,
     ) -> Result<(), BatchError> {
         let Some((_, frame)) = contact.normal.vector() else { return Err(BatchError::NormalAlongLine) };
-        let (points, normals) = (self.points.len(), self.normals.len());
-        if [points, normals].iter().any(|n| *n != 3 && configurations.checked_mul(3) != Some(*n)) {
-            return Err(BatchError::ContactCount { points, normals, configurations });
-        }
+        self.check_count(configurations)?;
         for configuration in 0..configurations {
             let [point, normal] = self.at(configuration);
             let square = normal.norm_squared();

@@ -6,6 +6,8 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
+use crate::analysis::response::ContactResponse;
+use crate::batch::contact_map::ContactStatus;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
@@ -13,7 +15,7 @@ use crate::batch::row_remarks::{PositionLimits, RowGap};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::Contact;
-use crate::kinematics::outcome::{EffectiveMass, ResponseError};
+use crate::kinematics::outcome::{EffectiveMass, Remark, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
@@ -67,15 +69,23 @@ pub struct BatchAnswer {
 impl BatchAnswer {
     /// Initial value: no result yet.
     pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
+    /// Result of a row without a pose.
+    pub const UNREACHED: Self = Self { remarks: RemarkFlags::NO_ANSWER, ..Self::NONE };
 
     /// Finite m̄, kg, with its error.
-    fn finite(mass: f64, error: f64, remarks: RemarkFlags) -> Self {
+    pub fn finite(mass: f64, error: f64, remarks: RemarkFlags) -> Self {
         Self { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), remarks }
     }
 
-    /// True if the contact is massless only within rounding. Masses lost in sums with larger masses may be present.
-    pub fn is_massless_to_rounding(&self) -> bool {
-        self.mass == Some(EffectiveMass::Massless) && self.error.is_some()
+    /// Status of the contact.
+    pub fn status(&self) -> ContactStatus {
+        match self.mass {
+            Some(EffectiveMass::Finite(_)) => ContactStatus::Finite,
+            Some(EffectiveMass::Immovable) => ContactStatus::Immovable,
+            Some(EffectiveMass::Massless) if self.error.is_some() => ContactStatus::MasslessToRounding,
+            Some(EffectiveMass::Massless) => ContactStatus::Massless,
+            None => ContactStatus::Unanswered,
+        }
     }
 }
 
@@ -107,6 +117,20 @@ struct Worker {
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
+}
+
+impl From<&ContactResponse> for BatchAnswer {
+    fn from(response: &ContactResponse) -> Self {
+        let limit = response.remarks.iter().find_map(|remark| match remark {
+            Remark::MasslessToRounding { up_to } => Some(*up_to),
+            _ => None,
+        });
+        let error = match response.effective_mass {
+            EffectiveMass::Finite(_) => response.effective_mass_error(),
+            EffectiveMass::Immovable | EffectiveMass::Massless => limit,
+        };
+        Self { mass: Some(response.effective_mass), error, remarks: response.remark_flags() }
+    }
 }
 
 impl Assembly {
@@ -257,46 +281,23 @@ impl Batch {
     /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
     /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
     ///
+    /// `contacts`: another contact point and normal at each configuration; the link, the other side and the frame of the normal are
+    /// those of the contact of the batch.
+    ///
     /// # Errors
-    /// As for [`run`](Self::run); `errors` and `masses` differ in length.
+    /// As for [`run`](Self::run); `errors` and `masses` differ in length; [`BatchError::ContactCount`], [`BatchError::Contact`],
+    /// [`BatchError::NormalAlongLine`]: invalid `contacts`.
     pub fn run_columns(
         &self,
         positions: BatchPositions<'_>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        self.run_columns_of(None, positions, masses, errors, other)
-    }
-
-    /// Like [`run_columns`](Self::run_columns), with another contact point and normal at each configuration: m̄ of the point
-    /// `contacts.points[3c..3c + 3]` on the contact link along `contacts.normals[3c..3c + 3]`, at configuration c. The link, the
-    /// other side and the frame of the normal are those of the contact of the batch.
-    ///
-    /// # Errors
-    /// As for [`run_columns`](Self::run_columns); [`BatchError::ContactCount`]: too few or too many points or normals;
-    /// [`BatchError::Contact`]: numbers that are not finite, or a normal of length zero; [`BatchError::NormalAlongLine`].
-    pub fn run_contacts(
-        &self,
-        positions: BatchPositions<'_>,
-        contacts: BatchContacts<'_>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        contacts.check(self.assembly.model(), &self.contact, masses.len())?;
-        self.run_columns_of(Some(contacts), positions, masses, errors, other)
-    }
-
-    /// Computes m̄ at the configurations, for the contact of the batch or for one contact at each configuration.
-    fn run_columns_of(
-        &self,
         contacts: Option<BatchContacts<'_>>,
-        positions: BatchPositions<'_>,
         masses: &mut [f64],
         errors: &mut [f64],
         other: impl FnMut(usize, BatchAnswer),
     ) -> Result<(), BatchError> {
+        if let Some(contacts) = contacts {
+            contacts.check(self.assembly.model(), &self.contact, masses.len())?;
+        }
         if errors.len() != masses.len() {
             return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
         }
@@ -306,6 +307,11 @@ impl Batch {
         self.pool
             .with_worker(&self.worker, |worker| worker.compute_portion(contacts, positions, 0, &mut columns));
         Ok(())
+    }
+
+    /// Checks the number of positions.
+    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
+        positions.check(self.assembly.model().positions, configurations)
     }
 
     /// The contact of the batch at every configuration.
@@ -342,29 +348,6 @@ impl Batch {
         });
         let done = done.into_inner();
         if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
-    }
-
-    /// Checks the stride and the number of positions.
-    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
-        let count = self.assembly.model().positions;
-        let (got, stride, least, outer, inner) = match positions {
-            BatchPositions::Rows { values, stride } => (values.len(), stride, count, configurations, count),
-            BatchPositions::Columns { values, stride } => {
-                (values.len(), stride, configurations, count, configurations)
-            }
-        };
-        if stride < least {
-            return Err(BatchError::Stride { stride, least });
-        }
-        let needed = outer.checked_sub(1).and_then(|o| o.checked_mul(stride)?.checked_add(inner));
-        match needed {
-            None if outer == 0 => Ok(()),
-            Some(needed) if needed <= got || inner == 0 => Ok(()),
-            _ => {
-                let needed = needed.unwrap_or(usize::MAX);
-                Err(BatchError::Short { got, needed, configurations, positions: count, stride })
-            }
-        }
     }
 }
 
@@ -519,7 +502,7 @@ fn evaluate_row(
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
-        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+        return BatchAnswer::UNREACHED;
     }
     match workspace.evaluate(contact, with_closing) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
@@ -528,15 +511,6 @@ fn evaluate_row(
 }
 
 impl BatchPositions<'_> {
-    /// Position `q` of a configuration.
-    #[inline]
-    pub(super) fn at(&self, configuration: usize, q: usize) -> f64 {
-        match self {
-            BatchPositions::Rows { values, stride } => values[configuration * stride + q],
-            BatchPositions::Columns { values, stride } => values[q * stride + configuration],
-        }
-    }
-
     /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
     fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
         match self {

@@ -19,16 +19,6 @@ const PORTION: usize = 1 << 18;
 /// m̄ (kg), its error (kg), status code.
 pub type Answers<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Status code of an outcome.
-pub fn code(status: ContactStatus) -> u8 {
-    match status {
-        ContactStatus::Finite => 0,
-        ContactStatus::Immovable => 1,
-        ContactStatus::Massless => 2,
-        ContactStatus::Unanswered => 3,
-    }
-}
-
 /// Contact map: Φ of a link about `centre`, for contacts within the radius `reach` (m).
 fn contact_map_about<'a>(
     pose: &'a Pose,
@@ -134,7 +124,7 @@ pub fn contact_map<'py>(
             (*mass, *error) = (f64::NAN, f64::NAN);
         }
     }
-    let codes = statuses.into_iter().map(code).collect();
+    let codes = statuses.into_iter().map(u8::from).collect();
     Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
 }
 

@@ -9,7 +9,7 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::sweep::row_blocks::RowBlock;
 use crate::sweep::row_layout::RowLayout;
-use percuss_dynamics::{BatchDerivatives, BatchPositions, Contact};
+use percuss_dynamics::{BatchDerivatives, BatchPositions, Contact, ContactStatus, RowColumns};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -106,12 +106,15 @@ impl BatchEvaluator {
         let positions = BatchPositions::Columns { values: &columns, stride: count };
         let velocities = if self.has_gradient { self.batch.velocities() } else { 0 };
         let mut gradients = vec![f64::NAN; count * velocities];
-        let results = (&mut masses[..], &mut errors[..]);
-        let done = if self.has_gradient {
-            self.batch.gradients(positions, None, results, &mut gradients, |_, _| {})
-        } else {
-            self.batch.batch().run_columns(positions, results.0, results.1, |_, _| {})
+        let results = RowColumns {
+            masses: &mut masses,
+            errors: &mut errors,
+            statuses: &mut vec![ContactStatus::Finite; count],
+            remarks: None,
+            gradients: self.has_gradient.then_some(&mut gradients[..]),
+            inverse_inertias: None,
         };
+        let done = self.batch.run(positions, results, count);
         // The layout always fits: one column per position of the mechanism, one entry per result.
         if done.is_err() {
             masses.fill(f64::NAN);
