@@ -95,7 +95,11 @@ fn main() {
             black_box(&masses);
             let start = ThreadTime::now();
             batch
-                .run(black_box(positions), columns(&mut masses, &mut errors, &mut statuses, &mut gradients), COUNT)
+                .run(
+                    black_box(positions),
+                    columns(&mut masses, &mut errors, &mut statuses, &mut gradients),
+                    COUNT,
+                )
                 .expect("rows");
             both = both.min(start.elapsed().as_secs_f64());
             black_box(&gradients);

@@ -69,7 +69,9 @@ fn lanes_agree_with_poses() {
         let (mut masses, mut errors) = ([0.0; ROWS], [0.0; ROWS]);
         let mut alone = 0;
         let positions = BatchPositions::Rows { values: &rows, stride: width };
-        batch.run_columns(positions, None, &mut masses, &mut errors, |_, _| alone += 1).expect("enough numbers");
+        batch
+            .run_columns(positions, None, &mut masses, &mut errors, |_, _| alone += 1)
+            .expect("enough numbers");
         in_lanes += ROWS - alone;
         for (row, (mass, error)) in rows.chunks(width).zip(masses.iter().zip(&errors)) {
             let mut configuration = system.configuration();

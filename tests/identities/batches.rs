@@ -209,8 +209,10 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             }
             let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
             let mut others = vec![None; count];
-            one.run_columns(positions, None, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
-                .expect("enough");
+            one.run_columns(positions, None, &mut masses, &mut errors, |at, answer| {
+                others[at] = Some(answer)
+            })
+            .expect("enough");
             for (at, answer) in answers.iter().enumerate() {
                 let lanes = BatchAnswer {
                     mass: Some(EffectiveMass::Finite(masses[at])),

@@ -1,8 +1,6 @@
 //! Batches: one contact at many configurations, with SIMD lanes and threads.
 
-use crate::boundary::arrays::{
-    ByteRange, input_slice, optional_output_slice, output_slice, refuse_overlaps,
-};
+use crate::boundary::arrays::{ByteRange, input_slice, optional_output_slice, output_slice, refuse_overlaps};
 use crate::boundary::handle::{
     Handle, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
@@ -14,9 +12,7 @@ use crate::evaluation::contact::{percuss_contact, percuss_outcome};
 use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::evaluation::workspace::percuss_workspace;
 use crate::setup::system::percuss_assembly;
-use percuss::{
-    Batch, BatchDerivatives, BatchError, BatchPositions, BatchRows, RowColumns,
-};
+use percuss::{Batch, BatchDerivatives, BatchError, BatchPositions, BatchRows, RowColumns};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
 
@@ -235,11 +231,7 @@ impl ThreadedBatch {
     }
 
     /// Computes rows on the threads of the batch.
-    pub fn run(
-        &self,
-        rows: BatchRows<'_>,
-        columns: RowColumns<'_, percuss_outcome>,
-    ) -> Result<(), Failure> {
+    pub fn run(&self, rows: BatchRows<'_>, columns: RowColumns<'_, percuss_outcome>) -> Result<(), Failure> {
         let done = match self.thread_pool()? {
             None => self.batch.run(rows, columns, usize::MAX),
             Some(pool) => pool.install(|| self.batch.run(rows, columns, TASK)),

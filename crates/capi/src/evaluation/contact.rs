@@ -8,8 +8,8 @@ use crate::boundary::status::{
 use crate::setup::model::{Model, percuss_model};
 use percuss::nalgebra::Vector3;
 use percuss::{
-    Contact, ContactResponse, ContactStatus, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,
-    Route, RouteChoice,
+    Contact, ContactResponse, ContactStatus, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark,
+    RemarkFlags, Route, RouteChoice,
 };
 use std::ffi::c_char;
 

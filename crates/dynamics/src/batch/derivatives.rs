@@ -9,7 +9,7 @@ use crate::batch::contact_map::ContactStatus;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_columns::{BatchRows, RowColumns};
-use crate::batch::row_contacts::{RowContacts, in_root_axes};
+use crate::batch::row_contacts::RowContacts;
 use crate::batch::rows::{BLOCK, Batch, BatchPositions};
 use crate::kernels::{kernel_contact, mechanism};
 use crate::kinematics::contact::Contact;
@@ -35,6 +35,8 @@ pub struct BatchDerivatives {
 #[derive(Clone, Debug)]
 struct Worker {
     kernel: Option<DerivativeKernel>,
+    /// Indices of all positions.
+    read: Vec<usize>,
     /// Positions, points and normals of a block by columns, [`BLOCK`] apart.
     columns: Aligned,
     /// Results of a block by columns, [`BLOCK`] apart.
@@ -49,7 +51,7 @@ fn velocity_count(assembly: &Assembly) -> usize {
 impl Batch {
     /// Prepares the gradient of m̄ and the inverse operational inertia of the contact, at many configurations.
     pub fn derivatives(self) -> BatchDerivatives {
-        let (assembly, contact) = (self.assembly(), self.contact());
+        let (assembly, contact) = (self.assembly(), self.contacts_of(None).contact);
         let model = assembly.model();
         // Loops, couplings and mimics are left to the pose.
         let is_tree = model.groups.is_empty() && !model.has_active_mimics;
@@ -63,6 +65,7 @@ impl Batch {
         };
         let worker = Worker {
             kernel,
+            read: (0..model.positions).collect(),
             columns: Aligned::zeros(columns * BLOCK),
             values: Aligned::zeros(values * BLOCK),
         };
@@ -75,7 +78,6 @@ impl Batch {
 struct Rows<'a> {
     positions: BatchPositions<'a>,
     contacts: RowContacts<'a>,
-    base: Option<&'a Transform<f64>>,
     count: usize,
 }
 
@@ -178,10 +180,8 @@ impl BatchDerivatives {
                 remarks[at] = answer.remarks.bits();
             }
         })?;
-        let contacts = RowContacts { contact: batch.contact(), contacts: rows.contacts };
-        let rows = Rows { positions, contacts, base: batch.base_of_normal(), count };
-        let derivatives =
-            [(Derivative::Gradient, gradients), (Derivative::InverseInertia, inverse_inertias)];
+        let rows = Rows { positions, contacts: batch.contacts_of(rows.contacts), count };
+        let derivatives = [(Derivative::Gradient, gradients), (Derivative::InverseInertia, inverse_inertias)];
         for (derivative, values) in derivatives.into_iter().filter_map(|(d, values)| Some((d, values?))) {
             let results = (&*masses, &*errors);
             self.pool.with_worker(&self.worker, |worker| {
@@ -213,8 +213,9 @@ impl Worker {
             responses.fill(f64::NAN);
             if self.kernel.is_some() {
                 let padded = here.next_multiple_of(instructions.width());
-                self.fill_columns(assembly, &rows, start, (here, padded));
-                let Self { kernel: Some(kernel), columns, values } = self else { return };
+                let Self { kernel: Some(kernel), read, columns, values } = self else { return };
+                let (from, conversion) = ((rows.positions, &read[..]), kernel.conversion());
+                rows.contacts.fill_lanes(columns, from, Some(&conversion), start, (here, padded));
                 let contact_column = assembly.model().positions;
                 let contacts = rows.contacts.contacts.map(|_| LaneContacts { first_column: contact_column });
                 let results = DerivativeColumns {
@@ -240,30 +241,6 @@ impl Worker {
             }
         }
     }
-
-    /// Copies the positions, points and normals of a block; unused lanes repeat the last configuration.
-    fn fill_columns(
-        &mut self,
-        assembly: &Assembly,
-        rows: &Rows<'_>,
-        start: usize,
-        (here, padded): (usize, usize),
-    ) {
-        let count = assembly.model().positions;
-        let Some(conversion) = self.kernel.as_ref().map(DerivativeKernel::conversion) else { return };
-        for lane in 0..padded {
-            let configuration = start + lane.min(here - 1);
-            for q in 0..count {
-                self.columns[q * BLOCK + lane] = rows.positions.at(configuration, q);
-            }
-            if let Some(contacts) = rows.contacts.contacts {
-                let [point, normal] = contacts.at(configuration);
-                let [point, normal] = conversion.convert(&point, &in_root_axes(normal, rows.base));
-                let numbers = point.iter().chain(&normal).enumerate();
-                numbers.for_each(|(k, x)| self.columns[(count + k) * BLOCK + lane] = *x);
-            }
-        }
-    }
 }
 
 /// Computes a derivative at the pose of a row; NaN without a result.
@@ -276,7 +253,7 @@ fn compute_at_pose(
 ) {
     to.fill(f64::NAN);
     let Some(pose) = pose_of_row(assembly, rows, row) else { return };
-    let contact = rows.contacts.at(row, rows.base);
+    let contact = rows.contacts.at(row);
     match derivative {
         Derivative::Gradient => {
             let Ok(Some(gradient)) = pose.effective_mass_gradient(&contact) else { return };

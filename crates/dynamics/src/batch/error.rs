@@ -88,7 +88,9 @@ pub enum BatchError {
         value: f64,
     },
     /// Given positions of another mechanism.
-    #[error("{got} positions of all joints are given, and position {largest} is set; expected {width} positions")]
+    #[error(
+        "{got} positions of all joints are given, and position {largest} is set; expected {width} positions"
+    )]
     GivenPositions {
         /// Number of positions of all joints, as given.
         got: usize,

@@ -1,10 +1,12 @@
 //! Contact points and normals that differ from configuration to configuration.
 
 use crate::batch::error::BatchError;
+use crate::batch::rows::{BLOCK, BatchPositions};
 use crate::kinematics::contact::Contact;
 use crate::model::Model;
 use crate::tolerances::{LARGEST_NUMBER, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
+use percuss_kernel::{ContactConversion, LaneContacts};
 use percuss_spatial::Transform;
 use std::ops::Range;
 
@@ -75,21 +77,47 @@ pub(super) struct RowContacts<'a> {
     pub contact: &'a Contact,
     /// Points and normals of the configurations, if they differ.
     pub contacts: Option<BatchContacts<'a>>,
+    /// Pose of the root link in the world, for normals given in the world.
+    pub base: Option<&'a Transform<f64>>,
 }
 
 impl RowContacts<'_> {
-    /// Contact at a configuration. `base`: see [`in_root_axes`].
-    pub fn at(&self, configuration: usize, base: Option<&Transform<f64>>) -> Contact {
+    /// Point and normal of a configuration; a normal given in the world in the axes of the root link.
+    #[inline]
+    fn in_root_axes(&self, contacts: &BatchContacts<'_>, configuration: usize) -> [Vector3<f64>; 2] {
+        let [point, normal] = contacts.at(configuration);
+        [point, self.base.map_or(normal, |x_wr| x_wr.inverse_vector(&normal))]
+    }
+
+    /// Contact at a configuration.
+    pub fn at(&self, configuration: usize) -> Contact {
         let Some((_, frame)) = self.contact.normal.vector() else { return *self.contact };
         self.contacts.map_or(*self.contact, |contacts| {
-            let [point, normal] = contacts.at(configuration);
-            let normal = self.contact.normal.with_vector(in_root_axes(normal, base), frame);
-            Contact { point, normal, ..*self.contact }
+            let [point, normal] = self.in_root_axes(&contacts, configuration);
+            Contact { point, normal: self.contact.normal.with_vector(normal, frame), ..*self.contact }
         })
     }
-}
 
-/// Normal given in the world in the axes of the root link, if the pose of the root link is given.
-pub(super) fn in_root_axes(normal: Vector3<f64>, base: Option<&Transform<f64>>) -> Vector3<f64> {
-    base.map_or(normal, |x_wr| x_wr.inverse_vector(&normal))
+    /// Copies the positions with the indices `read` of `count` configurations, and their contacts, to `columns`, [`BLOCK`] apart: the
+    /// input of a kernel. The contacts have the last columns. Lanes after the last configuration, up to `padded`, repeat it.
+    pub fn fill_lanes(
+        &self,
+        columns: &mut [f64],
+        (positions, read): (BatchPositions<'_>, &[usize]),
+        conversion: Option<&ContactConversion>,
+        first: usize,
+        (count, padded): (usize, usize),
+    ) {
+        let contact_column = columns.len() - LaneContacts::COUNT * BLOCK;
+        for lane in 0..padded {
+            let configuration = first + lane.min(count - 1);
+            positions.copy_to_columns(configuration, read, &mut columns[lane..]);
+            if let (Some(contacts), Some(conversion)) = (&self.contacts, conversion) {
+                let [point, normal] = self.in_root_axes(contacts, configuration);
+                let [point, normal] = conversion.convert(&point, &normal);
+                let numbers = point.iter().chain(&normal).enumerate();
+                numbers.for_each(|(k, x)| columns[contact_column + k * BLOCK + lane] = *x);
+            }
+        }
+    }
 }

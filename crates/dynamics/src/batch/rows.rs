@@ -10,7 +10,7 @@ use crate::analysis::response::ContactResponse;
 use crate::batch::contact_map::ContactStatus;
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
-use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
+use crate::batch::row_contacts::{BatchContacts, RowContacts};
 use crate::batch::row_remarks::{PositionLimits, RowGap};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
@@ -94,6 +94,8 @@ impl BatchAnswer {
 pub struct Batch {
     assembly: Arc<Assembly>,
     contact: Contact,
+    /// Pose of the root link in the world, for normals given in the world.
+    base_of_normal: Option<Transform<f64>>,
     instructions: Instructions,
     worker: Worker,
     pool: WorkerPool<Worker>,
@@ -112,8 +114,6 @@ struct Worker {
     workspace: Workspace,
     /// Findings that hold at every configuration.
     remarks: RemarkFlags,
-    /// Pose of the root link in the world, for normals given in the world.
-    base_of_normal: Option<Transform<f64>>,
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
@@ -172,7 +172,6 @@ impl Workspace {
             workspace,
             kernel: in_lanes,
             remarks,
-            base_of_normal,
             limits: PositionLimits::of(model, false),
             gap,
         };
@@ -180,6 +179,7 @@ impl Workspace {
         Ok(Batch {
             assembly: Arc::clone(&assembly),
             contact: *contact,
+            base_of_normal,
             instructions,
             worker,
             pool: WorkerPool::default(),
@@ -208,14 +208,9 @@ impl Batch {
         &self.assembly
     }
 
-    /// The contact; a normal given in the world is in the axes of the root link.
-    pub(super) fn contact(&self) -> &Contact {
-        &self.contact
-    }
-
-    /// Pose of the root link in the world by which normals of rows are converted; `None`: they are not converted.
-    pub(super) fn base_of_normal(&self) -> Option<&Transform<f64>> {
-        self.worker.base_of_normal.as_ref()
+    /// Contacts of rows; `None`: the contact of the batch at every row.
+    pub(super) fn contacts_of<'a>(&'a self, contacts: Option<BatchContacts<'a>>) -> RowContacts<'a> {
+        RowContacts { contact: &self.contact, contacts, base: self.base_of_normal.as_ref() }
     }
 
     /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
@@ -271,8 +266,9 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
-        self.pool
-            .with_worker(&self.worker, |worker| worker.compute_portion(self.fixed(), positions, 0, answers));
+        self.pool.with_worker(&self.worker, |worker| {
+            worker.compute_portion(self.contacts_of(None), positions, 0, answers)
+        });
         Ok(())
     }
 
@@ -303,7 +299,7 @@ impl Batch {
         }
         self.check(positions, masses.len())?;
         let mut columns = AnswerColumns { masses, errors, other };
-        let contacts = RowContacts { contacts, ..self.fixed() };
+        let contacts = self.contacts_of(contacts);
         self.pool
             .with_worker(&self.worker, |worker| worker.compute_portion(contacts, positions, 0, &mut columns));
         Ok(())
@@ -312,11 +308,6 @@ impl Batch {
     /// Checks the number of positions.
     fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
         positions.check(self.assembly.model().positions, configurations)
-    }
-
-    /// The contact of the batch at every configuration.
-    fn fixed(&self) -> RowContacts<'_> {
-        RowContacts { contact: &self.contact, contacts: None }
     }
 
     /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
@@ -339,7 +330,7 @@ impl Batch {
             }
             let first = number * PORTION;
             self.pool.with_worker(&self.worker, |worker| {
-                worker.compute_portion(self.fixed(), positions, first, portion)
+                worker.compute_portion(self.contacts_of(None), positions, first, portion)
             });
             let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
             if watch(done).is_break() {
@@ -415,15 +406,13 @@ impl Worker {
         first: usize,
         places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits, gap } =
-            self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, limits, gap } = self;
         let count = places.count();
         let of_rows = contacts.contacts;
-        let contact_column = row.len();
         let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
             limit = lanes.trusted_error();
-            lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: contact_column }));
+            lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: row.len() }));
             conversion = lanes.conversion();
         }
         for block in (0..count).step_by(BLOCK) {
@@ -444,18 +433,8 @@ impl Worker {
                 if done < here {
                     let left = here - done;
                     let padded = left.next_multiple_of(width);
-                    // Unused lanes repeat the last configuration.
-                    for lane in 0..padded {
-                        let configuration = start + done + lane.min(left - 1);
-                        positions.copy_to_columns(configuration, read, &mut columns[lane..]);
-                        if let (Some(contacts), Some(conversion)) = (of_rows, &conversion) {
-                            let [point, normal] = contacts.at(configuration);
-                            let normal = in_root_axes(normal, base_of_normal.as_ref());
-                            let [point, normal] = conversion.convert(&point, &normal);
-                            let numbers = point.iter().chain(&normal).enumerate();
-                            numbers.for_each(|(k, x)| columns[(contact_column + k) * BLOCK + lane] = *x);
-                        }
-                    }
+                    let from = (positions, &read[..]);
+                    contacts.fill_lanes(columns, from, conversion.as_ref(), start + done, (left, padded));
                     ask(PositionColumns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
             }
@@ -481,7 +460,7 @@ impl Worker {
                     true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                        let contact = contacts.at(start + lane, base_of_normal.as_ref());
+                        let contact = contacts.at(start + lane);
                         evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
                     }
                 };
@@ -512,7 +491,7 @@ fn evaluate_row(
 
 impl BatchPositions<'_> {
     /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
-    fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
+    pub(super) fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
         match self {
             BatchPositions::Rows { values, stride } => {
                 let row = &values[configuration * stride..];

@@ -283,6 +283,7 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
     let mechanism = &model.read.mechanism;
     // `set` refuses unknown names, mimics and repeated joints.
     let mut trial = Configuration::zero(mechanism);
+    let places: Vec<Range<usize>> = mechanism.position_ranges().collect();
     let find = |name: &String| {
         let id = mechanism.find_joint(name).map_err(input)?;
         let joint = mechanism.joint(id);
@@ -293,8 +294,7 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
             )));
         }
         trial.set(name, &[0.0]).map_err(input)?;
-        let before = &mechanism.joints()[..id.index()];
-        Ok((id, before.iter().map(|joint| joint.kind().positions()).sum()))
+        Ok((id, places[id.index()].start))
     };
     names.iter().map(find).collect()
 }

@@ -6,7 +6,7 @@ use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachableRange, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
-use crate::sweep::followed_rows::PathFindings;
+use crate::sweep::plain_rows::PlainFindings;
 use crate::sweep::row_layout::RowLayout;
 use percuss_dynamics::{AssemblyError, Pose, RowPath, System};
 use std::sync::Arc;
@@ -41,7 +41,7 @@ pub(crate) struct LineContinuation {
     pub unreachable: UnreachableRange,
     pub step_limit: StepLimit,
     /// Path along the line.
-    pub path: RowPath<PathFindings>,
+    pub path: RowPath<PlainFindings>,
 }
 
 impl LineContinuation {
