@@ -6,6 +6,7 @@ use percuss_dynamics::{
     EffectiveMass, Frame, RowColumns,
 };
 use percuss_spatial::rotation_about;
+use percuss_tests::rows::answers;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
@@ -50,10 +51,8 @@ fn each_row_equals_a_batch_of_its_contact() {
             BatchPositions::Rows { values: &values, stride: width },
             BatchPositions::Columns { values: &by_columns, stride: COUNT },
         ] {
-            let (mut masses, mut errors) = (vec![0.0; COUNT], vec![0.0; COUNT]);
-            let mut others = vec![None; COUNT];
-            let other = |at: usize, answer| others[at] = Some(answer);
-            batch.run_columns(positions, Some(contacts), &mut masses, &mut errors, other).expect("enough");
+            let all = BatchRows { contacts: Some(contacts), ..positions.into() };
+            let found = answers(&batch, all, COUNT, 5).expect("enough");
             for row in 0..COUNT {
                 let of = |numbers: &[f64]| {
                     let first = if numbers.len() == 3 { 0 } else { 3 * row };
@@ -63,26 +62,19 @@ fn each_row_equals_a_batch_of_its_contact() {
                 let alone = Contact { point: of(&given[0]), normal, ..contact };
                 let mut alone = workspace.batch(&alone).expect("a contact that fits");
                 let expected = alone.effective_mass(pose.positions()).expect("positions");
-                let lane = BatchAnswer {
-                    mass: Some(EffectiveMass::Finite(masses[row])),
-                    error: Some(errors[row]),
-                    remarks: expected.remarks,
-                };
-                let found = others[row].unwrap_or(lane);
+                let found = found[row];
                 assert_eq!(bits(&found), bits(&expected), "{name}, row {row}");
                 assert_eq!(found.remarks, expected.remarks, "{name}, row {row}");
                 rows += 1;
-                in_lanes += usize::from(others[row].is_none());
+                in_lanes += usize::from(batch.has_lanes() && found.error.is_some());
             }
         }
         // The contact of the batch is as before.
-        let mut answers = [BatchAnswer::NONE; 1];
-        batch
-            .run(BatchPositions::Rows { values: pose.positions(), stride: width }, &mut answers)
-            .expect("enough");
+        let one = BatchPositions::Rows { values: pose.positions(), stride: width };
+        let found = answers(&batch, one, 1, 1).expect("enough");
         let mut fresh = workspace.batch(&contact).expect("a contact that fits");
         let expected = fresh.effective_mass(pose.positions()).expect("positions");
-        assert_eq!(bits(&answers[0]), bits(&expected), "{name}");
+        assert_eq!(bits(&found[0]), bits(&expected), "{name}");
     }
     println!("{rows} rows, {in_lanes} of them in lanes");
     assert!(rows > 16_000 && in_lanes > 6_400, "{rows} rows, {in_lanes} in lanes");
@@ -96,10 +88,9 @@ fn wrong_contacts_are_refused() {
     let batch = pose.assembly().batch(contact).expect("a contact that fits");
     let values = pose.positions().repeat(2);
     let two = BatchPositions::Rows { values: &values, stride: pose.positions().len() };
-    let ask = |positions, points: &[f64], normals: &[f64], count: usize| {
-        let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
+    let ask = |positions: BatchPositions<'_>, points: &[f64], normals: &[f64], count: usize| {
         let contacts = Some(BatchContacts { points, normals });
-        batch.run_columns(positions, contacts, &mut masses, &mut errors, |_, _| {})
+        answers(&batch, BatchRows { contacts, ..positions.into() }, count, 1)
     };
     let x = [1.0, 0.0, 0.0];
     assert!(matches!(ask(two, &[0.0; 6], &[1.0; 5], 2), Err(BatchError::ContactCount { normals: 5, .. })));
@@ -138,7 +129,7 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
         let Direction::Along(_, frame) = contact.normal else { continue };
         let frame = [frame, Frame::World, Frame::Link][k % 3];
         let contact = contact.normal(Direction::Along(Vector3::x(), frame));
-        let batch = pose.assembly().batch(&contact).expect("a contact that fits").derivatives();
+        let batch = pose.assembly().batch(&contact).expect("a contact that fits");
         let width = pose.positions().len();
         let values = pose.positions().repeat(COUNT);
         let positions = BatchPositions::Rows { values: &values, stride: width };
@@ -169,7 +160,7 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
                     let off = deviation(own, &expected, gradient.effective_mass);
                     assert!(off <= DERIVATIVES, "{name}, row {row}: {off:e}: {own:?}, expected {expected:?}");
                     worst = worst.max(off);
-                    *(if batch.has_lanes() { &mut in_lanes } else { &mut at_poses }) += 1;
+                    *(if batch.has_derivative_lanes() { &mut in_lanes } else { &mut at_poses }) += 1;
                 }
                 _ => assert!(own.iter().all(|x| x.is_nan()), "{name}, row {row}: {own:?}"),
             }
@@ -206,8 +197,8 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
 }
 
 /// Derivatives of a subject of two hinges or more.
-fn zoo_batch() -> percuss_dynamics::BatchDerivatives {
+fn zoo_batch() -> percuss_dynamics::Batch {
     let subjects = of_trees(31, 1, 4);
     let found = subjects.iter().find_map(|s| s.pose.assembly().batch(&s.contact).ok());
-    found.expect("a tree").derivatives()
+    found.expect("a tree")
 }

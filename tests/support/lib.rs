@@ -13,6 +13,7 @@ pub mod motion;
 pub mod readers;
 pub mod rig;
 pub mod routes;
+pub mod rows;
 pub mod subjects;
 
 pub use measures::{gauge, tally};

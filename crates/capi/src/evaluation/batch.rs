@@ -12,7 +12,7 @@ use crate::evaluation::contact::{percuss_contact, percuss_outcome};
 use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::evaluation::workspace::percuss_workspace;
 use crate::setup::system::percuss_assembly;
-use percuss::{Batch, BatchDerivatives, BatchError, BatchPositions, BatchRows, RowColumns};
+use percuss::{Batch, BatchError, BatchPositions, BatchRows, RowColumns};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
 
@@ -23,7 +23,7 @@ pub struct percuss_batch {
 
 /// Batch with its thread pool and the id of the process that started the pool; `None` without a pool.
 pub(crate) struct ThreadedBatch {
-    pub batch: BatchDerivatives,
+    pub batch: Batch,
     positions: usize,
     pool: Option<(u32, ThreadPool)>,
 }
@@ -108,7 +108,7 @@ impl ThreadedBatch {
                 Some((std::process::id(), pool.map_err(Failure::with_status(PERCUSS_ERROR_INTERNAL))?))
             }
         };
-        Ok(Self { batch: batch.derivatives(), positions, pool })
+        Ok(Self { batch, positions, pool })
     }
 }
 

@@ -22,7 +22,7 @@ use self::kernel::{Constants, Evaluate};
 pub use self::scale::PrincipalMass;
 use self::scale::{FreeWrenches, InertiaFactor};
 use crate::analysis::pose::Pose;
-use crate::batch::rows::BatchAnswer;
+use crate::batch::row_results::{BatchAnswer, ContactStatus};
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::EffectiveMass;
 use crate::model::interruption;
@@ -32,36 +32,6 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
 use percuss_spatial::lanes::Instructions;
-
-/// Status of a contact of a map or of a row. The numbers are those of the Python package and of `PERCUSS_FINITE` … in C.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u8)]
-pub enum ContactStatus {
-    /// m̄ is finite.
-    #[default]
-    Finite,
-    /// No admissible motion closes the gap.
-    Immovable,
-    /// A motion without mass closes the gap: m̄ = 0.
-    Massless,
-    /// No result: the contact is invalid (no normal, a number that is not finite), or [`Pose::respond`] returns an
-    /// error.
-    Unanswered,
-    /// Only in rows: massless within rounding. The error is the upper limit of m̄, kg.
-    MasslessToRounding,
-}
-
-impl From<ContactStatus> for u8 {
-    fn from(status: ContactStatus) -> Self {
-        status as u8
-    }
-}
-
-impl From<ContactStatus> for i32 {
-    fn from(status: ContactStatus) -> Self {
-        i32::from(u8::from(status))
-    }
-}
 
 /// Output columns of a map, as long as the columns of the contacts.
 #[derive(Debug)]

@@ -30,13 +30,13 @@ pub enum BatchError {
         /// The smallest valid stride.
         least: usize,
     },
-    /// The output columns have different lengths.
-    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
+    /// The columns of the results have different lengths.
+    #[error("columns of {masses} masses and {other} other results; expected columns of one length")]
     Columns {
         /// Length of the column of masses.
         masses: usize,
-        /// Length of the column of errors.
-        errors: usize,
+        /// Length of another column.
+        other: usize,
     },
     /// Wrong number of gradients or inverse inertias.
     #[error(
@@ -98,12 +98,6 @@ pub enum BatchError {
         largest: usize,
         /// Number of positions of the mechanism.
         width: usize,
-    },
-    /// The caller stopped the run.
-    #[error("stopped after {done} configurations")]
-    Stopped {
-        /// Number of finished configurations.
-        done: usize,
     },
 }
 

@@ -6,88 +6,24 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
-use crate::analysis::response::ContactResponse;
-use crate::batch::contact_map::ContactStatus;
+use crate::batch::derivatives::{BatchDerivatives, velocity_count};
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
-use crate::batch::row_contacts::{BatchContacts, RowContacts};
+use crate::batch::row_inputs::{BLOCK, BatchPositions, BatchRows, RowBlock};
 use crate::batch::row_remarks::{PositionLimits, RowGap};
+use crate::batch::row_results::{BatchAnswer, ContactStatus, RowColumns};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::Contact;
-use crate::kinematics::outcome::{EffectiveMass, Remark, ResponseError};
+use crate::kinematics::outcome::ResponseError;
 use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_kernel::derivatives::{Derivative, INERTIA_NUMBERS};
 use percuss_kernel::{Aligned, CertifiedMass, Kernel, LaneContacts, MassColumns, PositionColumns};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
-use rayon::prelude::*;
-use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
-/// Number of configurations per task of a thread.
-const PORTION: usize = 512;
-/// Number of configurations per call of the SIMD kernel: a multiple of the lane count of every instruction set.
-pub(super) const BLOCK: usize = 64;
-
-/// Positions of many configurations. Each configuration holds the positions of all joints one after another, in joint
-/// order.
-#[derive(Clone, Copy, Debug)]
-pub enum BatchPositions<'a> {
-    /// Configuration `c` begins at index `c · stride`.
-    Rows {
-        /// The positions.
-        values: &'a [f64],
-        /// Distance between consecutive configurations.
-        stride: usize,
-    },
-    /// Position `q` of configuration `c` has index `q · stride + c`. The fastest layout.
-    Columns {
-        /// The positions.
-        values: &'a [f64],
-        /// Distance between consecutive positions.
-        stride: usize,
-    },
-}
-
-/// Result for one configuration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BatchAnswer {
-    /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
-    /// configuration returns the error.
-    pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for a mechanism with loops without SIMD lanes for the contact
-    /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
-    /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
-    pub error: Option<f64>,
-    /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
-    pub remarks: RemarkFlags,
-}
-
-impl BatchAnswer {
-    /// Initial value: no result yet.
-    pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
-    /// Result of a row without a pose.
-    pub const UNREACHED: Self = Self { remarks: RemarkFlags::NO_ANSWER, ..Self::NONE };
-
-    /// Finite m̄, kg, with its error.
-    pub fn finite(mass: f64, error: f64, remarks: RemarkFlags) -> Self {
-        Self { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), remarks }
-    }
-
-    /// Status of the contact.
-    pub fn status(&self) -> ContactStatus {
-        match self.mass {
-            Some(EffectiveMass::Finite(_)) => ContactStatus::Finite,
-            Some(EffectiveMass::Immovable) => ContactStatus::Immovable,
-            Some(EffectiveMass::Massless) if self.error.is_some() => ContactStatus::MasslessToRounding,
-            Some(EffectiveMass::Massless) => ContactStatus::Massless,
-            None => ContactStatus::Unanswered,
-        }
-    }
-}
+use std::sync::{Arc, OnceLock};
 
 /// One contact, ready for many configurations.
 #[derive(Clone, Debug)]
@@ -99,6 +35,8 @@ pub struct Batch {
     instructions: Instructions,
     worker: Worker,
     pool: WorkerPool<Worker>,
+    /// Prepared for the first derivative.
+    derivatives: OnceLock<BatchDerivatives>,
 }
 
 /// Workspace of one thread.
@@ -111,26 +49,14 @@ struct Worker {
     columns: Aligned,
     /// Positions of one configuration.
     row: Vec<f64>,
+    /// Positions of a block of rows that give some positions only.
+    given: Vec<f64>,
     workspace: Workspace,
     /// Findings that hold at every configuration.
     remarks: RemarkFlags,
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
-}
-
-impl From<&ContactResponse> for BatchAnswer {
-    fn from(response: &ContactResponse) -> Self {
-        let limit = response.remarks.iter().find_map(|remark| match remark {
-            Remark::MasslessToRounding { up_to } => Some(*up_to),
-            _ => None,
-        });
-        let error = match response.effective_mass {
-            EffectiveMass::Finite(_) => response.effective_mass_error(),
-            EffectiveMass::Immovable | EffectiveMass::Massless => limit,
-        };
-        Self { mass: Some(response.effective_mass), error, remarks: response.remark_flags() }
-    }
 }
 
 impl Assembly {
@@ -169,6 +95,7 @@ impl Workspace {
                 None => 0,
             }),
             row: vec![0.0; model.positions],
+            given: Vec::new(),
             workspace,
             kernel: in_lanes,
             remarks,
@@ -183,6 +110,7 @@ impl Workspace {
             instructions,
             worker,
             pool: WorkerPool::default(),
+            derivatives: OnceLock::new(),
         })
     }
 }
@@ -201,16 +129,6 @@ impl Batch {
         }
         self.pool = WorkerPool::default();
         self
-    }
-
-    /// The assembly of the batch.
-    pub(super) fn assembly(&self) -> &Arc<Assembly> {
-        &self.assembly
-    }
-
-    /// Contacts of rows; `None`: the contact of the batch at every row.
-    pub(super) fn contacts_of<'a>(&'a self, contacts: Option<BatchContacts<'a>>) -> RowContacts<'a> {
-        RowContacts { contact: &self.contact, contacts, base: self.base_of_normal.as_ref() }
     }
 
     /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
@@ -246,178 +164,135 @@ impl Batch {
         Ok(answer)
     }
 
-    /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
-    /// order of the work.
-    ///
-    /// # Errors
-    /// [`BatchError`]: too few numbers, a stride that is too small.
-    pub fn run(&self, positions: BatchPositions<'_>, answers: &mut [BatchAnswer]) -> Result<(), BatchError> {
-        self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
+    /// True if gradients and inverse inertias are computed in SIMD lanes.
+    pub fn has_derivative_lanes(&self) -> bool {
+        self.derivatives().has_lanes()
     }
 
-    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if no result is
-    /// in doubt.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run).
-    pub fn run_here(
-        &self,
-        positions: BatchPositions<'_>,
-        answers: &mut [BatchAnswer],
-    ) -> Result<(), BatchError> {
-        self.check(positions, answers.len())?;
-        self.pool.with_worker(&self.worker, |worker| {
-            worker.compute_portion(self.contacts_of(None), positions, 0, answers)
-        });
-        Ok(())
+    /// Number of velocities of a gradient: those of all joints, in joint order.
+    pub fn velocities(&self) -> usize {
+        velocity_count(&self.assembly)
     }
 
-    /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the error, kg (NaN for `None`). The length of the columns is the number of
-    /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
-    /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
+    fn derivatives(&self) -> &BatchDerivatives {
+        self.derivatives.get_or_init(|| BatchDerivatives::new(&self.assembly, &self.contact))
+    }
+
+    /// m̄ at rows, with the derivatives for which there are columns. A thread of rayon's pool takes `block` rows at once; up to this
+    /// number of rows are computed on the calling thread. The results depend on the rows only. Allocates nothing after the first call
+    /// with one block, if no result is in doubt.
     ///
-    /// `contacts`: another contact point and normal at each configuration; the link, the other side and the frame of the normal are
-    /// those of the contact of the batch.
+    /// ```text
+    /// gradient          g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
+    /// inverse inertia   Φ = J M_c⁻¹ Jᵀ;   1/m̄ = wᵀ Φ w with w = (0, n̂), for contacts with the ground
+    /// ```
+    ///
+    /// Gradients: [`velocities`](Self::velocities) numbers per row, kg/rad or kg/m, as [`Pose::effective_mass_gradient`]; NaN unless m̄
+    /// is finite with an error of at most 1e-6 m̄. Points and normals of the rows are fixed in their frames. Relative accuracy: that of
+    /// m̄, for the size of the terms.
+    ///
+    /// Inverse operational inertias: 36 numbers per row (1/(kg·m²), 1/(kg·m), 1/kg by blocks), the upper left 6×6 block of
+    /// [`Pose::inverse_operational_inertia`], in root axes, row by row. NaN if a motion without mass responds, or if the row has no result.
     ///
     /// # Errors
-    /// As for [`run`](Self::run); `errors` and `masses` differ in length; [`BatchError::ContactCount`], [`BatchError::Contact`],
-    /// [`BatchError::NormalAlongLine`]: invalid `contacts`.
-    pub fn run_columns(
+    /// [`BatchError`]: columns, positions or contacts that do not fit. The results of some rows may then be stored.
+    ///
+    /// [`Pose::effective_mass_gradient`]: crate::Pose::effective_mass_gradient
+    /// [`Pose::inverse_operational_inertia`]: crate::Pose::inverse_operational_inertia
+    pub fn run<'a, S: From<ContactStatus> + Clone + Send>(
         &self,
-        positions: BatchPositions<'_>,
-        contacts: Option<BatchContacts<'_>>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
+        rows: impl Into<BatchRows<'a>>,
+        columns: RowColumns<'_, S>,
+        block: usize,
     ) -> Result<(), BatchError> {
-        if let Some(contacts) = contacts {
-            contacts.check(self.assembly.model(), &self.contact, masses.len())?;
+        let configurations = columns.masses.len();
+        let others = [columns.errors.len(), columns.statuses.len()];
+        let others = others.into_iter().chain(columns.remarks.as_ref().map(|remarks| remarks.len()));
+        if let Some(other) = others.into_iter().find(|length| *length != configurations) {
+            return Err(BatchError::Columns { masses: configurations, other });
         }
-        if errors.len() != masses.len() {
-            return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
-        }
-        self.check(positions, masses.len())?;
-        let mut columns = AnswerColumns { masses, errors, other };
-        let contacts = self.contacts_of(contacts);
-        self.pool
-            .with_worker(&self.worker, |worker| worker.compute_portion(contacts, positions, 0, &mut columns));
-        Ok(())
-    }
-
-    /// Checks the number of positions.
-    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
-        positions.check(self.assembly.model().positions, configurations)
-    }
-
-    /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
-    /// time to time, from any thread, and may stop the run.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run); [`BatchError::Stopped`]: stopped by `watch`. `answers` contains the results up to
-    /// that point.
-    pub fn run_watched(
-        &self,
-        positions: BatchPositions<'_>,
-        answers: &mut [BatchAnswer],
-        watch: impl Fn(usize) -> ControlFlow<()> + Sync,
-    ) -> Result<(), BatchError> {
-        self.check(positions, answers.len())?;
-        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        answers.par_chunks_mut(PORTION).enumerate().for_each(|(number, portion)| {
-            if stopped.load(Ordering::Relaxed) {
-                return;
+        let derivatives =
+            [(&columns.gradients, self.velocities()), (&columns.inverse_inertias, INERTIA_NUMBERS)];
+        for (values, width) in derivatives {
+            let got = values.as_ref().map(|values| values.len());
+            if let Some(got) = got.filter(|got| configurations.checked_mul(width) != Some(*got)) {
+                return Err(BatchError::DerivativeCount { got, width, configurations });
             }
-            let first = number * PORTION;
-            self.pool.with_worker(&self.worker, |worker| {
-                worker.compute_portion(self.contacts_of(None), positions, first, portion)
-            });
-            let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
-            if watch(done).is_break() {
-                stopped.store(true, Ordering::Relaxed);
-            }
-        });
-        let done = done.into_inner();
-        if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
-    }
-}
-
-/// Destination of the results.
-trait ResultSink {
-    /// Number of results.
-    fn count(&self) -> usize;
-
-    /// Stores the lane results from index `first` on, certain or not.
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
-
-    /// Stores the result of a configuration computed separately.
-    fn store_one(&mut self, at: usize, answer: BatchAnswer);
-}
-
-impl ResultSink for [BatchAnswer] {
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    #[inline]
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
-        for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
-            *answer = BatchAnswer::finite(*mass, *error, remarks);
         }
+        let rows = rows.into();
+        rows.check(self.assembly.model().positions, configurations)?;
+        self.run_blocks(rows, columns, block.max(1))
     }
 
-    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
-        self[at] = answer;
-    }
-}
-
-/// Results in columns; `other` receives results that need a separate computation.
-struct AnswerColumns<'a, F> {
-    masses: &'a mut [f64],
-    errors: &'a mut [f64],
-    other: F,
-}
-
-impl<F: FnMut(usize, BatchAnswer)> ResultSink for AnswerColumns<'_, F> {
-    fn count(&self) -> usize {
-        self.masses.len()
-    }
-
-    #[inline]
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
-        self.masses[first..][..masses.len()].copy_from_slice(masses);
-        self.errors[first..][..errors.len()].copy_from_slice(errors);
+    /// Computes rows in blocks; each half of several blocks may run on another thread.
+    fn run_blocks<S: From<ContactStatus> + Clone + Send>(
+        &self,
+        rows: BatchRows<'_>,
+        columns: RowColumns<'_, S>,
+        block: usize,
+    ) -> Result<(), BatchError> {
+        let count = columns.masses.len();
+        if count <= block {
+            return self.pool.with_worker(&self.worker, |worker| self.run_block(worker, rows, columns));
+        }
+        let middle = count.div_ceil(block).div_ceil(2) * block;
+        let (before, after) = columns.split_at(middle);
+        let (first, second) = rayon::join(
+            || self.run_blocks(rows.part(0..middle), before, block),
+            || self.run_blocks(rows.part(middle..count), after, block),
+        );
+        first.and_then(|()| second.map_err(|error| error.in_rows_from(middle)))
     }
 
-    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
-        let finite = |mass| if let EffectiveMass::Finite(m) = mass { m } else { f64::NAN };
-        self.masses[at] = answer.mass.map_or(f64::NAN, finite);
-        self.errors[at] = answer.error.unwrap_or(f64::NAN);
-        (self.other)(at, answer);
+    /// Computes the rows of a block with a worker.
+    fn run_block<S: From<ContactStatus> + Clone>(
+        &self,
+        worker: &mut Worker,
+        rows: BatchRows<'_>,
+        mut columns: RowColumns<'_, S>,
+    ) -> Result<(), BatchError> {
+        let model = self.assembly.model();
+        if let Some(contacts) = rows.contacts {
+            contacts.check(model, &self.contact, columns.masses.len())?;
+        }
+        let mut buffer = std::mem::take(&mut worker.given);
+        let positions = rows.all_positions(model.positions, columns.masses.len(), &mut buffer)?;
+        let base = self.base_of_normal.as_ref();
+        let block = RowBlock { positions, contact: &self.contact, contacts: rows.contacts, base };
+        worker.compute(block, &mut columns);
+        let RowColumns { masses, errors, gradients, inverse_inertias, .. } = columns;
+        let derivatives = [(Derivative::Gradient, gradients), (Derivative::InverseInertia, inverse_inertias)];
+        for (derivative, values) in derivatives.into_iter().filter_map(|(d, values)| Some((d, values?))) {
+            let masses = (&*masses, &*errors);
+            self.derivatives().compute(&self.assembly, self.instructions, derivative, block, masses, values);
+        }
+        worker.given = buffer;
+        Ok(())
     }
 }
 
 impl Worker {
-    /// Computes `places.count()` configurations, starting at configuration `first`.
-    fn compute_portion(
+    /// Computes m̄ of the rows.
+    fn compute<S: From<ContactStatus> + Clone>(
         &mut self,
-        contacts: RowContacts<'_>,
-        positions: BatchPositions<'_>,
-        first: usize,
-        places: &mut (impl ResultSink + ?Sized),
+        rows: RowBlock<'_>,
+        results: &mut RowColumns<'_, S>,
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, limits, gap } = self;
-        let count = places.count();
-        let of_rows = contacts.contacts;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, limits, gap, .. } = self;
+        let (count, positions, of_rows) = (results.masses.len(), rows.positions, rows.contacts);
+        results.statuses.fill(ContactStatus::Finite.into());
+        if let Some(bits) = &mut results.remarks {
+            bits.fill(remarks.bits());
+        }
         let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
             limit = lanes.trusted_error();
             lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: row.len() }));
             conversion = lanes.conversion();
         }
-        for block in (0..count).step_by(BLOCK) {
+        for start in (0..count).step_by(BLOCK) {
             interruption::check();
-            let (start, here) = (first + block, BLOCK.min(count - block));
+            let here = BLOCK.min(count - start);
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {
                 let width = lanes.width();
@@ -433,13 +308,13 @@ impl Worker {
                 if done < here {
                     let left = here - done;
                     let padded = left.next_multiple_of(width);
-                    let from = (positions, &read[..]);
-                    contacts.fill_lanes(columns, from, conversion.as_ref(), start + done, (left, padded));
+                    rows.fill_lanes(columns, read, conversion.as_ref(), start + done, (left, padded));
                     ask(PositionColumns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
-            places.store_lanes(block, masses, errors, *remarks);
+            results.masses[start..][..here].copy_from_slice(masses);
+            results.errors[start..][..here].copy_from_slice(errors);
             let clear =
                 |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
             let mut own = [RemarkFlags::NONE; BLOCK];
@@ -460,12 +335,12 @@ impl Worker {
                     true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                        let contact = contacts.at(start + lane);
+                        let contact = rows.contact_at(start + lane);
                         evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
                     }
                 };
                 answer.remarks |= *own;
-                places.store_one(block + lane, answer);
+                results.set(start + lane, &answer);
             }
         }
     }
@@ -486,20 +361,5 @@ fn evaluate_row(
     match workspace.evaluate(contact, with_closing) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
-    }
-}
-
-impl BatchPositions<'_> {
-    /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
-    pub(super) fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
-        match self {
-            BatchPositions::Rows { values, stride } => {
-                let row = &values[configuration * stride..];
-                read.iter().for_each(|&q| to[q * BLOCK] = row[q]);
-            }
-            BatchPositions::Columns { .. } => {
-                read.iter().for_each(|&q| to[q * BLOCK] = self.at(configuration, q));
-            }
-        }
     }
 }

@@ -23,9 +23,9 @@ use numpy::{
 use percuss::spatial::Transform;
 use percuss::study::row_findings;
 use percuss::{
-    Assembly as Assembled, BatchAnswer, BatchContacts, BatchDerivatives, BatchPositions, BatchRows,
-    Configuration, Contact as Resolved, DrivenPath, GivenPositions, JointId, Pose as Posed, RemarkFlags,
-    RowAnswer, RowColumns, RowHandler, RowPath,
+    Assembly as Assembled, Batch, BatchAnswer, BatchContacts, BatchPositions, BatchRows, Configuration,
+    Contact as Resolved, DrivenPath, GivenPositions, JointId, Pose as Posed, RemarkFlags, RowAnswer,
+    RowColumns, RowHandler, RowPath,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::prelude::*;
@@ -164,7 +164,7 @@ pub fn sweep(
         workspace.set_base(&Transform::identity()).map_err(input)?;
         zero.set_base(Transform::identity());
     }
-    let batch = workspace.batch(&resolved).map_err(errors::response)?.derivatives();
+    let batch = workspace.batch(&resolved).map_err(errors::response)?;
     let velocities = batch.velocities();
     let question = RowQuestion { batch: &batch, threads, progress: &progress };
     let mut gradients = gradient.then(|| zeros(py, count * velocities));
@@ -369,7 +369,7 @@ impl PathColumns<'_> {
     /// Solves the rows of a portion at the positions that the path reached: with a contact for each row, gradients or inverse inertias.
     fn solve_at_positions(
         &mut self,
-        batch: &BatchDerivatives,
+        batch: &Batch,
         contacts: Option<BatchContacts<'_>>,
         rows: Range<usize>,
     ) -> PyResult<()> {

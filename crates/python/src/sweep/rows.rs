@@ -4,7 +4,7 @@ use crate::conversion::errors::input;
 use crate::conversion::threads::Threads;
 use crate::sweep::portions::{Progress, run_timed_portions};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
-use percuss::{BatchDerivatives, BatchError, BatchPositions, BatchRows, RowColumns};
+use percuss::{Batch, BatchError, BatchPositions, BatchRows, RowColumns};
 use pyo3::prelude::*;
 
 /// Least and greatest block size of a thread, in configurations. At the greatest size, positions and results stay in
@@ -16,7 +16,7 @@ const BLOCKS_PER_THREAD: usize = 8;
 /// Contact, threads and progress of a sweep.
 #[derive(Clone, Copy)]
 pub struct RowQuestion<'a> {
-    pub batch: &'a BatchDerivatives,
+    pub batch: &'a Batch,
     pub threads: Threads,
     pub progress: &'a Progress<'a>,
 }

@@ -10,8 +10,8 @@ use crate::sweep::row_gradient::RowGradient;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::SweepHeading;
 use percuss_dynamics::{
-    BatchDerivatives, BatchPositions, BatchRows, Contact, ContactStatus, DrivenPath, GivenPositions, Pose,
-    RemarkFlags, RowColumns,
+    Batch, BatchPositions, BatchRows, Contact, DrivenPath, GivenPositions, Pose, RemarkFlags, RowColumns,
+    RowResults,
 };
 use percuss_mechanism::JointId;
 use std::ops::Range;
@@ -90,7 +90,7 @@ impl PlainFindings {
 /// Contact of a tree, prepared for the SIMD evaluation of many rows.
 #[derive(Debug)]
 pub(crate) struct TreeRows {
-    batch: BatchDerivatives,
+    batch: Batch,
     /// True if the gradient of each row is computed.
     has_gradient: bool,
     /// Positions of all joints of the question, in joint order.
@@ -103,12 +103,9 @@ pub(crate) struct TreeRows {
 /// Results of consecutive rows of a tree.
 #[derive(Debug)]
 pub(crate) struct TreeResults {
-    masses: Vec<f64>,
-    errors: Vec<f64>,
+    rows: RowResults,
     /// Gradients, row by row: one number per velocity of all joints; empty unless requested.
     gradients: Vec<f64>,
-    /// Bits of [`RemarkFlags`].
-    remarks: Vec<u32>,
 }
 
 impl TreeRows {
@@ -130,7 +127,7 @@ impl TreeRows {
         let values: Vec<f64> = (0..layout.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
         let pose = system.pose(&layout.configuration(&values, false).ok()?).ok()?;
         Some(Self {
-            batch: batch.derivatives(),
+            batch,
             has_gradient: false,
             base: mechanism.joint_ids().flat_map(|id| prepared.configuration.get(id)).copied().collect(),
             indices,
@@ -146,26 +143,19 @@ impl TreeRows {
     /// Evaluates some rows of a block.
     pub fn evaluate(&self, block: &RowBlock, rows: Range<usize>) -> TreeResults {
         let count = rows.len();
-        let [mut masses, mut errors] = [(); 2].map(|()| vec![f64::NAN; count]);
-        let mut remarks = vec![0; count];
+        let mut results = RowResults::new(count);
         let velocities = if self.has_gradient { self.batch.velocities() } else { 0 };
         let mut gradients = vec![f64::NAN; count * velocities];
         let values = block.values_from(rows.start, rows.end);
         let positions = BatchPositions::Rows { values, stride: self.indices.len() };
         let given = Some(GivenPositions { indices: &self.indices, others: &self.base });
-        let columns = RowColumns {
-            masses: &mut masses,
-            errors: &mut errors,
-            statuses: &mut vec![ContactStatus::Finite; count],
-            remarks: Some(&mut remarks),
-            gradients: self.has_gradient.then_some(&mut gradients[..]),
-            inverse_inertias: None,
-        };
+        let wanted = self.has_gradient.then_some(&mut gradients[..]);
+        let columns = RowColumns { gradients: wanted, ..results.columns() };
         // The layout always fits: one number per column of the rows, one entry per result.
         if self.batch.run(BatchRows { given, ..positions.into() }, columns, count).is_err() {
-            masses.fill(f64::NAN);
+            results.columns().clear();
         }
-        TreeResults { masses, errors, gradients, remarks }
+        TreeResults { rows: results, gradients }
     }
 
     /// Row `at` of the results, with the numbers `values`; `None` if the result is uncertain, so that the row requires a pose.
@@ -177,18 +167,18 @@ impl TreeRows {
         at: usize,
         values: &[f64],
     ) -> Option<PlainRow> {
-        let mass = (results.masses[at], results.errors[at]);
+        let mass = (results.rows.masses[at], results.rows.errors[at]);
         // The findings of the row contain these remarks.
-        let known = self.batch.batch().remarks()
+        let known = self.batch.remarks()
             | RemarkFlags::OUTSIDE_LIMITS
             | RemarkFlags::MANY_TURNS
             | RemarkFlags::OPEN_GAP;
-        if !(mass.0.is_finite() && mass.1.is_finite()) || results.remarks[at] & !known.bits() != 0 {
+        if !(mass.0.is_finite() && mass.1.is_finite()) || results.rows.remarks[at] & !known.bits() != 0 {
             return None;
         }
         let mut positions = self.base.clone();
         self.indices.iter().zip(values).for_each(|(index, value)| positions[*index] = *value);
-        let velocities = results.gradients.len() / results.masses.len();
+        let velocities = results.gradients.len() / results.rows.masses.len();
         let gradient = || results.gradients[at * velocities..][..velocities].to_vec();
         Some(PlainRow {
             gradient: heading.gradient.as_ref().map(|layout| RowGradient::new(layout, gradient())),
