@@ -8,7 +8,7 @@ use percuss_dynamics::{
 };
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;
-use percuss_tests::rows::answers;
+use percuss_tests::answer::answers;
 use std::sync::Arc;
 
 /// Crank 0.3 m, coupler 1 m, rocker 0.8 m, ground 1 m, closed as drawn with the crank at 0.

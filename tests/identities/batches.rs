@@ -12,8 +12,8 @@ use percuss_mechanism::{
 use percuss_oracle::zoo;
 use percuss_spatial::lanes::Instructions;
 use percuss_spatial::{Matrix3, Transform, rotation_about};
+use percuss_tests::answer::answers;
 use percuss_tests::judge::UNSTATED;
-use percuss_tests::rows::answers;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::{FRAC_PI_2, PI};

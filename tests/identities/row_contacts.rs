@@ -6,7 +6,7 @@ use percuss_dynamics::{
     EffectiveMass, Frame, RowColumns,
 };
 use percuss_spatial::rotation_about;
-use percuss_tests::rows::answers;
+use percuss_tests::answer::answers;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 

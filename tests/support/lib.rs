@@ -13,7 +13,6 @@ pub mod motion;
 pub mod readers;
 pub mod rig;
 pub mod routes;
-pub mod rows;
 pub mod subjects;
 
 pub use measures::{gauge, tally};

@@ -12,7 +12,7 @@ use crate::conversion::arrays::{float64_matrix as matrix, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
 use crate::conversion::threads::Threads;
-use crate::sweep::portions::{Progress, run_fixed_portions};
+use crate::sweep::portions::{Progress, run_portions};
 use crate::sweep::row_contacts::{BasePose, RowContacts};
 use crate::sweep::rows::{RowQuestion, numbers_of, refused_rows, solve_rows};
 use numpy::ndarray::s;
@@ -348,7 +348,7 @@ impl PathColumns<'_> {
         let RowQuestion { batch, threads, progress } = question;
         let (view, width) = (q.as_array(), q.shape()[1]);
         let mut values = Vec::new();
-        run_fixed_portions(py, view.nrows(), (threads, progress), |rows| {
+        run_portions(py, view.nrows(), true, (threads, progress), |rows| {
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
             let checked =

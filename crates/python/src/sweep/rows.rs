@@ -2,7 +2,7 @@
 
 use crate::conversion::errors::input;
 use crate::conversion::threads::Threads;
-use crate::sweep::portions::{Progress, run_timed_portions};
+use crate::sweep::portions::{Progress, run_portions};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::{Batch, BatchError, BatchPositions, BatchRows, RowColumns};
 use pyo3::prelude::*;
@@ -49,7 +49,7 @@ pub fn solve_rows(
     mut columns: RowColumns<'_, u8>,
 ) -> PyResult<()> {
     let RowQuestion { batch, threads, progress } = question;
-    run_timed_portions(py, columns.masses.len(), (threads, progress), |range| {
+    run_portions(py, columns.masses.len(), false, (threads, progress), |range| {
         // Of the pool of this process.
         let threads = rayon::current_num_threads();
         let block = range.len().div_ceil(threads * BLOCKS_PER_THREAD).clamp(BLOCK_SIZES.0, BLOCK_SIZES.1);
