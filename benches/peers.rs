@@ -8,7 +8,7 @@
 
 use cpu_time::ThreadTime;
 use percuss_dynamics::{
-    Base, Batch, BatchAnswer, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, Pose,
+    Base, Batch, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RowResults,
     System,
 };
 use percuss_mechanism::Mechanism;
@@ -17,6 +17,8 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
+/// Configurations per task of a thread.
+const BLOCK: usize = 512;
 /// Runs of the loop over all poses; the minimum counts.
 const RUNS: usize = 200;
 
@@ -171,7 +173,7 @@ fn time(question: &Question) {
     let positions = BatchPositions::Columns { values: &columns, stride: count };
     let rows: Vec<f64> = question.rows.concat();
     let by_rows = BatchPositions::Rows { values: &rows, stride: width };
-    let mut answers = vec![BatchAnswer::NONE; count];
+    let mut results = RowResults::new(count);
     time_threads(question, &batch);
     let line = |what: &str, ns: f64| println!("percuss {} {what} {ns:.1}", question.name);
 
@@ -205,15 +207,19 @@ fn time(question: &Question) {
             continue;
         }
         let batch = batch.clone().with_instructions(set);
-        batch.run(positions, &mut answers).expect("positions that fit");
-        compare(question, set.name(), answers.iter().map(|a| a.mass));
+        batch.run(positions, results.columns(), BLOCK).expect("positions that fit");
+        compare(question, set.name(), (0..count).map(|row| results.answer(row).mass));
         line(
             &format!("lanes {}", set.name()),
-            least(count, || batch.run_here(black_box(positions), &mut answers).expect("positions that fit")),
+            least(count, || {
+                batch.run(black_box(positions), results.columns(), usize::MAX).expect("positions that fit");
+            }),
         );
         line(
             &format!("lanes {} by rows", set.name()),
-            least(count, || batch.run_here(black_box(by_rows), &mut answers).expect("positions that fit")),
+            least(count, || {
+                batch.run(black_box(by_rows), results.columns(), usize::MAX).expect("positions that fit");
+            }),
         );
     }
 }
@@ -275,15 +281,16 @@ fn time_threads(question: &Question, batch: &Batch) {
     let width = question.rows[0].len();
     let rows: Vec<f64> = question.rows.iter().cycle().take(MANY).flatten().copied().collect();
     let positions = BatchPositions::Rows { values: &rows, stride: width };
-    let mut answers = vec![BatchAnswer::NONE; MANY];
+    let mut results = RowResults::new(MANY);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
     let (mut one, mut two) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..20 {
         let start = Instant::now();
-        batch.run_here(black_box(positions), &mut answers).expect("positions that fit");
+        batch.run(black_box(positions), results.columns(), usize::MAX).expect("positions that fit");
         one = one.min(start.elapsed().as_secs_f64());
         let start = Instant::now();
-        pool.install(|| batch.run(black_box(positions), &mut answers)).expect("positions that fit");
+        pool.install(|| batch.run(black_box(positions), results.columns(), BLOCK))
+            .expect("positions that fit");
         two = two.min(start.elapsed().as_secs_f64());
     }
     println!("percuss {} two threads times one: {:.2}", question.name, one / two);

@@ -1,9 +1,7 @@
 //! Tasks for timing and for counting instructions: prepared once, run repeatedly.
 
 use crate::{Subject, chain_urdf, double_wishbone, loaded, subjects};
-use percuss_dynamics::{
-    Batch, BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, Pose, System,
-};
+use percuss_dynamics::{Batch, BatchPositions, Conditions, Contact, EffectiveMass, Pose, RowResults, System};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
 };
@@ -137,11 +135,11 @@ fn lanes(subject: Subject, set: Instructions) -> Task {
     let width = subject.positions[0].len();
     let columns: Vec<f64> =
         (0..width).flat_map(|q| subject.positions.iter().map(move |row| row[q])).collect();
-    let mut answers = vec![BatchAnswer::NONE; units];
+    let mut results = RowResults::new(units);
     let run = move || {
         let positions = BatchPositions::Columns { values: black_box(&columns), stride: units };
-        batch.run_here(positions, &mut answers).expect("positions that fit");
-        assert!(matches!(answers[0].mass, Some(EffectiveMass::Finite(m)) if m > 0.0));
+        batch.run(positions, results.columns(), usize::MAX).expect("positions that fit");
+        assert!(results.masses[0] > 0.0);
     };
     Task { run: Box::new(run), units, bodies }
 }

@@ -5,8 +5,8 @@
 #![allow(unsafe_code)]
 
 use percuss_dynamics::{
-    BatchAnswer, BatchPositions, Contact, ContactColumns, ContactResponse, ContactStatus, Direction,
-    EffectiveMass, Frame, MapAnswers, Pose, Remark, ResponseError, Workspace,
+    BatchPositions, Contact, ContactColumns, ContactResponse, ContactStatus, Direction, EffectiveMass, Frame,
+    MapAnswers, Pose, Remark, ResponseError, RowResults, Workspace,
 };
 use percuss_impact::{ImpactWorkspace, RigidImpact};
 use percuss_oracle::linkage;
@@ -206,31 +206,23 @@ fn a_batch_allocates_nothing() {
     let system =
         percuss_dynamics::System::new(mechanism, &percuss_dynamics::Conditions::new()).expect("fits");
     let mut batch = system.reference_or_open().batch(&contact).expect("a contact");
-    let mut answers = vec![BatchAnswer::NONE; 400];
+    let mut results = RowResults::new(400);
     for row in rows.chunks(6) {
         let before = allocations();
         let answer = batch.effective_mass(row).expect("six");
         let allocated = allocations() - before;
         assert!(answer.error.is_some() && allocated == 0, "{answer:?}: {allocated} allocations");
     }
+    let rows = BatchPositions::Rows { values: &rows, stride: 6 };
     let mut of = |count: usize| {
         let before = allocations();
-        batch
-            .run_here(BatchPositions::Rows { values: &rows, stride: 6 }, &mut answers[..count])
-            .expect("enough");
+        batch.run(rows, results.columns().part(0..count), count).expect("enough");
         allocations() - before
     };
     // One allocation of a thread's workspace.
     assert!(of(8) > 0);
     assert_eq!((of(8), of(400)), (0, 0));
-    let (mut masses, mut errors) = ([0.0; 400], [0.0; 400]);
-    let before = allocations();
-    let rows = BatchPositions::Rows { values: &rows, stride: 6 };
-    batch
-        .run_columns(rows, &mut masses, &mut errors, |at, _| panic!("{at} is not answered in lanes"))
-        .expect("enough");
-    assert_eq!(allocations() - before, 0);
-    assert!(masses.iter().all(|m| *m > 0.0));
+    assert!(results.masses.iter().all(|m| *m > 0.0));
 }
 
 #[test]

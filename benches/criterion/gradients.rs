@@ -3,7 +3,7 @@
 
 use cpu_time::ThreadTime;
 use percuss_benches::loaded;
-use percuss_dynamics::{BatchPositions, Conditions, Contact, System};
+use percuss_dynamics::{BatchPositions, Conditions, Contact, RowColumns, RowResults, System};
 use std::fmt::Write;
 use std::hint::black_box;
 
@@ -45,18 +45,18 @@ fn main() {
         let system = System::new(mechanism, &Conditions::new()).expect("a system");
         let contact = Contact::new(tip, [0.3, 0.05, 0.0], [0.2, 0.9, -0.3]);
         let assembly = system.reference().expect("a tree");
-        let batch = assembly.batch(&contact).expect("a contact").derivatives();
-        assert!(batch.has_lanes() && batch.velocities() == hinges);
+        let batch = assembly.batch(&contact).expect("a contact");
+        assert!(batch.has_derivative_lanes() && batch.velocities() == hinges);
         // Irrational steps cover the range of angles evenly.
         let angle = |k: usize, c: usize| {
             2.0 * std::f64::consts::PI * (0.618_034 * (k * hinges + c + 1) as f64).fract()
         };
         let values: Vec<f64> = (0..COUNT).flat_map(|k| (0..hinges).map(move |c| angle(k, c))).collect();
         let positions = BatchPositions::Rows { values: &values, stride: hinges };
-        let [mut masses, mut errors] = [(); 2].map(|()| vec![0.0; COUNT]);
+        let mut results = RowResults::new(COUNT);
         let mut gradients = vec![0.0; COUNT * hinges];
         batch
-            .gradients(positions, None, (&mut masses, &mut errors), &mut gradients, |_, _| {})
+            .run(positions, RowColumns { gradients: Some(&mut gradients), ..results.columns() }, COUNT)
             .expect("rows");
         for k in (0..COUNT).step_by(101) {
             let pose = assembly.pose(
@@ -68,7 +68,7 @@ fn main() {
             );
             let expected = pose.expect("a tree").effective_mass_gradient(&contact).expect("a contact");
             let expected = expected.expect("a finite mass").joints.concat();
-            let size = expected.iter().fold(masses[k], |most, g| g.abs().max(most));
+            let size = expected.iter().fold(results.masses[k], |most, g| g.abs().max(most));
             let off =
                 expected.iter().zip(&gradients[k * hinges..]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(off <= AGREEMENT * size, "{hinges} hinges, row {k}: {off:e}");
@@ -76,15 +76,16 @@ fn main() {
         let (mut alone, mut both) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..RUNS {
             let start = ThreadTime::now();
-            batch
-                .batch()
-                .run_columns(black_box(positions), &mut masses, &mut errors, |_, _| {})
-                .expect("rows");
+            batch.run(black_box(positions), results.columns(), COUNT).expect("rows");
             alone = alone.min(start.elapsed().as_secs_f64());
-            black_box(&masses);
+            black_box(&results);
             let start = ThreadTime::now();
             batch
-                .gradients(black_box(positions), None, (&mut masses, &mut errors), &mut gradients, |_, _| {})
+                .run(
+                    black_box(positions),
+                    RowColumns { gradients: Some(&mut gradients), ..results.columns() },
+                    COUNT,
+                )
                 .expect("rows");
             both = both.min(start.elapsed().as_secs_f64());
             black_box(&gradients);

@@ -1,7 +1,7 @@
 //! Floating robots with held feet, some with more than 40 degrees of freedom: lanes agree with poses within the errors stated by both.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Base, BatchPositions, Conditions, Contact, EffectiveMass, System};
+use percuss_dynamics::{Base, BatchPositions, Conditions, Contact, EffectiveMass, RowResults, System};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
 };
@@ -66,12 +66,11 @@ fn lanes_agree_with_poses() {
         most = most.max(width + 6);
         assert!(batch.has_lanes(), "robot {k} of {width} joints");
         let rows: Vec<f64> = (0..ROWS * width).map(|_| rng.random_range(-1.0..1.0)).collect();
-        let (mut masses, mut errors) = ([0.0; ROWS], [0.0; ROWS]);
-        let mut alone = 0;
         let positions = BatchPositions::Rows { values: &rows, stride: width };
-        batch.run_columns(positions, &mut masses, &mut errors, |_, _| alone += 1).expect("enough numbers");
-        in_lanes += ROWS - alone;
-        for (row, (mass, error)) in rows.chunks(width).zip(masses.iter().zip(&errors)) {
+        let mut results = RowResults::new(ROWS);
+        batch.run(positions, results.columns(), ROWS).expect("enough numbers");
+        in_lanes += results.remarks.iter().filter(|bits| **bits == batch.remarks().bits()).count();
+        for (row, (mass, error)) in rows.chunks(width).zip(results.masses.iter().zip(&results.errors)) {
             let mut configuration = system.configuration();
             for (joint, x) in system.mechanism().joints().iter().zip(row) {
                 configuration.set(joint.name(), &[*x]).expect("a position");

@@ -3,11 +3,12 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    BatchAnswer, BatchPositions, Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Pose,
-    ResponseError, System,
+    BatchPositions, Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Pose, ResponseError,
+    System,
 };
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;
+use percuss_tests::answer::answers;
 use std::sync::Arc;
 
 /// Crank 0.3 m, coupler 1 m, rocker 0.8 m, ground 1 m, closed as drawn with the crank at 0.
@@ -145,13 +146,8 @@ fn turned_lines_are_refused() {
                 positions.extend_from_slice(pose.positions());
                 expected.push(answer.ok());
             }
-            let mut answers = vec![BatchAnswer::NONE; expected.len()];
-            batch
-                .run_here(
-                    BatchPositions::Rows { values: &positions, stride: drawn.positions().len() },
-                    &mut answers,
-                )
-                .expect("as many");
+            let positions = BatchPositions::Rows { values: &positions, stride: drawn.positions().len() };
+            let answers = answers(&batch, positions, expected.len(), usize::MAX).expect("as many");
             for (found, expected) in answers.iter().zip(&expected) {
                 assert_eq!(found.mass.is_some(), expected.is_some(), "{found:?} for {expected:?}");
             }

@@ -3,8 +3,8 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
-    Frame, Pose, RemarkFlags, ResponseError, System,
+    Base, Batch, BatchAnswer, BatchError, BatchPositions, BatchRows, Conditions, Contact, Direction,
+    EffectiveMass, Frame, GivenPositions, Pose, ResponseError, RowColumns, RowResults, System,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
@@ -12,12 +12,11 @@ use percuss_mechanism::{
 use percuss_oracle::zoo;
 use percuss_spatial::lanes::Instructions;
 use percuss_spatial::{Matrix3, Transform, rotation_about};
+use percuss_tests::answer::answers;
 use percuss_tests::judge::UNSTATED;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 const SETS: [Instructions; 3] = [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512];
 
@@ -202,31 +201,15 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             BatchPositions::Rows { values: rows, stride: width },
             BatchPositions::Columns { values: &columns, stride: count },
         ] {
-            let mut answers = vec![BatchAnswer::NONE; count];
-            batch.run(positions, &mut answers).expect("enough");
-            for (a, b) in answers.iter().zip(&expected) {
+            let mut results = RowResults::new(count);
+            one.run(positions, results.columns(), usize::MAX).expect("enough");
+            let in_blocks = answers(&batch, positions, count, 7).expect("enough");
+            for (at, (a, b)) in in_blocks.iter().zip(&expected).enumerate() {
                 assert!(same(a, b), "{name}, {}: {a:?}, alone {b:?}", set.name());
-            }
-            let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
-            let mut others = vec![None; count];
-            one.run_columns(positions, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
-                .expect("enough");
-            for (at, answer) in answers.iter().enumerate() {
-                let lanes = BatchAnswer {
-                    mass: Some(EffectiveMass::Finite(masses[at])),
-                    error: Some(errors[at]),
-                    remarks: RemarkFlags::NONE,
-                };
-                let found = others[at].unwrap_or(lanes);
-                assert!(
-                    same(&found, answer) && found.error == answer.error,
-                    "{name}: {found:?} in columns, {answer:?}"
-                );
-                let in_column = matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m == masses[at]);
-                assert!(
-                    in_column != masses[at].is_nan() && answer.error.is_none() == errors[at].is_nan(),
-                    "{name}"
-                );
+                let found = results.answer(at);
+                assert!(same(&found, a) && found.error == a.error, "{name}: {found:?} at once, {a:?}");
+                let is_finite = matches!(a.mass, Some(EffectiveMass::Finite(_)));
+                assert_eq!(is_finite, results.masses[at].is_finite(), "{name}");
             }
         }
     }
@@ -359,10 +342,10 @@ fn lanes_report_light_links_with_heavy_subtrees() {
 fn every_mechanism_is_answered_as_by_a_workspace() {
     for Subject { name, pose, contact, .. } in of_trees(6, 2, 20).into_iter().chain(of_linkages(40, 6)) {
         let batch = pose.assembly().batch(&contact).expect("a contact that fits");
-        let mut answers = [BatchAnswer::NONE; 3];
         let values = pose.positions().repeat(3);
         let width = pose.positions().len();
-        batch.run(BatchPositions::Rows { values: &values, stride: width }, &mut answers).expect("enough");
+        let rows = BatchPositions::Rows { values: &values, stride: width };
+        let answers = answers(&batch, rows, 3, 2).expect("enough");
         let mut workspace = pose.assembly().workspace();
         workspace.set_positions(pose.positions()).expect("positions");
         let expected = workspace.effective_mass(&contact).ok();
@@ -432,8 +415,7 @@ fn linkages_in_lanes_agree_with_poses() {
                 BatchPositions::Rows { values: &rows, stride: width },
                 BatchPositions::Columns { values: &columns, stride: count },
             ] {
-                let mut answers = vec![BatchAnswer::NONE; count];
-                batch.run(positions, &mut answers).expect("enough");
+                let answers = answers(&batch, positions, count, 4).expect("enough");
                 for (a, b) in answers.iter().zip(&expected) {
                     assert!(same(a, b), "{name}, {}: {a:?}, alone {b:?}", set.name());
                 }
@@ -461,9 +443,8 @@ fn lanes_are_independent() {
     for (k, bad) in [f64::NAN, f64::INFINITY, 1e300, -1e17].into_iter().enumerate() {
         spoilt[6 * (5 + 9 * k) + k] = bad;
     }
-    let mut answers = vec![BatchAnswer::NONE; 64];
-    batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers).expect("enough");
-    for (c, answer) in answers.iter().enumerate() {
+    let spoilt = BatchPositions::Rows { values: &spoilt, stride: 6 };
+    for (c, answer) in answers(&batch, spoilt, 64, 64).expect("enough").iter().enumerate() {
         if c % 9 != 5 || c > 32 {
             assert!(same(answer, &batch.effective_mass(&rows[6 * c..6 * c + 6]).expect("six")), "{c}");
         } else if c <= 14 {
@@ -513,13 +494,12 @@ fn massless_links_beside_the_contact_do_not_matter() {
 }
 
 #[test]
-fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
+fn wrong_shapes_are_errors() {
     let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");
     let link = *system.mechanism().order().last().expect("links");
     let contact = Contact::new(link, [0.0; 3], [0.0, 0.0, 1.0]);
     let batch = system.reference_or_open().batch(&contact).expect("fits");
     let values = vec![0.1; 6 * 5000];
-    let mut answers = vec![BatchAnswer::NONE; 5000];
     for (positions, expected) in [
         (BatchPositions::Rows { values: &values[..29_999], stride: 6 }, "30000"),
         (BatchPositions::Columns { values: &values[..29_999], stride: 5000 }, "30000"),
@@ -527,24 +507,36 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
         (BatchPositions::Columns { values: &values, stride: 4999 }, "at least 5000"),
         (BatchPositions::Rows { values: &values, stride: usize::MAX }, "need"),
     ] {
-        let error = batch.run(positions, &mut answers).expect_err("too few");
+        let error = answers(&batch, positions, 5000, 512).expect_err("too few");
         assert!(error.to_string().contains(expected), "{error}");
     }
-    assert_eq!(batch.run(BatchPositions::Rows { values: &[], stride: 6 }, &mut []), Ok(()));
-    let reported = AtomicUsize::new(0);
-    let watch = |done| {
-        reported.fetch_max(done, Ordering::Relaxed);
-        if done > 1000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let stopped = batch.run_watched(BatchPositions::Rows { values: &values, stride: 6 }, &mut answers, watch);
-    let Err(BatchError::Stopped { done }) = stopped else { panic!("{stopped:?}") };
-    assert_eq!(done, reported.into_inner());
-    assert!((1000..5000).contains(&done), "{done}");
+    assert_eq!(answers(&batch, BatchPositions::Rows { values: &[], stride: 6 }, 0, 1), Ok(Vec::new()));
     // A NaN row has no answer; it differs from an immovable row.
     let mut spoilt = values[..12].to_vec();
     spoilt[9] = f64::NAN;
-    batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers[..2]).expect("enough");
-    assert!(answers[0].error.is_some() && answers[1].mass.is_none(), "{answers:?}");
+    let rows = BatchPositions::Rows { values: &spoilt, stride: 6 };
+    let found = answers(&batch, rows, 2, 2).expect("enough");
+    assert!(found[0].error.is_some() && found[1].mass.is_none(), "{found:?}");
+    // Rows of numbers only; rows that give the fourth position only.
+    let finite_only = BatchRows { finite_only: true, ..rows.into() };
+    let refused = answers(&batch, finite_only, 2, 1).expect_err("a NaN");
+    assert!(
+        matches!(refused, BatchError::NotFinite { configuration: 1, number: 3, value } if value.is_nan())
+    );
+    let fourth = BatchPositions::Columns { values: &[0.1, 0.7], stride: 2 };
+    let given = Some(GivenPositions { indices: &[3], others: &values[..6] });
+    let found = answers(&batch, BatchRows { given, ..fourth.into() }, 2, 1).expect("enough");
+    let mut alone = batch.clone();
+    for (x, found) in [0.1, 0.7].into_iter().zip(&found) {
+        assert!(same(found, &alone.effective_mass(&[0.1, 0.1, 0.1, x, 0.1, 0.1]).expect("six")), "{found:?}");
+    }
+    for given in [
+        GivenPositions { indices: &[6], others: &values[..6] },
+        GivenPositions { indices: &[3], others: &values[..5] },
+    ] {
+        let refused = answers(&batch, BatchRows { given: Some(given), ..fourth.into() }, 2, 2);
+        assert!(matches!(refused, Err(BatchError::GivenPositions { width: 6, .. })), "{refused:?}");
+    }
     let mut workspace = system.reference_or_open().workspace();
     for (row, is_number) in [(&spoilt[..6], true), (&spoilt[6..], false), (&spoilt[..6], true)] {
         workspace.set_positions(row).expect("six");
@@ -555,9 +547,10 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     }
     // Columns of different lengths, and fewer numbers than needed.
     let rows = BatchPositions::Rows { values: &values[..12], stride: 6 };
-    let uneven = batch.run_columns(rows, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
-    assert_eq!(uneven, Err(BatchError::Columns { masses: 2, errors: 3 }));
-    let short = batch.run_columns(rows, &mut [0.0; 3], &mut [0.0; 3], |_, _| {});
+    let mut results = RowResults::new(2);
+    let uneven = RowColumns { errors: &mut [0.0; 3], ..results.columns() };
+    assert_eq!(batch.run(rows, uneven, 2), Err(BatchError::Columns { masses: 2, other: 3 }));
+    let short = answers(&batch, rows, 3, 3);
     assert!(matches!(short, Err(BatchError::Short { needed: 18, got: 12, .. })), "{short:?}");
 }
 

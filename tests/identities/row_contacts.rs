@@ -2,9 +2,11 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    BatchAnswer, BatchContacts, BatchError, BatchPositions, Contact, Direction, EffectiveMass, Frame,
+    BatchAnswer, BatchContacts, BatchError, BatchPositions, BatchRows, Contact, ContactStatus, Direction,
+    EffectiveMass, Frame, RowColumns,
 };
 use percuss_spatial::rotation_about;
+use percuss_tests::answer::answers;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
@@ -49,10 +51,8 @@ fn each_row_equals_a_batch_of_its_contact() {
             BatchPositions::Rows { values: &values, stride: width },
             BatchPositions::Columns { values: &by_columns, stride: COUNT },
         ] {
-            let (mut masses, mut errors) = (vec![0.0; COUNT], vec![0.0; COUNT]);
-            let mut others = vec![None; COUNT];
-            let other = |at: usize, answer| others[at] = Some(answer);
-            batch.run_contacts(positions, contacts, &mut masses, &mut errors, other).expect("enough");
+            let all = BatchRows { contacts: Some(contacts), ..positions.into() };
+            let found = answers(&batch, all, COUNT, 5).expect("enough");
             for row in 0..COUNT {
                 let of = |numbers: &[f64]| {
                     let first = if numbers.len() == 3 { 0 } else { 3 * row };
@@ -62,26 +62,19 @@ fn each_row_equals_a_batch_of_its_contact() {
                 let alone = Contact { point: of(&given[0]), normal, ..contact };
                 let mut alone = workspace.batch(&alone).expect("a contact that fits");
                 let expected = alone.effective_mass(pose.positions()).expect("positions");
-                let lane = BatchAnswer {
-                    mass: Some(EffectiveMass::Finite(masses[row])),
-                    error: Some(errors[row]),
-                    remarks: expected.remarks,
-                };
-                let found = others[row].unwrap_or(lane);
+                let found = found[row];
                 assert_eq!(bits(&found), bits(&expected), "{name}, row {row}");
                 assert_eq!(found.remarks, expected.remarks, "{name}, row {row}");
                 rows += 1;
-                in_lanes += usize::from(others[row].is_none());
+                in_lanes += usize::from(batch.has_lanes() && found.error.is_some());
             }
         }
         // The contact of the batch is as before.
-        let mut answers = [BatchAnswer::NONE; 1];
-        batch
-            .run(BatchPositions::Rows { values: pose.positions(), stride: width }, &mut answers)
-            .expect("enough");
+        let one = BatchPositions::Rows { values: pose.positions(), stride: width };
+        let found = answers(&batch, one, 1, 1).expect("enough");
         let mut fresh = workspace.batch(&contact).expect("a contact that fits");
         let expected = fresh.effective_mass(pose.positions()).expect("positions");
-        assert_eq!(bits(&answers[0]), bits(&expected), "{name}");
+        assert_eq!(bits(&found[0]), bits(&expected), "{name}");
     }
     println!("{rows} rows, {in_lanes} of them in lanes");
     assert!(rows > 16_000 && in_lanes > 6_400, "{rows} rows, {in_lanes} in lanes");
@@ -95,9 +88,9 @@ fn wrong_contacts_are_refused() {
     let batch = pose.assembly().batch(contact).expect("a contact that fits");
     let values = pose.positions().repeat(2);
     let two = BatchPositions::Rows { values: &values, stride: pose.positions().len() };
-    let ask = |positions, points: &[f64], normals: &[f64], count: usize| {
-        let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
-        batch.run_contacts(positions, BatchContacts { points, normals }, &mut masses, &mut errors, |_, _| {})
+    let ask = |positions: BatchPositions<'_>, points: &[f64], normals: &[f64], count: usize| {
+        let contacts = Some(BatchContacts { points, normals });
+        answers(&batch, BatchRows { contacts, ..positions.into() }, count, 1)
     };
     let x = [1.0, 0.0, 0.0];
     assert!(matches!(ask(two, &[0.0; 6], &[1.0; 5], 2), Err(BatchError::ContactCount { normals: 5, .. })));
@@ -136,7 +129,7 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
         let Direction::Along(_, frame) = contact.normal else { continue };
         let frame = [frame, Frame::World, Frame::Link][k % 3];
         let contact = contact.normal(Direction::Along(Vector3::x(), frame));
-        let batch = pose.assembly().batch(&contact).expect("a contact that fits").derivatives();
+        let batch = pose.assembly().batch(&contact).expect("a contact that fits");
         let width = pose.positions().len();
         let values = pose.positions().repeat(COUNT);
         let positions = BatchPositions::Rows { values: &values, stride: width };
@@ -146,18 +139,15 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
         let n = batch.velocities();
         let (mut masses, mut errors) = ([f64::NAN; COUNT], [f64::NAN; COUNT]);
         let (mut gradients, mut inverses) = (vec![0.0; COUNT * n], vec![0.0; COUNT * 36]);
-        batch
-            .inverse_operational_inertias(
-                positions,
-                Some(contacts),
-                (&mut masses, &mut errors),
-                &mut inverses,
-                |_, _| {},
-            )
-            .expect("enough");
-        batch
-            .gradients(positions, Some(contacts), (&mut masses, &mut errors), &mut gradients, |_, _| {})
-            .expect("enough");
+        let columns = RowColumns {
+            masses: &mut masses,
+            errors: &mut errors,
+            statuses: &mut [ContactStatus::Finite; COUNT],
+            remarks: None,
+            gradients: Some(&mut gradients),
+            inverse_inertias: Some(&mut inverses),
+        };
+        batch.run(BatchRows { contacts: Some(contacts), ..positions.into() }, columns, 4).expect("enough");
         for row in 0..COUNT {
             let of = |numbers: &[f64]| Vector3::from_column_slice(&numbers[3 * row..3 * row + 3]);
             let alone =
@@ -170,7 +160,7 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
                     let off = deviation(own, &expected, gradient.effective_mass);
                     assert!(off <= DERIVATIVES, "{name}, row {row}: {off:e}: {own:?}, expected {expected:?}");
                     worst = worst.max(off);
-                    *(if batch.has_lanes() { &mut in_lanes } else { &mut at_poses }) += 1;
+                    *(if batch.has_derivative_lanes() { &mut in_lanes } else { &mut at_poses }) += 1;
                 }
                 _ => assert!(own.iter().all(|x| x.is_nan()), "{name}, row {row}: {own:?}"),
             }
@@ -190,9 +180,16 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
     println!("{in_lanes} rows in lanes, {at_poses} at poses, largest deviation {worst:e}");
     assert!(in_lanes > 500 && at_poses > 500, "{in_lanes} rows in lanes, {at_poses} at poses");
     let batch = zoo_batch();
-    let columns = (&mut [0.0; 2][..], &mut [0.0; 2][..]);
+    let columns = RowColumns {
+        masses: &mut [0.0; 2],
+        errors: &mut [0.0; 2],
+        statuses: &mut [ContactStatus::Finite; 2],
+        remarks: None,
+        gradients: Some(&mut [0.0; 3]),
+        inverse_inertias: None,
+    };
     let positions = BatchPositions::Rows { values: &[0.0; 4], stride: 2 };
-    let refused = batch.gradients(positions, None, columns, &mut [0.0; 3], |_, _| {});
+    let refused = batch.run(positions, columns, 2);
     assert!(
         matches!(refused, Err(BatchError::DerivativeCount { got: 3, configurations: 2, .. })),
         "{refused:?}"
@@ -200,8 +197,8 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
 }
 
 /// Derivatives of a subject of two hinges or more.
-fn zoo_batch() -> percuss_dynamics::BatchDerivatives {
+fn zoo_batch() -> percuss_dynamics::Batch {
     let subjects = of_trees(31, 1, 4);
     let found = subjects.iter().find_map(|s| s.pose.assembly().batch(&s.contact).ok());
-    found.expect("a tree").derivatives()
+    found.expect("a tree")
 }

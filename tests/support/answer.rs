@@ -1,7 +1,8 @@
 //! Results of the library as plain values: the interface to percuss for the family tests.
 
 use percuss_dynamics::{
-    Conditions, Contact, ContactResponse, EffectiveMass, Pose, Remark, RouteChoice, System,
+    Batch, BatchAnswer, BatchError, BatchRows, Conditions, Contact, ContactResponse, EffectiveMass, Pose,
+    Remark, RouteChoice, RowResults, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Vector3;
@@ -160,4 +161,19 @@ impl PosedModel {
         let limits = caught(|| Ok::<_, String>(self.pose.branch_limits(contact)))?;
         Ok((limits.limits, limits.complete))
     }
+}
+
+/// Results of `count` rows, computed in blocks.
+///
+/// # Errors
+/// [`BatchError`] of the batch.
+pub fn answers<'a>(
+    batch: &Batch,
+    rows: impl Into<BatchRows<'a>>,
+    count: usize,
+    block: usize,
+) -> Result<Vec<BatchAnswer>, BatchError> {
+    let mut results = RowResults::new(count);
+    batch.run(rows, results.columns(), block)?;
+    Ok((0..count).map(|row| results.answer(row)).collect())
 }

@@ -24,15 +24,13 @@ pub use analysis::pose::{Pose, PoseRank};
 pub use analysis::response::{ContactResponse, Contributions};
 pub use analysis::rigid_loops::{DepartingAxis, RigidLoops};
 pub use analysis::system::System;
-pub use batch::contact_map::{
-    ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
-};
-pub use batch::derivatives::BatchDerivatives;
+pub use batch::contact_map::{ContactColumns, ContactMap, MapAnswers, MapError, PrincipalMass};
 pub use batch::driven_path::{DrivenPath, PathAnswer};
 pub use batch::error::BatchError;
-pub use batch::row_contacts::BatchContacts;
+pub use batch::row_inputs::{BatchContacts, BatchPositions, BatchRows, GivenPositions};
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
-pub use batch::rows::{Batch, BatchAnswer, BatchPositions};
+pub use batch::row_results::{BatchAnswer, ContactStatus, RowColumns, RowResults};
+pub use batch::rows::Batch;
 pub use batch::workspace::{ResponseAtPose, Workspace, WorkspaceResponse};
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{
     Assembly, AssemblyError, Base, BatchAnswer, BatchPositions, Conditions, Configuration, Contact,
     ContactColumns, ContactStatus, Direction, EffectiveMass, Frame, MapAnswers, MatrixOptions, MatrixView,
-    Pose, Remark, RemarkFlags, ResponseError, System, Travel, effective_mass, input,
+    Pose, Remark, RemarkFlags, ResponseError, RowResults, System, Travel, effective_mass, input,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, LinkId,
@@ -124,28 +124,19 @@ impl Subject {
         if row.len() != self.good.len() {
             return all;
         }
-        let mut answers = [BatchAnswer::NONE];
-        batch.run(BatchPositions::Rows { values: row, stride: row.len() }, &mut answers).expect("a row");
-        all.push(("batch, rows", of(answers[0])));
+        let mut results = RowResults::new(1);
+        let one = BatchPositions::Rows { values: row, stride: row.len() };
+        batch.run(one, results.columns(), 1).expect("a row");
+        all.push(("batch, rows", of(results.answer(0))));
         // Sixteen lanes, one of which breaks the rule; the others must have results.
         let number = |q: usize, c: usize| if c == 5 { row[q] } else { self.good[q] };
         let values: Vec<f64> = (0..row.len()).flat_map(|q| (0..16).map(move |c| number(q, c))).collect();
-        let mut answers = [BatchAnswer::NONE; 16];
+        let mut results = RowResults::new(16);
         batch
-            .run_here(BatchPositions::Columns { values: &values, stride: 16 }, &mut answers)
+            .run(BatchPositions::Columns { values: &values, stride: 16 }, results.columns(), 16)
             .expect("16 rows");
-        assert!(answers.iter().enumerate().all(|(c, a)| c == 5 || a.mass.is_some()), "{answers:?}");
-        all.push(("batch, columns", of(answers[5])));
-        let (mut masses, mut errors, mut other) = ([0.0; 16], [0.0; 16], None);
-        let positions = BatchPositions::Columns { values: &values, stride: 16 };
-        batch
-            .run_columns(positions, &mut masses, &mut errors, |at, answer| {
-                if at == 5 {
-                    other = Some(answer);
-                }
-            })
-            .expect("16 rows");
-        all.push(("batch, columns of masses", other.map_or(Ok(EffectiveMass::Finite(masses[5])), of)));
+        assert!((0..16).all(|c| c == 5 || results.answer(c).mass.is_some()), "{results:?}");
+        all.push(("batch, columns", of(results.answer(5))));
         all
     }
 

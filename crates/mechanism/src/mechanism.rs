@@ -6,6 +6,7 @@ use crate::{
     UnknownName, near_names,
 };
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Spanning tree of links and joints, with loop closures. Immutable, `Send + Sync`; share it by `Arc`.
 #[derive(Debug)]
@@ -127,6 +128,15 @@ impl Mechanism {
     /// Indices of all joints, in the order given.
     pub fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<'_> {
         self.joints.iter().enumerate().map(|(index, joint)| JointId { index: index as u32, mark: joint.mark })
+    }
+
+    /// Indices of the positions of each joint among those of all joints, in the order given.
+    pub fn position_ranges(&self) -> impl Iterator<Item = Range<usize>> + use<'_> {
+        self.joints.iter().scan(0, |next, joint| {
+            let first = *next;
+            *next += joint.kind().positions();
+            Some(first..*next)
+        })
     }
 
     /// Link without parent.

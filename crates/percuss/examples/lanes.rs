@@ -4,7 +4,7 @@
 
 use percuss::spatial::lanes::Instructions;
 use percuss::{
-    BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, LoadOptions, Source, System, load,
+    BatchPositions, Conditions, Contact, EffectiveMass, LoadOptions, RowResults, Source, System, load,
 };
 use std::error::Error;
 use std::hint::black_box;
@@ -53,12 +53,12 @@ fn compare(name: &str, text: &str, link: &str, driver: Option<&str>) -> Result<(
     }
     let width = rows.len() / COUNT;
     let mut batch = pose.assembly().batch(&contact)?;
-    let mut answers = vec![BatchAnswer::NONE; COUNT];
+    let mut results = RowResults::new(COUNT);
     let positions = BatchPositions::Rows { values: &rows, stride: width };
-    batch.run_here(positions, &mut answers)?;
+    batch.run(positions, results.columns(), COUNT)?;
     let mut largest = 0.0_f64;
-    for ((row, answer), expected) in rows.chunks(width).zip(&answers).zip(&expected) {
-        for mass in [answer.mass, batch.effective_mass(row)?.mass] {
+    for (k, (row, expected)) in rows.chunks(width).zip(&expected).enumerate() {
+        for mass in [results.answer(k).mass, batch.effective_mass(row)?.mass] {
             let (Some(EffectiveMass::Finite(m)), EffectiveMass::Finite(expected)) = (mass, expected) else {
                 return Err(format!("{name}: {mass:?} instead of {expected:?}").into());
             };
@@ -70,7 +70,7 @@ fn compare(name: &str, text: &str, link: &str, driver: Option<&str>) -> Result<(
     }
     let one =
         fastest(|| rows.chunks(width).for_each(|row| _ = black_box(batch.effective_mass(black_box(row)))));
-    let lanes = fastest(|| _ = black_box(batch.run_here(black_box(positions), &mut answers)));
+    let lanes = fastest(|| _ = black_box(batch.run(black_box(positions), results.columns(), COUNT)));
     println!(
         "{name}: one by one {one:.0} ns, in lanes {lanes:.0} ns, {:.2} times as fast; largest difference {largest:.1e}",
         one / lanes

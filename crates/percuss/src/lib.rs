@@ -33,16 +33,17 @@ pub use nalgebra;
 pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
-    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchDerivatives,
-    BatchError, BatchPositions, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
+    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,
+    BatchPositions, BatchRows, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
     ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact,
     ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions,
     DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
-    InverseOperationalInertia, LayoutError, LocatedContact, LoopState, LowestPoint, MapAnswers, MapError,
-    MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
-    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseAtPose, ResponseError,
-    RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError,
-    System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
+    GivenPositions, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, LowestPoint,
+    MapAnswers, MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
+    PathAnswer, PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags,
+    ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowColumns,
+    RowHandler, RowPath, RowResults, Singularity, StateSizeError, System, Travel, TravelError, Workspace,
+    WorkspaceResponse, effective_mass, input, interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

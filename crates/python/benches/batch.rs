@@ -4,10 +4,12 @@
 //!     batch MODEL.urdf LINK X,Y,Z NX,NY,NZ FILE
 
 use cpu_time::ProcessTime;
-use percuss::{BatchAnswer, BatchPositions, Conditions, Contact, LoadOptions, Source, System, load};
+use percuss::{BatchPositions, Conditions, Contact, LoadOptions, RowResults, Source, System, load};
 use std::hint::black_box;
 
 const REPETITIONS: usize = 5;
+/// Configurations per task of a thread.
+const BLOCK: usize = 512;
 
 fn triple(text: &str) -> [f64; 3] {
     let numbers: Vec<f64> = text.split(',').map(|x| x.parse().expect("a number")).collect();
@@ -30,15 +32,15 @@ fn main() {
     let count = values.len() / width;
     let system = System::new(mechanism, &Conditions::new()).expect("a system");
     let batch = system.reference().expect("closed loops").batch(&contact).expect("a contact");
-    let ask = |answers: &mut [BatchAnswer]| {
+    let ask = |results: &mut RowResults| {
         let positions = BatchPositions::Rows { values: black_box(&values), stride: width };
-        batch.run(positions, answers).expect("answers");
+        batch.run(positions, results.columns(), BLOCK).expect("answers");
     };
-    let mut kept = vec![BatchAnswer::NONE; count];
+    let mut kept = RowResults::new(count);
     let [mut of_new, mut of_kept] = [f64::INFINITY; 2];
     for _ in 0..REPETITIONS {
         let start = ProcessTime::now();
-        let mut answers = vec![BatchAnswer::NONE; count];
+        let mut answers = RowResults::new(count);
         ask(&mut answers);
         of_new = of_new.min(start.elapsed().as_secs_f64());
         black_box(answers);

@@ -1,9 +1,6 @@
 //! Batches: one contact at many configurations, with SIMD lanes and threads.
 
-use crate::boundary::arrays::{
-    ByteRange, expect_length, input_slice, nan_if_unknown, optional_output_slice, output_slice,
-    refuse_overlaps,
-};
+use crate::boundary::arrays::{ByteRange, input_slice, optional_output_slice, output_slice, refuse_overlaps};
 use crate::boundary::handle::{
     Handle, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
@@ -11,13 +8,11 @@ use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
     PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guard_call, percuss_status,
 };
-use crate::evaluation::contact::{
-    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_and_value, percuss_contact, percuss_outcome,
-};
+use crate::evaluation::contact::{percuss_contact, percuss_outcome};
 use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::evaluation::workspace::percuss_workspace;
 use crate::setup::system::percuss_assembly;
-use percuss::{Batch, BatchAnswer, BatchDerivatives, BatchError, BatchPositions};
+use percuss::{Batch, BatchError, BatchPositions, BatchRows, RowColumns};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
 
@@ -28,7 +23,7 @@ pub struct percuss_batch {
 
 /// Batch with its thread pool and the id of the process that started the pool; `None` without a pool.
 pub(crate) struct ThreadedBatch {
-    pub batch: BatchDerivatives,
+    pub batch: Batch,
     positions: usize,
     pool: Option<(u32, ThreadPool)>,
 }
@@ -41,6 +36,8 @@ impl Handle for percuss_batch {
 
 /// Number of configurations between two calls of the watch function: some milliseconds for a small mechanism.
 const PORTION: usize = 1 << 14;
+/// Configurations per task of a thread.
+const TASK: usize = 256;
 /// Limit of the number of threads.
 const MAX_THREADS: usize = 1024;
 
@@ -111,7 +108,7 @@ impl ThreadedBatch {
                 Some((std::process::id(), pool.map_err(Failure::with_status(PERCUSS_ERROR_INTERNAL))?))
             }
         };
-        Ok(Self { batch: batch.derivatives(), positions, pool })
+        Ok(Self { batch, positions, pool })
     }
 }
 
@@ -167,37 +164,27 @@ pub unsafe extern "C" fn percuss_batch_run(
         ];
         refuse_overlaps(&written, &[ByteRange::of_array(positions, length, "positions")])?;
         let values = input_slice(positions, length, "positions")?;
-        let outcomes = output_slice(outcomes, count, "outcomes")?;
-        let masses = output_slice(effective_masses, count, "effective_masses")?;
-        let mut errors = optional_output_slice(errors, count, "errors")?;
-        let mut remarks = optional_output_slice(remarks, count, "remarks")?;
-        threaded.check_layout(length, layout, stride, count)?;
-        let pool = threaded.thread_pool()?;
-        fill_without_answer(outcomes, [Some(&mut *masses), errors.as_deref_mut()]);
-        if let Some(remarks) = &mut remarks {
-            remarks.fill(0);
-        }
-        let mut answers = vec![BatchAnswer::NONE; count.min(PORTION)];
+        let mut unread = Vec::new();
+        let errors = optional_output_slice(errors, count, "errors")?;
+        let mut columns = RowColumns {
+            statuses: output_slice(outcomes, count, "outcomes")?,
+            masses: output_slice(effective_masses, count, "effective_masses")?,
+            errors: errors.unwrap_or_else(|| {
+                unread.resize(count, f64::NAN);
+                &mut unread
+            }),
+            remarks: optional_output_slice(remarks, count, "remarks")?,
+            gradients: None,
+            inverse_inertias: None,
+        };
+        let rows = BatchRows::from(threaded.positions(values, layout, stride, count)?);
+        threaded.thread_pool()?;
+        columns.clear();
         let mut done = 0;
         while done < count {
-            let portion = (count - done).min(PORTION);
-            let answers = &mut answers[..portion];
-            let part = positions_from(values, layout, stride, done);
-            let run = match pool {
-                None => threaded.batch.batch().run_here(part, answers),
-                Some(pool) => pool.install(|| threaded.batch.batch().run(part, answers)),
-            };
-            run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
-            for (at, answer) in (done..).zip(&*answers) {
-                (outcomes[at], masses[at]) = outcome_of(answer);
-                if let Some(errors) = &mut errors {
-                    errors[at] = nan_if_unknown(answer.error);
-                }
-                if let Some(remarks) = &mut remarks {
-                    remarks[at] = answer.remarks.bits();
-                }
-            }
-            done += portion;
+            let portion = done..count.min(done + PORTION);
+            done = portion.end;
+            threaded.run(rows.part(portion.clone()), columns.part(portion))?;
             let Some(watch) = watch else { continue };
             // SAFETY: the caller promises that `watch` may be called with `user`.
             if unsafe { watch(done, user) } != 0 && done < count {
@@ -209,37 +196,9 @@ pub unsafe extern "C" fn percuss_batch_run(
     })
 }
 
-/// Sets every outcome to `PERCUSS_NO_ANSWER` and every number to NaN.
-pub(crate) fn fill_without_answer<const N: usize>(
-    outcomes: &mut [percuss_outcome],
-    numbers: [Option<&mut [f64]>; N],
-) {
-    outcomes.fill(PERCUSS_NO_ANSWER);
-    numbers.into_iter().flatten().for_each(|numbers| numbers.fill(f64::NAN));
-}
-
-/// Configurations from `first` on, in a layout that [`ThreadedBatch::check_layout`] accepts.
-pub(crate) fn positions_from(
-    values: &[f64],
-    layout: percuss_layout,
-    stride: usize,
-    first: usize,
-) -> BatchPositions<'_> {
-    match layout {
-        PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[first * stride..], stride },
-        _ => BatchPositions::Columns { values: &values[first..], stride },
-    }
-}
-
-/// Outcome of a configuration and its m̄, kg; NaN unless finite.
-pub(crate) fn outcome_of(answer: &BatchAnswer) -> (percuss_outcome, f64) {
-    let (outcome, mass) = answer.mass.map_or((PERCUSS_NO_ANSWER, f64::NAN), outcome_and_value);
-    (if answer.is_massless_to_rounding() { PERCUSS_MASSLESS_TO_ROUNDING } else { outcome }, mass)
-}
-
 impl ThreadedBatch {
     /// Thread pool; `None` for the calling thread. A forked process has none of its parent's threads and would wait forever.
-    pub fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
+    fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
             return Ok(Some(pool));
@@ -249,39 +208,37 @@ impl ThreadedBatch {
         Err(Failure::new(PERCUSS_ERROR_HANDLE, message))
     }
 
-    /// Refuses a `length` that is too small for the configurations, and an unknown layout.
-    pub fn check_layout(
+    /// Positions of `count` configurations. Refuses too few values, and an unknown layout.
+    pub fn positions<'a>(
         &self,
-        length: usize,
-        layout: i32,
+        values: &'a [f64],
+        layout: percuss_layout,
         stride: usize,
         count: usize,
-    ) -> Result<(), Failure> {
-        let (outer, inner) = match layout {
-            PERCUSS_ROW_MAJOR => (count, self.positions),
-            PERCUSS_COLUMN_MAJOR => (self.positions, count),
+    ) -> Result<BatchPositions<'a>, Failure> {
+        let positions = match layout {
+            PERCUSS_ROW_MAJOR => BatchPositions::Rows { values, stride },
+            PERCUSS_COLUMN_MAJOR => BatchPositions::Columns { values, stride },
             _ => {
                 let message =
                     format_args!("layout is {layout}; expected PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR");
                 return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
             }
         };
-        if stride < inner {
-            let message = format_args!("the stride is {stride}; expected at least {inner}");
-            return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
-        }
-        let needed = match outer {
-            0 => Some(0),
-            _ => (outer - 1).checked_mul(stride).and_then(|before| before.checked_add(inner)),
+        let checked = positions.check(self.positions, count);
+        checked.map_err(Failure::with_status(PERCUSS_ERROR_LENGTH))?;
+        Ok(positions)
+    }
+
+    /// Computes rows on the threads of the batch.
+    pub fn run(&self, rows: BatchRows<'_>, columns: RowColumns<'_, percuss_outcome>) -> Result<(), Failure> {
+        let done = match self.thread_pool()? {
+            None => self.batch.run(rows, columns, usize::MAX),
+            Some(pool) => pool.install(|| self.batch.run(rows, columns, TASK)),
         };
-        if needed.is_some_and(|needed| needed <= length) {
-            return Ok(());
-        }
-        let positions = self.positions;
-        expect_length(
-            length,
-            needed.unwrap_or(usize::MAX),
-            &format!("positions ({count} configurations of {positions}, {stride} apart)"),
-        )
+        done.map_err(|error| {
+            let is_contact = matches!(error, BatchError::Contact { .. } | BatchError::NormalAlongLine);
+            Failure::new(if is_contact { PERCUSS_ERROR_CONTACT } else { PERCUSS_ERROR_LENGTH }, error)
+        })
     }
 }

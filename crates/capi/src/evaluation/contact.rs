@@ -8,8 +8,8 @@ use crate::boundary::status::{
 use crate::setup::model::{Model, percuss_model};
 use percuss::nalgebra::Vector3;
 use percuss::{
-    Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,
-    Route, RouteChoice,
+    Contact, ContactResponse, ContactStatus, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark,
+    RemarkFlags, Route, RouteChoice,
 };
 use std::ffi::c_char;
 
@@ -190,6 +190,15 @@ pub const PERCUSS_MASSLESS: percuss_outcome = 2;
 pub const PERCUSS_NO_ANSWER: percuss_outcome = 3;
 /// In batches: massless to rounding only; the error is the largest possible m̄ of the contact, kg.
 pub const PERCUSS_MASSLESS_TO_ROUNDING: percuss_outcome = 4;
+
+const _: () = assert!(
+    PERCUSS_FINITE == ContactStatus::Finite as i32
+        && PERCUSS_IMMOVABLE == ContactStatus::Immovable as i32
+        && PERCUSS_MASSLESS == ContactStatus::Massless as i32
+        && PERCUSS_NO_ANSWER == ContactStatus::Unanswered as i32
+        && PERCUSS_MASSLESS_TO_ROUNDING == ContactStatus::MasslessToRounding as i32,
+    "the numbers of the outcomes are those of ContactStatus"
+);
 
 /// Method of computing m̄.
 pub type percuss_route = i32;

@@ -7,12 +7,9 @@ use crate::boundary::handle::{argument_mut, object_of};
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, guard_call, percuss_status,
 };
-use crate::evaluation::contact::{
-    PERCUSS_FINITE, PERCUSS_GROUND, PERCUSS_IMMOVABLE, PERCUSS_MASSLESS, PERCUSS_NO_ANSWER, percuss_outcome,
-};
+use crate::evaluation::contact::{PERCUSS_GROUND, percuss_outcome};
 use crate::evaluation::pose::percuss_pose;
-use percuss::nalgebra::Vector3;
-use percuss::{ContactColumns, ContactStatus, MapAnswers, RemarkFlags};
+use percuss::RemarkFlags;
 
 /// State of a pose.
 #[repr(C)]
@@ -133,44 +130,13 @@ pub unsafe extern "C" fn percuss_pose_contact_map(
         let outcomes = output_slice(outcomes, count, "outcomes")?;
         let masses = output_slice(effective_masses, count, "effective_masses")?;
         let errors = optional_output_slice(errors, count, "errors")?;
-        let column = |values: &[f64], axis: usize| -> Vec<f64> {
-            values.iter().skip(axis).step_by(3).copied().collect()
-        };
-        let [points, normals] = [points, normals].map(|values| [0, 1, 2].map(|axis| column(values, axis)));
-        // Φ refers to the middle of a box around the points.
-        let bounds = points.each_ref().map(|values| {
-            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            (least, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-        });
-        if count == 0 {
-            return Ok(());
-        }
-        let centre = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis].0 + bounds[axis].1));
-        let reach = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis].1 - bounds[axis].0)).norm();
-        let map = posed.pose.contact_map(link, against, centre, reach);
-        let map = map.map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?;
-        let (mut relative, mut statuses) = (vec![0.0; count], vec![ContactStatus::Finite; count]);
-        let mut answers = MapAnswers { masses, errors: &mut relative, statuses: &mut statuses };
-        let contacts = ContactColumns {
-            points: points.each_ref().map(Vec::as_slice),
-            normals: normals.each_ref().map(Vec::as_slice),
-        };
-        map.fill_answers(contacts, &mut answers).map_err(Failure::with_status(PERCUSS_ERROR_LENGTH))?;
-        for ((outcome, mass), status) in outcomes.iter_mut().zip(&mut *masses).zip(&statuses) {
-            *outcome = match status {
-                ContactStatus::Finite => PERCUSS_FINITE,
-                ContactStatus::Immovable => PERCUSS_IMMOVABLE,
-                ContactStatus::Massless => PERCUSS_MASSLESS,
-                ContactStatus::Unanswered => PERCUSS_NO_ANSWER,
-            };
-            if *status != ContactStatus::Finite {
-                *mass = f64::NAN;
-            }
-        }
+        let (points, normals) = (points.as_chunks().0, normals.as_chunks().0);
+        let found = posed.pose.contact_masses(link, against, points, normals);
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?;
+        outcomes.iter_mut().zip(found.statuses).for_each(|(to, status)| *to = status.into());
+        masses.copy_from_slice(&found.masses);
         if let Some(errors) = errors {
-            for ((error, relative), mass) in errors.iter_mut().zip(&relative).zip(&*masses) {
-                *error = relative * mass;
-            }
+            errors.copy_from_slice(&found.errors);
         }
         Ok(())
     })

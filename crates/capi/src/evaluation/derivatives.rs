@@ -6,20 +6,15 @@ use crate::boundary::arrays::{
 };
 use crate::boundary::handle::{object_of, read_argument};
 use crate::boundary::status::{
-    Failure, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NAME, guard_call, percuss_status,
+    Failure, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_NAME, guard_call, percuss_status,
 };
-use crate::evaluation::batch::{
-    ThreadedBatch, fill_without_answer, outcome_of, percuss_batch, positions_from,
-};
+use crate::evaluation::batch::percuss_batch;
 use crate::evaluation::contact::{outcome_and_value, percuss_contact, percuss_outcome};
 use crate::evaluation::pose::{percuss_layout, percuss_pose};
-use percuss::{BatchAnswer, BatchContacts, BatchError, BatchPositions, EffectiveMass};
-use rayon::prelude::*;
+use percuss::{BatchContacts, BatchRows, EffectiveMass, RowColumns};
 
 /// Numbers of a 6×6 matrix.
 const MATRIX: usize = 36;
-/// Configurations per task of a thread.
-const TASK: usize = 256;
 
 /// Frame of a link in the world: rotation (9 numbers, row by row) and origin (3 numbers, m).
 ///
@@ -122,19 +117,6 @@ pub unsafe extern "C" fn percuss_pose_inverse_inertia(
     })
 }
 
-/// Arrays of one task: outcomes, masses, errors, gradients, inverse inertias.
-type Task<'a> =
-    (&'a mut [percuss_outcome], &'a mut [f64], &'a mut [f64], Option<&'a mut [f64]>, Option<&'a mut [f64]>);
-
-/// Chunks of an optional matrix with `width` numbers per configuration.
-fn chunks(values: Option<&mut [f64]>, width: usize, tasks: usize) -> Vec<Option<&mut [f64]>> {
-    match values {
-        Some(values) if width > 0 => values.chunks_mut(TASK * width).map(Some).collect(),
-        Some(_) => (0..tasks).map(|_| Some(&mut [][..])).collect(),
-        None => (0..tasks).map(|_| None).collect(),
-    }
-}
-
 /// m̄ at count configurations, with a contact point and normal for each, its gradient and Φ.
 ///
 /// positions, length, layout, stride, count, outcomes, effective_masses: as percuss_batch_run. points (m, in the frame of the contact
@@ -185,93 +167,27 @@ pub unsafe extern "C" fn percuss_batch_derivatives(
         let values = input_slice(positions, length, "positions")?;
         let contacts = match points.is_null() && normals.is_null() {
             true => None,
-            false => Some([
-                input_slice(points, point_numbers, "points")?,
-                input_slice(normals, normal_numbers, "normals")?,
-            ]),
+            false => Some(BatchContacts {
+                points: input_slice(points, point_numbers, "points")?,
+                normals: input_slice(normals, normal_numbers, "normals")?,
+            }),
         };
-        if let Some([points, normals]) = contacts {
-            for (name, numbers) in [("points", points), ("normals", normals)] {
-                let wanted = count.saturating_mul(3);
-                if numbers.len() != 3 && numbers.len() != wanted {
-                    return expect_length(numbers.len(), wanted, name);
-                }
+        for (name, got) in contacts.iter().flat_map(|c| [("points", c.points), ("normals", c.normals)]) {
+            let wanted = count.saturating_mul(3);
+            if got.len() != 3 && got.len() != wanted {
+                return expect_length(got.len(), wanted, name);
             }
         }
-        let outcomes = output_slice(outcomes, count, "outcomes")?;
-        let masses = output_slice(effective_masses, count, "effective_masses")?;
-        let errors = output_slice(errors, count, "errors")?;
-        let mut gradients = optional_output_slice(gradients, gradient_numbers, "gradients")?;
-        let mut inverses = optional_output_slice(inverse_inertias, inertia_numbers, "inverse_inertias")?;
-        threaded.check_layout(length, layout, stride, count)?;
-        let pool = threaded.thread_pool()?;
-        let numbers =
-            [Some(&mut *masses), Some(&mut *errors), gradients.as_deref_mut(), inverses.as_deref_mut()];
-        fill_without_answer(outcomes, numbers);
-        let tasks = count.div_ceil(TASK);
-        let work: Vec<Task<'_>> = outcomes
-            .chunks_mut(TASK)
-            .zip(masses.chunks_mut(TASK))
-            .zip(errors.chunks_mut(TASK))
-            .zip(chunks(gradients, width, tasks).into_iter().zip(chunks(inverses, MATRIX, tasks)))
-            .map(|(((outcomes, masses), errors), (gradients, inverses))| {
-                (outcomes, masses, errors, gradients, inverses)
-            })
-            .collect();
-        let one = |(number, task): (usize, Task<'_>)| {
-            let first = number * TASK;
-            let positions = positions_from(values, layout, stride, first);
-            let contacts = contacts.map(|all| {
-                let [points, normals] = all.map(|numbers| match numbers.len() {
-                    3 => numbers,
-                    _ => &numbers[3 * first..3 * (first + task.0.len())],
-                });
-                BatchContacts { points, normals }
-            });
-            run_task(threaded, positions, contacts, first, task)
+        let mut columns = RowColumns {
+            statuses: output_slice(outcomes, count, "outcomes")?,
+            masses: output_slice(effective_masses, count, "effective_masses")?,
+            errors: output_slice(errors, count, "errors")?,
+            remarks: None,
+            gradients: optional_output_slice(gradients, gradient_numbers, "gradients")?,
+            inverse_inertias: optional_output_slice(inverse_inertias, inertia_numbers, "inverse_inertias")?,
         };
-        let done = match pool {
-            None => work.into_iter().enumerate().try_for_each(one),
-            Some(pool) => pool.install(|| work.into_par_iter().enumerate().try_for_each(one)),
-        };
-        done.map_err(|error| match error {
-            BatchError::Contact { .. } | BatchError::NormalAlongLine => {
-                Failure::new(PERCUSS_ERROR_CONTACT, error)
-            }
-            other => Failure::new(PERCUSS_ERROR_LENGTH, other),
-        })
-    })
-}
-
-/// Computes the configurations from `first` on.
-fn run_task(
-    threaded: &ThreadedBatch,
-    positions: BatchPositions<'_>,
-    contacts: Option<BatchContacts<'_>>,
-    first: usize,
-    (outcomes, masses, errors, gradients, inverses): Task<'_>,
-) -> Result<(), BatchError> {
-    let (finite, _) = outcome_and_value(EffectiveMass::Finite(1.0));
-    outcomes.fill(finite);
-    let mut other = |at: usize, answer: BatchAnswer| outcomes[at] = outcome_of(&answer).0;
-    let mut done = Ok(());
-    if let Some(to) = gradients {
-        done = threaded.batch.gradients(positions, contacts, (masses, errors), to, &mut other);
-    } else if inverses.is_none() {
-        let batch = threaded.batch.batch();
-        done = match contacts {
-            None => batch.run_columns(positions, masses, errors, &mut other),
-            Some(contacts) => batch.run_contacts(positions, contacts, masses, errors, &mut other),
-        };
-    }
-    if let (Some(to), Ok(())) = (inverses, &done) {
-        let columns = (masses, errors);
-        done = threaded.batch.inverse_operational_inertias(positions, contacts, columns, to, &mut other);
-    }
-    done.map_err(|error| match error {
-        BatchError::Contact { configuration, error } => {
-            BatchError::Contact { configuration: first + configuration, error }
-        }
-        other => other,
+        let positions = threaded.positions(values, layout, stride, count)?;
+        columns.clear();
+        threaded.run(BatchRows { contacts, ..positions.into() }, columns)
     })
 }

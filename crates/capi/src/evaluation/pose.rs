@@ -14,7 +14,7 @@ use crate::setup::configuration::percuss_configuration;
 use crate::setup::model::Model;
 use crate::setup::system::{percuss_assembly, percuss_system};
 use percuss::nalgebra::DMatrix;
-use percuss::{ContactResponse, Pose};
+use percuss::{AssemblyError, Configuration, ContactResponse, Pose};
 use std::sync::Arc;
 
 /// A mechanism at one configuration with closed loops. Immutable, so that threads can share it.
@@ -41,6 +41,19 @@ pub const PERCUSS_ROW_MAJOR: percuss_layout = 0;
 /// Column by column, as in Fortran and BLAS: entry (r, c) at c · leading_dimension + r.
 pub const PERCUSS_COLUMN_MAJOR: percuss_layout = 1;
 
+/// Writes a handle of the pose that `find` gives for a configuration of the model.
+fn write_pose(
+    model: &Arc<Model>,
+    configuration: *const percuss_configuration,
+    pose: *mut *mut percuss_pose,
+    find: impl FnOnce(&Configuration) -> Result<Pose, AssemblyError>,
+) -> Result<(), Failure> {
+    let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
+    configuration.check_model(model)?;
+    let found = find(&configuration.values).map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
+    write_handle(NamedPose { model: Arc::clone(model), pose: found }, pose)
+}
+
 /// The pose at a configuration: set joints drive, other joints of the loops follow. The pose belongs to the assembly
 /// found from all joints at 0 or, if no loop closes from there, to the assembly found from the configuration's guesses.
 /// Free it with percuss_pose_free.
@@ -59,11 +72,7 @@ pub unsafe extern "C" fn percuss_pose_new(
     guard_call(|| {
         clear_handle(pose)?;
         let compiled = object_of(system)?;
-        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check_model(&compiled.model)?;
-        let found = compiled.system.pose(&configuration.values);
-        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
-        write_handle(NamedPose { model: Arc::clone(&compiled.model), pose: found }, pose)
+        write_pose(&compiled.model, configuration, pose, |values| compiled.system.pose(values))
     })
 }
 
@@ -80,11 +89,7 @@ pub unsafe extern "C" fn percuss_assembly_pose(
     guard_call(|| {
         clear_handle(pose)?;
         let assembled = object_of(assembly)?;
-        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check_model(&assembled.model)?;
-        let found = assembled.assembly.pose(&configuration.values);
-        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
-        write_handle(NamedPose { model: Arc::clone(&assembled.model), pose: found }, pose)
+        write_pose(&assembled.model, configuration, pose, |values| assembled.assembly.pose(values))
     })
 }
 
@@ -101,12 +106,10 @@ pub unsafe extern "C" fn percuss_pose_follow(
 ) -> percuss_status {
     guard_call(|| {
         clear_handle(pose)?;
-        let posed = object_of(from)?;
-        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check_model(&posed.model)?;
-        let found = posed.pose.assembly().pose_from(&posed.pose, &configuration.values);
-        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
-        write_handle(NamedPose { model: Arc::clone(&posed.model), pose: found }, pose)
+        let from = &object_of(from)?;
+        write_pose(&from.model, configuration, pose, |values| {
+            from.pose.assembly().pose_from(&from.pose, values)
+        })
     })
 }
 

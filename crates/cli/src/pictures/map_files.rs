@@ -189,12 +189,7 @@ pub fn skin(answer: &MapAnswer) -> Skin {
                 ContactStatus::Massless => Some(0.0),
                 _ => skin.mass(i),
             },
-            status: match skin.statuses[i] {
-                ContactStatus::Finite => 0,
-                ContactStatus::Immovable => 1,
-                ContactStatus::Massless => 2,
-                ContactStatus::Unanswered => 3,
-            },
+            status: skin.statuses[i].into(),
         };
         SkinPiece { name: skin.link.clone(), facets: skin.facets.iter().enumerate().map(facet).collect() }
     });

@@ -22,9 +22,10 @@ use self::kernel::{Constants, Evaluate};
 pub use self::scale::PrincipalMass;
 use self::scale::{FreeWrenches, InertiaFactor};
 use crate::analysis::pose::Pose;
-use crate::batch::rows::BatchAnswer;
+use crate::batch::row_results::{BatchAnswer, ContactStatus, RowResults};
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::EffectiveMass;
+use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::recursion::{Pivoting, Recursion};
 use crate::tolerances::{MAP_FREE_CLEAR, MAP_PORTION, MAP_STILL, MAP_TRUSTED_ERROR, MASSLESS_CLOSING};
@@ -32,21 +33,6 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
 use percuss_spatial::lanes::Instructions;
-
-/// Status of a contact of a map.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ContactStatus {
-    /// m̄ is finite.
-    #[default]
-    Finite,
-    /// No admissible motion closes the gap.
-    Immovable,
-    /// A motion without mass closes the gap: m̄ = 0.
-    Massless,
-    /// No result: the contact is invalid (no normal, a number that is not finite), or [`Pose::respond`] returns an
-    /// error.
-    Unanswered,
-}
 
 /// Output columns of a map, as long as the columns of the contacts.
 #[derive(Debug)]
@@ -71,6 +57,9 @@ pub enum MapError {
         /// Length of the first column.
         expected: usize,
     },
+    /// Invalid links, or numbers that are not finite.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
 }
 
 /// Φ of a link, or of a pair of links, at a pose, ready for many contacts.
@@ -125,6 +114,64 @@ impl Pose {
         };
         map.compute_inertia();
         Ok(map)
+    }
+
+    /// m̄ of many contacts of a link: points (m) and normals (any nonzero length) in its frame. Φ refers to the middle of a box around
+    /// the points; the error bounds hold in this box. The remarks are those of the pose.
+    ///
+    /// # Errors
+    /// [`MapError`]: as for [`contact_map`](Self::contact_map); as many normals as points are expected.
+    pub fn contact_masses(
+        &self,
+        link: LinkId,
+        against: Option<LinkId>,
+        points: &[[f64; 3]],
+        normals: &[[f64; 3]],
+    ) -> Result<RowResults, MapError> {
+        if points.len() != normals.len() {
+            return Err(MapError::Lengths { got: normals.len(), expected: points.len() });
+        }
+        let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        for point in points {
+            for ([least, most], x) in bounds.iter_mut().zip(point) {
+                (*least, *most) = (least.min(*x), most.max(*x));
+            }
+        }
+        if points.is_empty() {
+            bounds = [[0.0; 2]; 3];
+        }
+        let centre = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][0] + bounds[axis][1]));
+        let reach = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][1] - bounds[axis][0])).norm();
+        let map = self.contact_map(link, against, centre, reach)?;
+        let mut results = RowResults::new(points.len());
+        results.remarks.fill(self.remarks().iter().collect::<RemarkFlags>().bits());
+        for start in (0..points.len()).step_by(MAP_PORTION) {
+            let rows = start..points.len().min(start + MAP_PORTION);
+            let columns = |values: &[[f64; 3]]| {
+                [0, 1, 2].map(|axis| values[rows.clone()].iter().map(|v| v[axis]).collect::<Vec<f64>>())
+            };
+            let (points, normals) = (columns(points), columns(normals));
+            let contacts = ContactColumns {
+                points: points.each_ref().map(Vec::as_slice),
+                normals: normals.each_ref().map(Vec::as_slice),
+            };
+            let mut answers = MapAnswers {
+                masses: &mut results.masses[rows.clone()],
+                errors: &mut results.errors[rows.clone()],
+                statuses: &mut results.statuses[rows.clone()],
+            };
+            map.fill_answers(contacts, &mut answers)?;
+        }
+        for ((mass, error), status) in
+            results.masses.iter_mut().zip(&mut results.errors).zip(&results.statuses)
+        {
+            // Errors of a map are relative.
+            *error *= *mass;
+            if *status != ContactStatus::Finite {
+                (*mass, *error) = (f64::NAN, f64::NAN);
+            }
+        }
+        Ok(results)
     }
 }
 
@@ -191,7 +238,7 @@ impl ContactMap<'_> {
         let mass = match status[0] {
             ContactStatus::Finite => Some(EffectiveMass::Finite(mass[0])),
             ContactStatus::Immovable => Some(EffectiveMass::Immovable),
-            ContactStatus::Massless => Some(EffectiveMass::Massless),
+            ContactStatus::Massless | ContactStatus::MasslessToRounding => Some(EffectiveMass::Massless),
             ContactStatus::Unanswered => None,
         };
         let error = Some(error[0]).filter(|e| e.is_finite());

@@ -30,13 +30,13 @@ pub enum BatchError {
         /// The smallest valid stride.
         least: usize,
     },
-    /// The output columns have different lengths.
-    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
+    /// The columns of the results have different lengths.
+    #[error("columns of {masses} masses and {other} other results; expected columns of one length")]
     Columns {
         /// Length of the column of masses.
         masses: usize,
-        /// Length of the column of errors.
-        errors: usize,
+        /// Length of another column.
+        other: usize,
     },
     /// Wrong number of gradients or inverse inertias.
     #[error(
@@ -77,10 +77,42 @@ pub enum BatchError {
          fixed normal"
     )]
     NormalAlongLine,
-    /// The caller stopped the run.
-    #[error("stopped after {done} configurations")]
-    Stopped {
-        /// Number of finished configurations.
-        done: usize,
+    /// A number that is not finite.
+    #[error("configuration {configuration}: number {number} is {value}; expected finite numbers")]
+    NotFinite {
+        /// Index of the configuration.
+        configuration: usize,
+        /// Index of the number in the configuration.
+        number: usize,
+        /// The number.
+        value: f64,
     },
+    /// Given positions of another mechanism.
+    #[error(
+        "{got} positions of all joints are given, and position {largest} is set; expected {width} positions"
+    )]
+    GivenPositions {
+        /// Number of positions of all joints, as given.
+        got: usize,
+        /// Largest index that a row gives.
+        largest: usize,
+        /// Number of positions of the mechanism.
+        width: usize,
+    },
+}
+
+impl BatchError {
+    /// The error with the index of its configuration among all rows; `first`: index of the first row of the run.
+    #[must_use]
+    pub fn in_rows_from(self, first: usize) -> Self {
+        match self {
+            Self::Contact { configuration, error } => {
+                Self::Contact { configuration: first + configuration, error }
+            }
+            Self::NotFinite { configuration, number, value } => {
+                Self::NotFinite { configuration: first + configuration, number, value }
+            }
+            other => other,
+        }
+    }
 }

@@ -6,87 +6,37 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
+use crate::batch::derivatives::{BatchDerivatives, velocity_count};
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
-use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
+use crate::batch::row_inputs::{BLOCK, BatchPositions, BatchRows, RowBlock};
 use crate::batch::row_remarks::{PositionLimits, RowGap};
+use crate::batch::row_results::{BatchAnswer, ContactStatus, RowColumns};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::Contact;
-use crate::kinematics::outcome::{EffectiveMass, ResponseError};
+use crate::kinematics::outcome::ResponseError;
 use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_kernel::derivatives::{Derivative, INERTIA_NUMBERS};
 use percuss_kernel::{Aligned, CertifiedMass, Kernel, LaneContacts, MassColumns, PositionColumns};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
-use rayon::prelude::*;
-use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
-/// Number of configurations per task of a thread.
-const PORTION: usize = 512;
-/// Number of configurations per call of the SIMD kernel: a multiple of the lane count of every instruction set.
-pub(super) const BLOCK: usize = 64;
-
-/// Positions of many configurations. Each configuration holds the positions of all joints one after another, in joint
-/// order.
-#[derive(Clone, Copy, Debug)]
-pub enum BatchPositions<'a> {
-    /// Configuration `c` begins at index `c · stride`.
-    Rows {
-        /// The positions.
-        values: &'a [f64],
-        /// Distance between consecutive configurations.
-        stride: usize,
-    },
-    /// Position `q` of configuration `c` has index `q · stride + c`. The fastest layout.
-    Columns {
-        /// The positions.
-        values: &'a [f64],
-        /// Distance between consecutive positions.
-        stride: usize,
-    },
-}
-
-/// Result for one configuration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BatchAnswer {
-    /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
-    /// configuration returns the error.
-    pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for a mechanism with loops without SIMD lanes for the contact
-    /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
-    /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
-    pub error: Option<f64>,
-    /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
-    pub remarks: RemarkFlags,
-}
-
-impl BatchAnswer {
-    /// Initial value: no result yet.
-    pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
-
-    /// Finite m̄, kg, with its error.
-    fn finite(mass: f64, error: f64, remarks: RemarkFlags) -> Self {
-        Self { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), remarks }
-    }
-
-    /// True if the contact is massless only within rounding. Masses lost in sums with larger masses may be present.
-    pub fn is_massless_to_rounding(&self) -> bool {
-        self.mass == Some(EffectiveMass::Massless) && self.error.is_some()
-    }
-}
+use std::sync::{Arc, OnceLock};
 
 /// One contact, ready for many configurations.
 #[derive(Clone, Debug)]
 pub struct Batch {
     assembly: Arc<Assembly>,
     contact: Contact,
+    /// Pose of the root link in the world, for normals given in the world.
+    base_of_normal: Option<Transform<f64>>,
     instructions: Instructions,
     worker: Worker,
     pool: WorkerPool<Worker>,
+    /// Prepared for the first derivative.
+    derivatives: OnceLock<BatchDerivatives>,
 }
 
 /// Workspace of one thread.
@@ -99,11 +49,11 @@ struct Worker {
     columns: Aligned,
     /// Positions of one configuration.
     row: Vec<f64>,
+    /// Positions of a block of rows that give some positions only.
+    given: Vec<f64>,
     workspace: Workspace,
     /// Findings that hold at every configuration.
     remarks: RemarkFlags,
-    /// Pose of the root link in the world, for normals given in the world.
-    base_of_normal: Option<Transform<f64>>,
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
@@ -145,10 +95,10 @@ impl Workspace {
                 None => 0,
             }),
             row: vec![0.0; model.positions],
+            given: Vec::new(),
             workspace,
             kernel: in_lanes,
             remarks,
-            base_of_normal,
             limits: PositionLimits::of(model, false),
             gap,
         };
@@ -156,9 +106,11 @@ impl Workspace {
         Ok(Batch {
             assembly: Arc::clone(&assembly),
             contact: *contact,
+            base_of_normal,
             instructions,
             worker,
             pool: WorkerPool::default(),
+            derivatives: OnceLock::new(),
         })
     }
 }
@@ -177,21 +129,6 @@ impl Batch {
         }
         self.pool = WorkerPool::default();
         self
-    }
-
-    /// The assembly of the batch.
-    pub(super) fn assembly(&self) -> &Arc<Assembly> {
-        &self.assembly
-    }
-
-    /// The contact; a normal given in the world is in the axes of the root link.
-    pub(super) fn contact(&self) -> &Contact {
-        &self.contact
-    }
-
-    /// Pose of the root link in the world by which normals of rows are converted; `None`: they are not converted.
-    pub(super) fn base_of_normal(&self) -> Option<&Transform<f64>> {
-        self.worker.base_of_normal.as_ref()
     }
 
     /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
@@ -227,225 +164,135 @@ impl Batch {
         Ok(answer)
     }
 
-    /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
-    /// order of the work.
-    ///
-    /// # Errors
-    /// [`BatchError`]: too few numbers, a stride that is too small.
-    pub fn run(&self, positions: BatchPositions<'_>, answers: &mut [BatchAnswer]) -> Result<(), BatchError> {
-        self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
+    /// True if gradients and inverse inertias are computed in SIMD lanes.
+    pub fn has_derivative_lanes(&self) -> bool {
+        self.derivatives().has_lanes()
     }
 
-    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if no result is
-    /// in doubt.
+    /// Number of velocities of a gradient: those of all joints, in joint order.
+    pub fn velocities(&self) -> usize {
+        velocity_count(&self.assembly)
+    }
+
+    fn derivatives(&self) -> &BatchDerivatives {
+        self.derivatives.get_or_init(|| BatchDerivatives::new(&self.assembly, &self.contact))
+    }
+
+    /// m̄ at rows, with the derivatives for which there are columns. A thread of rayon's pool takes `block` rows at once; up to this
+    /// number of rows are computed on the calling thread. The results depend on the rows only. Allocates nothing after the first call
+    /// with one block, if no result is in doubt.
+    ///
+    /// ```text
+    /// gradient          g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
+    /// inverse inertia   Φ = J M_c⁻¹ Jᵀ;   1/m̄ = wᵀ Φ w with w = (0, n̂), for contacts with the ground
+    /// ```
+    ///
+    /// Gradients: [`velocities`](Self::velocities) numbers per row, kg/rad or kg/m, as [`Pose::effective_mass_gradient`]; NaN unless m̄
+    /// is finite with an error of at most 1e-6 m̄. Points and normals of the rows are fixed in their frames. Relative accuracy: that of
+    /// m̄, for the size of the terms.
+    ///
+    /// Inverse operational inertias: 36 numbers per row (1/(kg·m²), 1/(kg·m), 1/kg by blocks), the upper left 6×6 block of
+    /// [`Pose::inverse_operational_inertia`], in root axes, row by row. NaN if a motion without mass responds, or if the row has no result.
     ///
     /// # Errors
-    /// As for [`run`](Self::run).
-    pub fn run_here(
+    /// [`BatchError`]: columns, positions or contacts that do not fit. The results of some rows may then be stored.
+    ///
+    /// [`Pose::effective_mass_gradient`]: crate::Pose::effective_mass_gradient
+    /// [`Pose::inverse_operational_inertia`]: crate::Pose::inverse_operational_inertia
+    pub fn run<'a, S: From<ContactStatus> + Clone + Send>(
         &self,
-        positions: BatchPositions<'_>,
-        answers: &mut [BatchAnswer],
+        rows: impl Into<BatchRows<'a>>,
+        columns: RowColumns<'_, S>,
+        block: usize,
     ) -> Result<(), BatchError> {
-        self.check(positions, answers.len())?;
-        self.pool
-            .with_worker(&self.worker, |worker| worker.compute_portion(self.fixed(), positions, 0, answers));
+        let configurations = columns.masses.len();
+        let others = [columns.errors.len(), columns.statuses.len()];
+        let others = others.into_iter().chain(columns.remarks.as_ref().map(|remarks| remarks.len()));
+        if let Some(other) = others.into_iter().find(|length| *length != configurations) {
+            return Err(BatchError::Columns { masses: configurations, other });
+        }
+        let derivatives =
+            [(&columns.gradients, self.velocities()), (&columns.inverse_inertias, INERTIA_NUMBERS)];
+        for (values, width) in derivatives {
+            let got = values.as_ref().map(|values| values.len());
+            if let Some(got) = got.filter(|got| configurations.checked_mul(width) != Some(*got)) {
+                return Err(BatchError::DerivativeCount { got, width, configurations });
+            }
+        }
+        let rows = rows.into();
+        rows.check(self.assembly.model().positions, configurations)?;
+        self.run_blocks(rows, columns, block.max(1))
+    }
+
+    /// Computes rows in blocks; each half of several blocks may run on another thread.
+    fn run_blocks<S: From<ContactStatus> + Clone + Send>(
+        &self,
+        rows: BatchRows<'_>,
+        columns: RowColumns<'_, S>,
+        block: usize,
+    ) -> Result<(), BatchError> {
+        let count = columns.masses.len();
+        if count <= block {
+            return self.pool.with_worker(&self.worker, |worker| self.run_block(worker, rows, columns));
+        }
+        let middle = count.div_ceil(block).div_ceil(2) * block;
+        let (before, after) = columns.split_at(middle);
+        let (first, second) = rayon::join(
+            || self.run_blocks(rows.part(0..middle), before, block),
+            || self.run_blocks(rows.part(middle..count), after, block),
+        );
+        first.and_then(|()| second.map_err(|error| error.in_rows_from(middle)))
+    }
+
+    /// Computes the rows of a block with a worker.
+    fn run_block<S: From<ContactStatus> + Clone>(
+        &self,
+        worker: &mut Worker,
+        rows: BatchRows<'_>,
+        mut columns: RowColumns<'_, S>,
+    ) -> Result<(), BatchError> {
+        let model = self.assembly.model();
+        if let Some(contacts) = rows.contacts {
+            contacts.check(model, &self.contact, columns.masses.len())?;
+        }
+        let mut buffer = std::mem::take(&mut worker.given);
+        let positions = rows.all_positions(model.positions, columns.masses.len(), &mut buffer)?;
+        let base = self.base_of_normal.as_ref();
+        let block = RowBlock { positions, contact: &self.contact, contacts: rows.contacts, base };
+        worker.compute(block, &mut columns);
+        let RowColumns { masses, errors, gradients, inverse_inertias, .. } = columns;
+        let derivatives = [(Derivative::Gradient, gradients), (Derivative::InverseInertia, inverse_inertias)];
+        for (derivative, values) in derivatives.into_iter().filter_map(|(d, values)| Some((d, values?))) {
+            let masses = (&*masses, &*errors);
+            self.derivatives().compute(&self.assembly, self.instructions, derivative, block, masses, values);
+        }
+        worker.given = buffer;
         Ok(())
-    }
-
-    /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
-    /// `errors` receives the error, kg (NaN for `None`). The length of the columns is the number of
-    /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
-    /// index and the result of each of them, and of each configuration outside joint limits. All results that are not finite are among these.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run); `errors` and `masses` differ in length.
-    pub fn run_columns(
-        &self,
-        positions: BatchPositions<'_>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        self.run_columns_of(None, positions, masses, errors, other)
-    }
-
-    /// Like [`run_columns`](Self::run_columns), with another contact point and normal at each configuration: m̄ of the point
-    /// `contacts.points[3c..3c + 3]` on the contact link along `contacts.normals[3c..3c + 3]`, at configuration c. The link, the
-    /// other side and the frame of the normal are those of the contact of the batch.
-    ///
-    /// # Errors
-    /// As for [`run_columns`](Self::run_columns); [`BatchError::ContactCount`]: too few or too many points or normals;
-    /// [`BatchError::Contact`]: numbers that are not finite, or a normal of length zero; [`BatchError::NormalAlongLine`].
-    pub fn run_contacts(
-        &self,
-        positions: BatchPositions<'_>,
-        contacts: BatchContacts<'_>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        contacts.check(self.assembly.model(), &self.contact, masses.len())?;
-        self.run_columns_of(Some(contacts), positions, masses, errors, other)
-    }
-
-    /// Computes m̄ at the configurations, for the contact of the batch or for one contact at each configuration.
-    fn run_columns_of(
-        &self,
-        contacts: Option<BatchContacts<'_>>,
-        positions: BatchPositions<'_>,
-        masses: &mut [f64],
-        errors: &mut [f64],
-        other: impl FnMut(usize, BatchAnswer),
-    ) -> Result<(), BatchError> {
-        if errors.len() != masses.len() {
-            return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
-        }
-        self.check(positions, masses.len())?;
-        let mut columns = AnswerColumns { masses, errors, other };
-        let contacts = RowContacts { contacts, ..self.fixed() };
-        self.pool
-            .with_worker(&self.worker, |worker| worker.compute_portion(contacts, positions, 0, &mut columns));
-        Ok(())
-    }
-
-    /// The contact of the batch at every configuration.
-    fn fixed(&self) -> RowContacts<'_> {
-        RowContacts { contact: &self.contact, contacts: None }
-    }
-
-    /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
-    /// time to time, from any thread, and may stop the run.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run); [`BatchError::Stopped`]: stopped by `watch`. `answers` contains the results up to
-    /// that point.
-    pub fn run_watched(
-        &self,
-        positions: BatchPositions<'_>,
-        answers: &mut [BatchAnswer],
-        watch: impl Fn(usize) -> ControlFlow<()> + Sync,
-    ) -> Result<(), BatchError> {
-        self.check(positions, answers.len())?;
-        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        answers.par_chunks_mut(PORTION).enumerate().for_each(|(number, portion)| {
-            if stopped.load(Ordering::Relaxed) {
-                return;
-            }
-            let first = number * PORTION;
-            self.pool.with_worker(&self.worker, |worker| {
-                worker.compute_portion(self.fixed(), positions, first, portion)
-            });
-            let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
-            if watch(done).is_break() {
-                stopped.store(true, Ordering::Relaxed);
-            }
-        });
-        let done = done.into_inner();
-        if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
-    }
-
-    /// Checks the stride and the number of positions.
-    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
-        let count = self.assembly.model().positions;
-        let (got, stride, least, outer, inner) = match positions {
-            BatchPositions::Rows { values, stride } => (values.len(), stride, count, configurations, count),
-            BatchPositions::Columns { values, stride } => {
-                (values.len(), stride, configurations, count, configurations)
-            }
-        };
-        if stride < least {
-            return Err(BatchError::Stride { stride, least });
-        }
-        let needed = outer.checked_sub(1).and_then(|o| o.checked_mul(stride)?.checked_add(inner));
-        match needed {
-            None if outer == 0 => Ok(()),
-            Some(needed) if needed <= got || inner == 0 => Ok(()),
-            _ => {
-                let needed = needed.unwrap_or(usize::MAX);
-                Err(BatchError::Short { got, needed, configurations, positions: count, stride })
-            }
-        }
-    }
-}
-
-/// Destination of the results.
-trait ResultSink {
-    /// Number of results.
-    fn count(&self) -> usize;
-
-    /// Stores the lane results from index `first` on, certain or not.
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
-
-    /// Stores the result of a configuration computed separately.
-    fn store_one(&mut self, at: usize, answer: BatchAnswer);
-}
-
-impl ResultSink for [BatchAnswer] {
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    #[inline]
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
-        for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
-            *answer = BatchAnswer::finite(*mass, *error, remarks);
-        }
-    }
-
-    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
-        self[at] = answer;
-    }
-}
-
-/// Results in columns; `other` receives results that need a separate computation.
-struct AnswerColumns<'a, F> {
-    masses: &'a mut [f64],
-    errors: &'a mut [f64],
-    other: F,
-}
-
-impl<F: FnMut(usize, BatchAnswer)> ResultSink for AnswerColumns<'_, F> {
-    fn count(&self) -> usize {
-        self.masses.len()
-    }
-
-    #[inline]
-    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
-        self.masses[first..][..masses.len()].copy_from_slice(masses);
-        self.errors[first..][..errors.len()].copy_from_slice(errors);
-    }
-
-    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
-        let finite = |mass| if let EffectiveMass::Finite(m) = mass { m } else { f64::NAN };
-        self.masses[at] = answer.mass.map_or(f64::NAN, finite);
-        self.errors[at] = answer.error.unwrap_or(f64::NAN);
-        (self.other)(at, answer);
     }
 }
 
 impl Worker {
-    /// Computes `places.count()` configurations, starting at configuration `first`.
-    fn compute_portion(
+    /// Computes m̄ of the rows.
+    fn compute<S: From<ContactStatus> + Clone>(
         &mut self,
-        contacts: RowContacts<'_>,
-        positions: BatchPositions<'_>,
-        first: usize,
-        places: &mut (impl ResultSink + ?Sized),
+        rows: RowBlock<'_>,
+        results: &mut RowColumns<'_, S>,
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits, gap } =
-            self;
-        let count = places.count();
-        let of_rows = contacts.contacts;
-        let contact_column = row.len();
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, limits, gap, .. } = self;
+        let (count, positions, of_rows) = (results.masses.len(), rows.positions, rows.contacts);
+        results.statuses.fill(ContactStatus::Finite.into());
+        if let Some(bits) = &mut results.remarks {
+            bits.fill(remarks.bits());
+        }
         let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
             limit = lanes.trusted_error();
-            lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: contact_column }));
+            lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: row.len() }));
             conversion = lanes.conversion();
         }
-        for block in (0..count).step_by(BLOCK) {
+        for start in (0..count).step_by(BLOCK) {
             interruption::check();
-            let (start, here) = (first + block, BLOCK.min(count - block));
+            let here = BLOCK.min(count - start);
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {
                 let width = lanes.width();
@@ -461,23 +308,13 @@ impl Worker {
                 if done < here {
                     let left = here - done;
                     let padded = left.next_multiple_of(width);
-                    // Unused lanes repeat the last configuration.
-                    for lane in 0..padded {
-                        let configuration = start + done + lane.min(left - 1);
-                        positions.copy_to_columns(configuration, read, &mut columns[lane..]);
-                        if let (Some(contacts), Some(conversion)) = (of_rows, &conversion) {
-                            let [point, normal] = contacts.at(configuration);
-                            let normal = in_root_axes(normal, base_of_normal.as_ref());
-                            let [point, normal] = conversion.convert(&point, &normal);
-                            let numbers = point.iter().chain(&normal).enumerate();
-                            numbers.for_each(|(k, x)| columns[(contact_column + k) * BLOCK + lane] = *x);
-                        }
-                    }
+                    rows.fill_lanes(columns, read, conversion.as_ref(), start + done, (left, padded));
                     ask(PositionColumns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
-            places.store_lanes(block, masses, errors, *remarks);
+            results.masses[start..][..here].copy_from_slice(masses);
+            results.errors[start..][..here].copy_from_slice(errors);
             let clear =
                 |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
             let mut own = [RemarkFlags::NONE; BLOCK];
@@ -498,12 +335,12 @@ impl Worker {
                     true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                        let contact = contacts.at(start + lane, base_of_normal.as_ref());
+                        let contact = rows.contact_at(start + lane);
                         evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
                     }
                 };
                 answer.remarks |= *own;
-                places.store_one(block + lane, answer);
+                results.set(start + lane, &answer);
             }
         }
     }
@@ -519,34 +356,10 @@ fn evaluate_row(
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
-        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+        return BatchAnswer::UNREACHED;
     }
     match workspace.evaluate(contact, with_closing) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
-    }
-}
-
-impl BatchPositions<'_> {
-    /// Position `q` of a configuration.
-    #[inline]
-    pub(super) fn at(&self, configuration: usize, q: usize) -> f64 {
-        match self {
-            BatchPositions::Rows { values, stride } => values[configuration * stride + q],
-            BatchPositions::Columns { values, stride } => values[q * stride + configuration],
-        }
-    }
-
-    /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
-    fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
-        match self {
-            BatchPositions::Rows { values, stride } => {
-                let row = &values[configuration * stride..];
-                read.iter().for_each(|&q| to[q * BLOCK] = row[q]);
-            }
-            BatchPositions::Columns { .. } => {
-                read.iter().for_each(|&q| to[q * BLOCK] = self.at(configuration, q));
-            }
-        }
     }
 }

@@ -7,6 +7,7 @@ use crate::model::joint_motion::JointMotion;
 use crate::model::tangent;
 use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Transform;
+use std::ops::Range;
 use std::sync::Arc;
 
 impl Model {
@@ -18,12 +19,8 @@ impl Model {
         let armatures = conditions.resolve_armatures(mechanism)?;
         let requested = conditions.resolve_locks(mechanism)?;
         let (locked, redundant_locks) = effective_locks(mechanism, &requested);
-        let mut joint_q = Vec::with_capacity(mechanism.joints().len());
-        let mut positions = 0;
-        for joint in mechanism.joints() {
-            joint_q.push(positions..positions + joint.kind().positions());
-            positions += joint.kind().positions();
-        }
+        let joint_q: Vec<Range<usize>> = mechanism.position_ranges().collect();
+        let positions = joint_q.last().map_or(0, |range| range.end);
         let ground = LinkFrame { body: None, frame: Transform::identity() };
         let mut model = Self {
             mechanism: Arc::clone(mechanism),

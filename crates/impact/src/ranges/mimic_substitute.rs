@@ -121,8 +121,7 @@ fn mimic_joints(poses: &[Pose], driver: JointId) -> Result<Vec<MimicJoint>, Join
 
 /// Index of the first position of a joint.
 fn first_position(mechanism: &Mechanism, joint: JointId) -> usize {
-    let before = mechanism.joint_ids().take(joint.index());
-    before.map(|id| mechanism.joint(id).kind().positions()).sum()
+    mechanism.position_ranges().nth(joint.index()).map_or(0, |range| range.start)
 }
 
 /// Base and armatures of a pose, without locks and held points: the substitute prescribes all other joints.

@@ -7,9 +7,8 @@ use crate::conversion::errors::{input, of_argument};
 use crate::conversion::labels::AXES;
 use crate::conversion::threads::interruptible_if_large;
 use numpy::ndarray::{ArrayView2, s};
-use numpy::{PyArray1, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::nalgebra::Vector3;
-use percuss::{ContactColumns, ContactMap, ContactStatus, MapAnswers};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -18,36 +17,6 @@ const PORTION: usize = 1 << 18;
 
 /// m̄ (kg), its error (kg), status code.
 pub type Answers<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
-
-/// Status code of an outcome.
-pub fn code(status: ContactStatus) -> u8 {
-    match status {
-        ContactStatus::Finite => 0,
-        ContactStatus::Immovable => 1,
-        ContactStatus::Massless => 2,
-        ContactStatus::Unanswered => 3,
-    }
-}
-
-/// Contact map: Φ of a link about `centre`, for contacts within the radius `reach` (m).
-fn contact_map_about<'a>(
-    pose: &'a Pose,
-    link: &str,
-    against: Option<&str>,
-    centre: Vector3<f64>,
-    reach: f64,
-) -> PyResult<ContactMap<'a>> {
-    let mechanism = &pose.model.read.mechanism;
-    let link = mechanism.find_link(link).map_err(input)?;
-    let against = against.map(|link| mechanism.find_link(link)).transpose();
-    let against = against.map_err(|error| of_argument("against")(input(error)))?;
-    pose.pose.contact_map(link, against, centre, reach).map_err(input)
-}
-
-/// The three columns of an (N, 3) array.
-fn columns(values: ArrayView2<'_, f64>) -> [Vec<f64>; 3] {
-    [0, 1, 2].map(|axis| values.column(axis).iter().copied().collect())
-}
 
 /// Refuses entries that are not finite; checks for Ctrl-C.
 fn check_finite(py: Python<'_>, values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
@@ -60,21 +29,6 @@ fn check_finite(py: Python<'_>, values: ArrayView2<'_, f64>, what: &str) -> PyRe
         py.check_signals()?;
     }
     Ok(())
-}
-
-/// Least and greatest entries of the three columns; checks for Ctrl-C.
-fn bounds(py: Python<'_>, values: ArrayView2<'_, f64>) -> PyResult<[[f64; 2]; 3]> {
-    let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    for first in (0..values.nrows()).step_by(PORTION) {
-        let part = values.slice(s![first..values.nrows().min(first + PORTION), ..]);
-        for (axis, [least, most]) in found.iter_mut().enumerate() {
-            for x in part.column(axis) {
-                (*least, *most) = (least.min(*x), most.max(*x));
-            }
-        }
-        py.check_signals()?;
-    }
-    Ok(if values.nrows() == 0 { [[0.0; 2]; 3] } else { found })
 }
 
 /// m̄ of many contacts of a link.
@@ -100,42 +54,21 @@ pub fn contact_map<'py>(
         }
         check_finite(py, array.as_array(), what)?;
     }
-    let (points, normals) = (points.as_array(), normals.as_array());
-    // Φ refers to the middle of a box around the points; error bounds hold for contacts in this box.
-    let bounds = bounds(py, points)?;
-    let centre = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][0] + bounds[axis][1]));
-    let reach = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][1] - bounds[axis][0])).norm();
-    let coordinates = pose.pose.positions().len();
-    let map =
-        interruptible_if_large(py, coordinates, || contact_map_about(pose, link, against, centre, reach))??;
-    let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
-    let mut statuses = vec![ContactStatus::Finite; count];
-    for first in (0..count).step_by(PORTION) {
-        let rows = first..count.min(first + PORTION);
-        let part = |all: &ArrayView2<'_, f64>| columns(all.slice(s![rows.clone(), ..]));
-        let (points, normals) = (part(&points), part(&normals));
-        let mut answers = MapAnswers {
-            masses: &mut masses[rows.clone()],
-            errors: &mut errors[rows.clone()],
-            statuses: &mut statuses[rows.clone()],
-        };
-        let contacts = ContactColumns {
-            points: [&points[0], &points[1], &points[2]],
-            normals: [&normals[0], &normals[1], &normals[2]],
-        };
-        interruptible_if_large(py, rows.len(), || map.fill_answers(contacts, &mut answers))?
-            .map_err(input)?;
-        py.check_signals()?;
-    }
-    for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {
-        // Errors of a map are relative.
-        *error *= *mass;
-        if *status != ContactStatus::Finite {
-            (*mass, *error) = (f64::NAN, f64::NAN);
-        }
-    }
-    let codes = statuses.into_iter().map(code).collect();
-    Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
+    let mechanism = &pose.model.read.mechanism;
+    let link = mechanism.find_link(link).map_err(input)?;
+    let against = against.map(|link| mechanism.find_link(link)).transpose();
+    let against = against.map_err(|error| of_argument("against")(input(error)))?;
+    let rows = |array: &PyReadonlyArray2<'_, f64>| -> Vec<[f64; 3]> {
+        array.as_array().rows().into_iter().map(|row| [row[0], row[1], row[2]]).collect()
+    };
+    let (points, normals) = (rows(&points), rows(&normals));
+    let size = count.max(pose.pose.positions().len());
+    let found =
+        interruptible_if_large(py, size, || pose.pose.contact_masses(link, against, &points, &normals))?;
+    let found = found.map_err(input)?;
+    let codes = found.statuses.into_iter().map(u8::from).collect();
+    let [masses, errors] = [found.masses, found.errors].map(|numbers| PyArray1::from_vec(py, numbers));
+    Ok((masses, errors, PyArray1::from_vec(py, codes)))
 }
 
 /// Three directions along which m̄ is stationary at a point (link's frame, m), each a dict with its m̄; None if one of them cannot be

@@ -1,7 +1,6 @@
 //! Reports of the command line as JSON text; the Python package converts them to dicts.
 
 use crate::analysis::contact::GivenContact;
-use crate::analysis::maps::code;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::{abandonable, interruptible};
@@ -212,7 +211,7 @@ fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict
     arrays.set_item("area", numbers(&|record| record.area))?;
     arrays.set_item("effective_mass", numbers(&|record| record.effective_mass.unwrap_or(f64::NAN)))?;
     arrays.set_item("error", numbers(&|record| record.effective_mass_error.unwrap_or(f64::NAN)))?;
-    let codes = skin.statuses.iter().map(|status| code(*status));
+    let codes = skin.statuses.iter().map(|status| u8::from(*status));
     arrays.set_item("status", PyArray1::from_vec(py, codes.collect()))?;
     Ok(arrays)
 }

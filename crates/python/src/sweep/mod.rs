@@ -1,6 +1,5 @@
 //! m̄ of one contact at many configurations, from arrays to arrays, with the interpreter released.
 
-pub(crate) mod columns;
 pub(crate) mod portions;
 pub(crate) mod row_contacts;
 pub(crate) mod rows;
@@ -13,25 +12,24 @@ use crate::conversion::arrays::{float64_matrix as matrix, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
 use crate::conversion::threads::Threads;
-use crate::sweep::columns::{Columns, zeros};
-use crate::sweep::portions::{Progress, run_fixed_portions};
+use crate::sweep::portions::{Progress, run_portions};
 use crate::sweep::row_contacts::{BasePose, RowContacts};
-use crate::sweep::rows::{
-    Block, RowQuestion, is_finite, nonfinite_error, optional_chunks, solve_all_positions, solve_tree,
-};
+use crate::sweep::rows::{RowQuestion, numbers_of, refused_rows, solve_rows};
 use numpy::ndarray::s;
 use numpy::{
-    PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods,
+    Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1,
+    PyUntypedArrayMethods,
 };
+use percuss::spatial::Transform;
 use percuss::study::row_findings;
 use percuss::{
-    Assembly as Assembled, BatchDerivatives, BatchPositions, Configuration, Contact as Resolved, DrivenPath,
-    JointId, Pose as Posed, RemarkFlags, RowAnswer, RowHandler, RowPath,
+    Assembly as Assembled, Batch, BatchAnswer, BatchContacts, BatchPositions, BatchRows, Configuration,
+    Contact as Resolved, DrivenPath, GivenPositions, JointId, Pose as Posed, RemarkFlags, RowAnswer,
+    RowColumns, RowHandler, RowPath,
 };
 use percuss_render::{Figure, Panel, Picture, Series, Style};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -149,14 +147,26 @@ pub fn sweep(
         }
     };
     let q = matrix(q, "q", "(N, p): a row for each configuration", &names, hint)?;
+    let q = match q.is_contiguous() {
+        true => q,
+        false => PyArray2::from_owned_array(py, q.as_array().as_standard_layout().into_owned()).readonly(),
+    };
     let count = q.shape()[0];
     let base = BasePose::of(base_pose, count)?;
     let given = contact.resolve(&model.read.mechanism)?;
     let contacts = RowContacts::of(&given, points, normals, &base, count)?;
+    let contacts = contacts.as_ref().map(RowContacts::all);
     let resolved = in_root_axes(given, base.one());
-    let batch = assembly.batch(&resolved).map_err(errors::response)?.derivatives();
+    let mut workspace = assembly.workspace();
+    let mut zero = Configuration::zero(&model.read.mechanism);
+    if base.is_given() {
+        // Normals are in the axes of the root link already.
+        workspace.set_base(&Transform::identity()).map_err(input)?;
+        zero.set_base(Transform::identity());
+    }
+    let batch = workspace.batch(&resolved).map_err(errors::response)?;
     let velocities = batch.velocities();
-    let question = RowQuestion { batch: &batch, contacts: contacts.as_ref(), threads, progress: &progress };
+    let question = RowQuestion { batch: &batch, threads, progress: &progress };
     let mut gradients = gradient.then(|| zeros(py, count * velocities));
     let mut inverses = inverse_operational_inertia.then(|| zeros(py, count * INERTIA_NUMBERS));
     let (effective_mass, mut masses) = zeros(py, count);
@@ -164,15 +174,15 @@ pub fn sweep(
     let (status, mut codes) = zeros(py, count);
     let (remarks, mut flags) = zeros(py, count);
     let mut no_answer = None;
-    let columns = Columns {
+    let columns = RowColumns {
         masses: masses.as_slice_mut()?,
         errors: errors.as_slice_mut()?,
-        codes: codes.as_slice_mut()?,
-        remarks: flags.as_slice_mut()?,
+        statuses: codes.as_slice_mut()?,
+        remarks: Some(flags.as_slice_mut()?),
         gradients: slice_of(&mut gradients)?,
-        inverses: slice_of(&mut inverses)?,
-        has_base_pose: base.is_given(),
+        inverse_inertias: slice_of(&mut inverses)?,
     };
+    let rows = BatchRows { positions: numbers_of(&q)?, given: None, contacts, finite_only: true };
     match joints {
         None => {
             let (width, expected) = (q.shape()[1], model.position_count());
@@ -184,27 +194,30 @@ pub fn sweep(
                     if count == expected { "; of its transpose, q.T, there are as many" } else { "" }
                 )));
             }
-            solve_all_positions(py, question, &q, columns)?;
+            solve_rows(py, question, rows, columns)?;
         }
         Some(names) => {
-            let position_indices = drivers(&model, &names, q.shape())?;
-            match assembly.groups().is_empty() {
-                true => solve_tree(py, question, &model, &q, &position_indices, columns)?,
-                false => {
-                    let path = PathColumns {
-                        model: &model,
-                        assembly: &assembly,
-                        contact: resolved,
-                        joints: position_indices.iter().map(|(joint, _)| *joint).collect(),
-                        other_assembly,
-                        columns,
-                        first: 0,
-                        no_answer: None,
-                        positions: Vec::new(),
-                        unreached: Vec::new(),
-                    };
-                    no_answer = path.solve(py, &q, question)?;
-                }
+            let drivers = drivers(&model, &names, q.shape())?;
+            if assembly.groups().is_empty() {
+                let others: Vec<f64> =
+                    model.read.mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
+                let indices: Vec<usize> = drivers.iter().map(|(_, index)| *index).collect();
+                let given = Some(GivenPositions { indices: &indices, others: &others });
+                solve_rows(py, question, BatchRows { given, ..rows }, columns)?;
+            } else {
+                let path = PathColumns {
+                    start: Arc::new(assembly.pose(&zero).map_err(errors::assembly)?),
+                    zero,
+                    contact: resolved,
+                    joints: drivers.iter().map(|(joint, _)| *joint).collect(),
+                    other_assembly,
+                    columns,
+                    first: 0,
+                    no_answer: None,
+                    positions: Vec::new(),
+                    unreached: Vec::new(),
+                };
+                no_answer = path.solve(py, &q, question, contacts)?;
             }
         }
     }
@@ -238,6 +251,13 @@ pub fn sweep(
 /// Array of numpy with its values.
 type OwnedArray<'py> = (Bound<'py, PyArray1<f64>>, PyReadwriteArray1<'py, f64>);
 
+/// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
+/// Pages of 4 kB would cost a third of the solution time of an arm.
+fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
+    let array = PyArray1::zeros(py, count, false);
+    (array.clone(), array.readwrite())
+}
+
 /// Values of an optional array.
 fn slice_of<'a>(array: &'a mut Option<OwnedArray<'_>>) -> PyResult<Option<&'a mut [f64]>> {
     array.as_mut().map(|(_, values)| values.as_slice_mut().map_err(PyErr::from)).transpose()
@@ -263,6 +283,7 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
     let mechanism = &model.read.mechanism;
     // `set` refuses unknown names, mimics and repeated joints.
     let mut trial = Configuration::zero(mechanism);
+    let places: Vec<Range<usize>> = mechanism.position_ranges().collect();
     let find = |name: &String| {
         let id = mechanism.find_joint(name).map_err(input)?;
         let joint = mechanism.joint(id);
@@ -273,29 +294,28 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
             )));
         }
         trial.set(name, &[0.0]).map_err(input)?;
-        let before = &mechanism.joints()[..id.index()];
-        Ok((id, before.iter().map(|joint| joint.kind().positions()).sum()))
+        Ok((id, places[id.index()].start))
     };
     names.iter().map(find).collect()
 }
 
 /// Rows of the drivers of a linkage, with the columns of their results.
 struct PathColumns<'a> {
-    model: &'a Model,
-    assembly: &'a Arc<Assembled>,
+    /// Pose at which the path starts; its positions stand for those of rows without a pose, whose results are discarded.
+    start: Arc<Posed>,
+    zero: Configuration,
     contact: Resolved,
     joints: Vec<JointId>,
     /// True if rows on another assembly mode are solved.
     other_assembly: bool,
-    columns: Columns<'a>,
+    columns: RowColumns<'a, u8>,
     /// Number of the first row of the portion.
     first: usize,
     /// Reason for the first missing answer.
     no_answer: Option<String>,
     /// Positions of all joints of the rows of the portion, row by row.
     positions: Vec<f64>,
-    /// Rows of the portion without a pose. Their entries in `positions` are zero until the start pose replaces them, whose results are
-    /// discarded.
+    /// Rows of the portion without a pose.
     unreached: Vec<usize>,
 }
 
@@ -320,78 +340,54 @@ impl PathColumns<'_> {
         py: Python<'_>,
         q: &PyReadonlyArray2<'_, f64>,
         question: RowQuestion<'_>,
+        contacts: Option<BatchContacts<'_>>,
     ) -> PyResult<Option<String>> {
-        let zero = Configuration::zero(&self.model.read.mechanism);
-        let start = Arc::new(self.assembly.pose(&zero).map_err(errors::assembly)?);
-        let mut path = RowPath::new(Some(Arc::clone(&start)));
-        let is_followed_only = question.contacts.is_none()
-            && self.columns.gradients.is_none()
-            && self.columns.inverses.is_none();
-        let RowQuestion { batch, contacts, threads, progress } = question;
-        let view = q.as_array();
+        let mut path = RowPath::new(Some(Arc::clone(&self.start)));
+        let is_followed_only =
+            contacts.is_none() && self.columns.gradients.is_none() && self.columns.inverse_inertias.is_none();
+        let RowQuestion { batch, threads, progress } = question;
+        let (view, width) = (q.as_array(), q.shape()[1]);
         let mut values = Vec::new();
-        run_fixed_portions(py, view.nrows(), (threads, progress), |rows| {
+        run_portions(py, view.nrows(), true, (threads, progress), |rows| {
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
-            if !is_finite(&values) {
-                return Err(nonfinite_error(view, rows));
-            }
+            let checked =
+                BatchPositions::Rows { values: &values, stride: width }.refuse_not_finite(width, rows.len());
+            checked.map_err(|error| refused_rows(error.in_rows_from(rows.start)))?;
             self.first = rows.start;
             self.positions.clear();
             self.unreached.clear();
             path.follow(&values, rows.len(), &mut self);
             match is_followed_only {
                 true => Ok(()),
-                false => self.solve_at_positions((batch, contacts), rows, start.positions()),
+                false => self.solve_at_positions(batch, contacts.map(|all| all.part(&rows)), rows),
             }
         })?;
         Ok(self.no_answer)
     }
 
     /// Solves the rows of a portion at the positions that the path reached: with a contact for each row, gradients or inverse inertias.
-    /// `substitute`: positions for rows without a pose.
     fn solve_at_positions(
         &mut self,
-        (batch, contacts): (&BatchDerivatives, Option<&RowContacts>),
+        batch: &Batch,
+        contacts: Option<BatchContacts<'_>>,
         rows: Range<usize>,
-        substitute: &[f64],
     ) -> PyResult<()> {
-        let (width, count) = (substitute.len(), self.columns.masses.len());
-        for row in &self.unreached {
-            let first = (row - rows.start) * width;
-            self.positions[first..first + width].copy_from_slice(substitute);
-        }
-        let common = self.columns.reported_bits(batch.batch().remarks());
-        let columns = &mut self.columns;
+        let mut columns = self.columns.part(rows.clone());
         let of_poses: Vec<u32> =
-            columns.remarks[rows.clone()].iter().map(|bits| bits & POSE_FINDINGS).collect();
-        columns.codes[rows.clone()].fill(0);
-        columns.remarks[rows.clone()].fill(common);
-        let masses = columns.masses[rows.clone()].par_chunks_mut(PATH_BLOCK);
-        let errors = columns.errors[rows.clone()].par_chunks_mut(PATH_BLOCK);
-        let codes = columns.codes[rows.clone()].par_chunks_mut(PATH_BLOCK);
-        let remarks = columns.remarks[rows.clone()].par_chunks_mut(PATH_BLOCK);
-        let gradients = optional_chunks(columns.gradients.as_deref_mut(), count, &rows, PATH_BLOCK);
-        let inverses = optional_chunks(columns.inverses.as_deref_mut(), count, &rows, PATH_BLOCK);
-        let derivatives = gradients.into_par_iter().zip(inverses);
-        let blocks = masses.zip(errors).zip(codes.zip(remarks)).zip(derivatives).enumerate();
-        let (positions, has_base_pose) = (&self.positions, columns.has_base_pose);
-        let done = blocks.try_for_each(|(number, (((masses, errors), (codes, remarks)), derivatives))| {
-            let first = number * PATH_BLOCK;
-            let last = first + masses.len();
-            let contacts = contacts.map(|all| all.of_rows(rows.start + first..rows.start + last));
-            let positions =
-                BatchPositions::Rows { values: &positions[first * width..last * width], stride: width };
-            let (gradients, inverses) = derivatives;
-            let block = Block { masses, errors, codes, remarks, gradients, inverses };
-            block.solve(batch, positions, contacts, has_base_pose)
-        });
-        done.map_err(input)?;
-        for (row, bits) in rows.zip(of_poses) {
-            self.columns.remarks[row] |= bits;
+            columns.remarks.iter().flat_map(|bits| bits.iter()).map(|bits| bits & POSE_FINDINGS).collect();
+        let stride = self.start.positions().len();
+        let positions = BatchPositions::Rows { values: &self.positions, stride };
+        let all = 0..rows.len();
+        batch
+            .run(BatchRows { contacts, ..positions.into() }, columns.part(all), PATH_BLOCK)
+            .map_err(input)?;
+        for (bits, of_pose) in columns.remarks.iter_mut().flat_map(|bits| bits.iter_mut()).zip(of_poses) {
+            *bits |= of_pose;
         }
-        for row in std::mem::take(&mut self.unreached) {
-            self.columns.set_without_answer(row);
+        for row in self.unreached.drain(..).map(|row| row - rows.start) {
+            columns.part(row..row + 1).clear();
+            columns.set(row, &BatchAnswer::UNREACHED);
         }
         Ok(())
     }
@@ -402,19 +398,19 @@ impl RowHandler for PathColumns<'_> {
     type Error = String;
 
     fn pose(&mut self, _: usize, row: &[f64], last: Option<&Posed>) -> Result<Arc<Posed>, String> {
-        let mechanism = &self.model.read.mechanism;
-        let mut configuration = Configuration::zero(mechanism);
+        let assembly = self.start.assembly();
+        let mut configuration = self.zero.clone();
         if self.other_assembly {
             configuration.allow_other_assembly();
         }
         for (joint, value) in self.joints.iter().zip(row) {
             configuration
-                .set(mechanism.joint(*joint).name(), &[*value])
+                .set(self.start.mechanism().joint(*joint).name(), &[*value])
                 .map_err(|error| error.to_string())?;
         }
         let pose = match last {
-            Some(last) => self.assembly.pose_from(last, &configuration),
-            None => self.assembly.pose(&configuration),
+            Some(last) => assembly.pose_from(last, &configuration),
+            None => assembly.pose(&configuration),
         };
         pose.map(Arc::new).map_err(|error| error.to_string())
     }
@@ -425,28 +421,27 @@ impl RowHandler for PathColumns<'_> {
 
     fn receive(&mut self, row: usize, _: &[f64], answer: RowAnswer<'_, (), String>) {
         let at = self.first + row;
-        match &answer {
-            RowAnswer::Followed { positions, .. } => self.positions.extend_from_slice(positions),
-            RowAnswer::Posed(pose) => self.positions.extend_from_slice(pose.positions()),
-            RowAnswer::Unreached(_) => {
-                let width = self.model.position_count();
-                self.positions.resize(self.positions.len() + width, 0.0);
+        let answer = match answer {
+            RowAnswer::Followed { mass: (mass, error), answer, positions, .. } => {
+                self.positions.extend_from_slice(positions);
+                Ok(BatchAnswer::finite(mass, error, answer.remarks))
+            }
+            RowAnswer::Posed(pose) => {
+                self.positions.extend_from_slice(pose.positions());
+                let response = pose.respond(&self.contact);
+                response.map(|response| BatchAnswer::from(&response)).map_err(|error| error.to_string())
+            }
+            RowAnswer::Unreached(reason) => {
+                self.positions.extend_from_slice(self.start.positions());
                 self.unreached.push(at);
+                Err(reason)
             }
-        }
-        let done = match answer {
-            RowAnswer::Followed { mass: (mass, error), answer, .. } => {
-                let mass = Some(percuss::EffectiveMass::Finite(mass));
-                self.columns.set(at, mass, Some(error), answer.remarks);
-                Ok(())
-            }
-            RowAnswer::Posed(pose) => self.columns.respond(&pose, &self.contact, at),
-            RowAnswer::Unreached(reason) => Err(reason),
         };
-        if let Err(reason) = done {
-            self.columns.set(at, None, None, RemarkFlags::NO_ANSWER);
+        let answer = answer.unwrap_or_else(|reason| {
             self.no_answer.get_or_insert(reason);
-        }
+            BatchAnswer::UNREACHED
+        });
+        self.columns.set(at, &answer);
     }
 }
 

@@ -40,45 +40,33 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// Runs portions of configurations, with sizes adapted to [`PORTION_DURATION`]; checks for Ctrl-C after each.
-pub fn run_timed_portions(
+/// Runs portions of configurations; checks for Ctrl-C after each. `is_path`: rows of a path, with portions of [`PATH_PORTION`];
+/// otherwise the sizes are adapted to [`PORTION_DURATION`].
+pub fn run_portions(
     py: Python<'_>,
     count: usize,
+    is_path: bool,
     (threads, progress): (Threads, &Progress<'_>),
     mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
 ) -> PyResult<()> {
-    let (mut first, mut size) = (0, FIRST_PORTION);
+    let (mut first, mut size) = (0, if is_path { PATH_PORTION } else { FIRST_PORTION });
     while first < count {
-        let count_of_portion = size.min(count - first);
+        let rows = first..count.min(first + size);
+        let (done, end) = (rows.len(), rows.end);
         let start = Instant::now();
-        let rows = first..first + count_of_portion;
         // Few rows have no second thread: a sweep of one row would take twice as long.
-        match count <= FEW {
+        match count <= FEW && !is_path {
             true => detached(py, threads, || portion(rows))??,
             false => interruptible_on(py, threads, || portion(rows))??,
         }
         py.check_signals()?;
-        first += count_of_portion;
+        first = end;
         progress.report(first, count)?;
-        let duration = start.elapsed().as_secs_f64().max(1e-9);
-        let factor = (PORTION_DURATION.as_secs_f64() / duration).clamp(1.0 / GROWTH, GROWTH);
-        size = ((count_of_portion as f64 * factor) as usize).clamp(16, LARGEST_PORTION);
-    }
-    Ok(())
-}
-
-/// Runs portions of a path, of [`PATH_PORTION`] rows; checks for Ctrl-C after each.
-pub fn run_fixed_portions(
-    py: Python<'_>,
-    count: usize,
-    (threads, progress): (Threads, &Progress<'_>),
-    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
-) -> PyResult<()> {
-    for first in (0..count).step_by(PATH_PORTION) {
-        let end = count.min(first + PATH_PORTION);
-        interruptible_on(py, threads, || portion(first..end))??;
-        py.check_signals()?;
-        progress.report(end, count)?;
+        if !is_path {
+            let duration = start.elapsed().as_secs_f64().max(1e-9);
+            let factor = (PORTION_DURATION.as_secs_f64() / duration).clamp(1.0 / GROWTH, GROWTH);
+            size = ((done as f64 * factor) as usize).clamp(16, LARGEST_PORTION);
+        }
     }
     Ok(())
 }

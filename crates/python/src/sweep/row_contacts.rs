@@ -11,7 +11,6 @@ use percuss::spatial::Transform;
 use percuss::{BatchContacts, Contact as Resolved, Direction, Frame};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
-use std::ops::Range;
 
 /// Shortest accepted normal, of any unit: that of a single contact.
 const SHORTEST_NORMAL: f64 = 1e-9;
@@ -112,16 +111,9 @@ impl RowContacts {
         Ok(Some(Self { points, normals }))
     }
 
-    /// Contacts of some rows.
-    pub fn of_rows(&self, rows: Range<usize>) -> BatchContacts<'_> {
-        let part = |numbers: &'_ [f64]| match numbers.len() {
-            3 => 0..3,
-            _ => 3 * rows.start..3 * rows.end,
-        };
-        BatchContacts {
-            points: &self.points[part(&self.points)],
-            normals: &self.normals[part(&self.normals)],
-        }
+    /// Contacts of all rows.
+    pub fn all(&self) -> BatchContacts<'_> {
+        BatchContacts { points: &self.points, normals: &self.normals }
     }
 }
 

@@ -14,13 +14,9 @@ pub(crate) struct LimitedJoints(Vec<(JointId, usize, Limits)>);
 impl LimitedJoints {
     /// Limited joints of a mechanism.
     pub fn of(mechanism: &Mechanism) -> Self {
-        let mut next = 0;
-        let limited = mechanism.joint_ids().filter_map(|id| {
-            let joint = mechanism.joint(id);
-            let index = next;
-            next += joint.kind().positions();
-            let limits = joint.limits().filter(|_| joint.kind().positions() == 1)?;
-            Some((id, index, limits))
+        let limited = mechanism.joint_ids().zip(mechanism.position_ranges()).filter_map(|(id, range)| {
+            let limits = mechanism.joint(id).limits().filter(|_| range.len() == 1)?;
+            Some((id, range.start, limits))
         });
         Self(limited.collect())
     }

@@ -158,7 +158,7 @@ pub(crate) fn status_name(status: ContactStatus) -> &'static str {
     match status {
         ContactStatus::Finite => "finite",
         ContactStatus::Immovable => "immovable",
-        ContactStatus::Massless => "massless",
+        ContactStatus::Massless | ContactStatus::MasslessToRounding => "massless",
         ContactStatus::Unanswered => "no answer",
     }
 }

@@ -229,7 +229,7 @@ fn add_free_body(skin: &mut SkinFacets, other: f64) {
             ContactStatus::Immovable => {
                 (*status, *mass, *error) = (ContactStatus::Finite, other, 4.0 * f64::EPSILON);
             }
-            ContactStatus::Massless | ContactStatus::Unanswered => {}
+            _ => {}
         }
     }
 }

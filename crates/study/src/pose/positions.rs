@@ -29,12 +29,7 @@ impl PoseLayout {
         let mut movable: Vec<JointId> =
             mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
         movable.sort_by_key(|id| mechanism.joint(*id).name());
-        let mut places = Vec::with_capacity(mechanism.joints().len());
-        let mut place = 0;
-        for joint in mechanism.joints() {
-            places.push(place);
-            place += joint.kind().positions();
-        }
+        let places: Vec<Range<usize>> = mechanism.position_ranges().collect();
         let mut first = 0;
         let numbered = |joint: JointId| {
             let numbers = first..first + mechanism.joint(joint).kind().positions();
@@ -44,7 +39,7 @@ impl PoseLayout {
                 joint,
                 kind: mechanism.joint(joint).kind(),
                 range: numbers,
-                column: places[joint.index()],
+                column: places[joint.index()].start,
             }
         };
         Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })
@@ -87,12 +82,10 @@ impl Positions {
         Self { layout: Arc::clone(layout), values }
     }
 
-    /// Positions of row `i`. `columns` holds one column of `rows` values per position component of all joints,
-    /// in joint order.
-    pub(crate) fn from_columns(layout: &Arc<PoseLayout>, columns: &[f64], rows: usize, i: usize) -> Self {
-        let places = layout.joints.iter().flat_map(|joint| joint.column..joint.column + joint.range.len());
-        let values = places.map(|place| columns[place * rows + i]).collect();
-        Self { layout: Arc::clone(layout), values }
+    /// Positions from those of all joints, in joint order.
+    pub(crate) fn from_list(layout: &Arc<PoseLayout>, all: &[f64]) -> Self {
+        let values = layout.joints.iter().flat_map(|joint| &all[joint.column..][..joint.range.len()]);
+        Self { layout: Arc::clone(layout), values: values.copied().collect() }
     }
 
     /// Positions of a row without a pose.

@@ -6,19 +6,11 @@ use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachableRange, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
-use crate::sweep::followed_rows::PathFindings;
+use crate::sweep::plain_rows::PlainFindings;
+use crate::sweep::row_blocks::DistanceMeasure;
 use crate::sweep::row_layout::RowLayout;
 use percuss_dynamics::{AssemblyError, Pose, RowPath, System};
 use std::sync::Arc;
-
-/// Number of a row that measures the distance along a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum DistanceMeasure {
-    /// Last number: the values of a range.
-    LastNumber,
-    /// No number: all numbers change from row to row.
-    Undefined,
-}
 
 /// Step limit: joint travel (rad or m) from the last pose reached, or from 0 for a first row, at which
 /// following the loops exceeded the work limit; and the row that found the limit. Rows with a longer step are
@@ -41,7 +33,7 @@ pub(crate) struct LineContinuation {
     pub unreachable: UnreachableRange,
     pub step_limit: StepLimit,
     /// Path along the line.
-    pub path: RowPath<PathFindings>,
+    pub path: RowPath<PlainFindings>,
 }
 
 impl LineContinuation {

@@ -1,9 +1,8 @@
 //! Sweeps: rows of configurations, their evaluation along a branch, reports.
 
-pub(crate) mod batch_evaluator;
 pub(crate) mod continuation;
-pub(crate) mod followed_rows;
 pub(crate) mod pipeline;
+pub(crate) mod plain_rows;
 pub(crate) mod row_blocks;
 pub(crate) mod row_gradient;
 pub(crate) mod row_layout;

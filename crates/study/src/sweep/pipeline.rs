@@ -8,21 +8,18 @@
 use crate::checks::finding::FindingTally;
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
-use crate::pose::unreachable_range::{SkippedRows, UnreachableRange};
+use crate::pose::unreachable_range::SkippedRows;
 use crate::question::errors::question_error::StudyError;
-use crate::question::travel::varied_values::VariedValues;
 use crate::sweep::continuation::{LineContinuation, StepLimit, min_limit};
 use crate::sweep::row_blocks::{RowBlock, RowReader};
-use crate::sweep::sweep_context::{
-    NO_RESULT_STATUS, RowConversion, RowOutcome, RowPose, RowResults, SweepContext,
-};
+use crate::sweep::sweep_context::{RowConversion, RowOutcome, RowPose, RowResults, SweepContext};
 use crate::sweep::sweep_report::SweepEnd;
 use crate::thresholds::{
     BATCH_BLOCK_ROWS, BATCH_ROWS_PER_TASK, FIRST_BLOCK, MOST_UNREACHED_ROWS, POSED_BLOCK_LINKS,
     POSED_BLOCK_ROWS, POSED_ROWS_PER_TASK,
 };
 use rayon::prelude::*;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 /// Result of a sweep.
@@ -41,7 +38,7 @@ pub(crate) fn run<T: Send>(
     each: &mut dyn FnMut(T) -> ControlFlow<()>,
 ) -> Result<PipelineResult, StudyError> {
     let mut posing = PosingStage::new(context, rows);
-    let mut out = OutputStage::new(context, convert, each);
+    let mut out = OutputStage::new(each);
     let (mut posed, mut evaluated) = (None, None);
     loop {
         let (to_answer, to_hand_out) = (posed.take(), evaluated.take());
@@ -52,7 +49,11 @@ pub(crate) fn run<T: Send>(
             scope.spawn(|_| {
                 (next_posed, next_answered) = rayon::join(
                     || posing.next(),
-                    || to_answer.map(|posed| evaluate_block(context, posed, convert, too_far)),
+                    || {
+                        let PosedBlock { block, portions } = to_answer?;
+                        let evaluate = |portion| evaluate_portion(context, &block, portion, convert, too_far);
+                        Some(portions.into_par_iter().map(evaluate).collect::<Vec<_>>())
+                    },
                 );
             });
             if let Some(portions) = to_hand_out {
@@ -73,25 +74,37 @@ pub(crate) fn run<T: Send>(
     Ok(out.result)
 }
 
-/// Block and the remaining work.
+/// Block of rows in portions.
 struct PosedBlock {
     block: RowBlock,
-    work: BlockWork,
+    portions: Vec<Portion>,
 }
 
-enum BlockWork {
-    /// Lines of this number of rows; each line is posed and evaluated separately.
-    Lines(usize),
-    /// Portions of posed rows of one line.
-    Portions {
-        portions: Vec<(usize, Vec<RowPose>)>,
+/// Rows of a block that one thread evaluates.
+struct Portion {
+    rows: Range<usize>,
+    work: PortionWork,
+}
+
+enum PortionWork {
+    /// A line; it is posed and evaluated separately.
+    Line,
+    /// Posed rows of a line.
+    Posed {
+        row_poses: Vec<RowPose>,
         travel: Option<Arc<(PointTravel, Driver)>>,
-        untried: Option<SkippedRows>,
+        skipped: Option<SkippedRows>,
     },
-    /// Rows for the SIMD evaluation without poses.
-    Batches,
+    /// Rows of a tree, for the SIMD evaluation without poses.
+    Tree,
     /// Rows that are not tried because of row `found_by`.
     Skipped { found_by: usize },
+}
+
+/// Portions of a block of `count` rows.
+fn split(count: usize, rows: usize, mut work: impl FnMut() -> PortionWork) -> Vec<Portion> {
+    let ranges = (0..count).step_by(rows.max(1)).map(|first| first..(first + rows).min(count));
+    ranges.map(|rows| Portion { rows, work: work() }).collect()
 }
 
 /// First stage: forms blocks and poses consecutive rows.
@@ -111,13 +124,13 @@ struct PosingStage<'s, 'a> {
 impl<'s, 'a> PosingStage<'s, 'a> {
     fn new(context: &'s SweepContext<'a>, rows: RowReader) -> Self {
         let links = context.prepared.system.mechanism().links().len();
-        let largest = match &context.batch_evaluator {
+        let largest = match &context.tree_rows {
             Some(_) => {
                 (POSED_BLOCK_LINKS * BATCH_ROWS_PER_TASK / links.max(1)).clamp(FIRST_BLOCK, BATCH_BLOCK_ROWS)
             }
             None => (POSED_BLOCK_LINKS / links.max(1)).clamp(FIRST_BLOCK, POSED_BLOCK_ROWS),
         };
-        let line = LineContinuation::new(rows.distance_measure(), context.travel.clone(), None);
+        let line = context.new_line(None);
         Self {
             context,
             rows,
@@ -133,7 +146,8 @@ impl<'s, 'a> PosingStage<'s, 'a> {
     /// Next block; `None` at the end.
     fn next(&mut self) -> Result<Option<PosedBlock>, StudyError> {
         // Without poses, rows are independent.
-        let line = if self.context.batch_evaluator.is_some() { None } else { self.rows.rows_per_line() };
+        let is_tree = self.context.tree_rows.is_some();
+        let line = if is_tree { None } else { self.rows.rows_per_line() };
         let whole = line.filter(|rows| *rows <= self.max_block_size);
         let count = match (whole, line) {
             (Some(rows), _) => rows * (self.size / rows).max(1),
@@ -147,112 +161,86 @@ impl<'s, 'a> PosingStage<'s, 'a> {
         let starts_line = line.is_some_and(|rows| self.row.is_multiple_of(rows));
         self.row += block.count;
         self.size = (2 * self.size).min(self.max_block_size);
-        let work = match (self.abandoned_after, whole) {
-            (Some(found_by), _) => BlockWork::Skipped { found_by },
-            (None, Some(rows)) => BlockWork::Lines(rows),
-            (None, None) if self.context.batch_evaluator.is_some() => BlockWork::Batches,
+        let portions = match (self.abandoned_after, whole) {
+            (Some(found_by), _) => split(block.count, block.count, || PortionWork::Skipped { found_by }),
+            (None, Some(rows)) => split(block.count, rows, || PortionWork::Line),
+            (None, None) if is_tree => split(block.count, BATCH_ROWS_PER_TASK, || PortionWork::Tree),
             (None, None) => {
                 if starts_line {
                     self.step_limit = min_limit(self.step_limit, self.line.step_limit);
-                    self.line = LineContinuation::new(
-                        self.rows.distance_measure(),
-                        self.context.travel.clone(),
-                        self.step_limit,
-                    );
+                    self.line = self.context.new_line(self.step_limit);
                 }
                 self.pose(&block)
             }
         };
-        Ok(Some(PosedBlock { block, work }))
+        Ok(Some(PosedBlock { block, portions }))
     }
 
     /// Poses the rows of a block, each from the last row reached.
-    fn pose(&mut self, block: &RowBlock) -> BlockWork {
-        let (context, line) = (self.context, &mut self.line);
-        let mut portions = Vec::with_capacity(block.count.div_ceil(POSED_ROWS_PER_TASK));
-        let mut row_poses = context.next_poses(line, block, 0..block.count).into_iter();
-        for first in (0..block.count).step_by(POSED_ROWS_PER_TASK) {
-            portions.push((first, row_poses.by_ref().take(POSED_ROWS_PER_TASK).collect()));
-        }
-        BlockWork::Portions { portions, travel: line.travel(), untried: line.unreachable.drain_skipped() }
+    fn pose(&mut self, block: &RowBlock) -> Vec<Portion> {
+        let line = &mut self.line;
+        let mut row_poses = self.context.next_poses(line, block, 0..block.count).into_iter();
+        split(block.count, POSED_ROWS_PER_TASK, || PortionWork::Posed {
+            row_poses: row_poses.by_ref().take(POSED_ROWS_PER_TASK).collect(),
+            travel: line.travel(),
+            skipped: line.unreachable.drain_skipped(),
+        })
     }
 }
 
-/// Second stage: evaluates the rows in parallel.
-fn evaluate_block<T: Send>(
+/// Second stage: evaluates rows.
+fn evaluate_portion<T>(
     context: &SweepContext<'_>,
-    posed: PosedBlock,
+    block: &RowBlock,
+    Portion { rows, work }: Portion,
     convert: RowConversion<'_, T>,
     too_far: StepLimit,
-) -> Vec<RowResults<T>> {
-    let PosedBlock { block, work } = posed;
-    let block = &block;
-    match work {
-        BlockWork::Lines(rows) => {
-            let of_line = |first: usize| {
-                let mut line =
-                    LineContinuation::new(context.distance_measure, context.travel.clone(), too_far);
-                let mut portion = RowResults::new(rows);
-                let row_poses = context.next_poses(&mut line, block, first..first + rows);
-                let travel = line.travel();
-                let travel = travel.as_ref().map(|t| &t.0);
-                context.evaluate_rows(&mut portion, block, (first..).zip(row_poses), travel, convert);
-                (portion.skipped, portion.step_limit) = (line.unreachable.drain_skipped(), line.step_limit);
-                portion
-            };
-            let lines: Vec<usize> = (0..block.count).step_by(rows).collect();
-            lines.into_par_iter().map(of_line).collect()
+) -> RowResults<T> {
+    let mut results = RowResults::new(rows.len());
+    let mut line = context.new_line(too_far);
+    let mut evaluate = |travel: Option<&PointTravel>, row_poses: &mut dyn Iterator<Item = RowPose>| {
+        for (i, row_pose) in rows.clone().zip(row_poses) {
+            context.evaluate_row(&mut results, block, i, row_pose, travel, convert);
         }
-        BlockWork::Portions { portions, travel, untried } => {
-            let of_portion = |(first, row_poses): (usize, Vec<RowPose>)| {
-                let mut portion = RowResults::new(row_poses.len());
-                let travel = travel.as_ref().map(|t| &t.0);
-                context.evaluate_rows(&mut portion, block, (first..).zip(row_poses), travel, convert);
-                portion
-            };
-            let mut portions: Vec<RowResults<T>> = portions.into_par_iter().map(of_portion).collect();
-            if let Some(first) = portions.first_mut() {
-                first.skipped = untried;
-            }
-            portions
+    };
+    let skipped = match work {
+        PortionWork::Line => {
+            let row_poses = context.next_poses(&mut line, block, rows.clone());
+            evaluate(line.travel().as_ref().map(|t| &t.0), &mut row_poses.into_iter());
+            line.unreachable.drain_skipped()
         }
-        BlockWork::Batches => {
-            let starts: Vec<usize> = (0..block.count).step_by(BATCH_ROWS_PER_TASK).collect();
-            let rows = |first: usize| first..(first + BATCH_ROWS_PER_TASK).min(block.count);
-            starts.into_par_iter().map(|first| context.evaluate_batch(block, rows(first), convert)).collect()
+        PortionWork::Posed { row_poses, travel, skipped } => {
+            evaluate(travel.as_ref().map(|t| &t.0), &mut row_poses.into_iter());
+            skipped
         }
-        BlockWork::Skipped { found_by } => {
-            let mut portion = RowResults::new(block.count);
-            let mut reach = UnreachableRange::default();
-            for i in 0..block.count {
-                let row_pose = RowPose::Unreached(reach.skip(block.first + i, found_by));
-                context.evaluate_row(&mut portion, block, i, row_pose, None, convert);
-            }
-            portion.skipped = reach.drain_skipped();
-            vec![portion]
+        PortionWork::Tree => {
+            let tree = context.tree_rows.iter();
+            evaluate(None, &mut tree.flat_map(|tree| context.rows_of_tree(tree, block, rows.clone())));
+            None
         }
-    }
+        PortionWork::Skipped { found_by } => {
+            let mut skip = |i| RowPose::Unreached(Ok(line.unreachable.skip(block.first + i, found_by)));
+            evaluate(None, &mut rows.clone().map(&mut skip));
+            line.unreachable.drain_skipped()
+        }
+    };
+    (results.skipped, results.step_limit) = (skipped, line.step_limit);
+    results
 }
 
 /// Third stage: hands out the rows in order.
-struct OutputStage<'o, 's, 'a, T> {
-    context: &'s SweepContext<'a>,
-    convert: RowConversion<'o, T>,
+struct OutputStage<'o, T> {
     each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
     result: PipelineResult,
     /// Number of consecutive rows that were not reached.
     unreached: usize,
 }
 
-impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
-    fn new(
-        context: &'s SweepContext<'a>,
-        convert: RowConversion<'o, T>,
-        each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
-    ) -> Self {
+impl<'o, T> OutputStage<'o, T> {
+    fn new(each: &'o mut dyn FnMut(T) -> ControlFlow<()>) -> Self {
         let end = SweepEnd { rows: 0, rows_without_result: 0, first_error: None, diagnostics: Vec::new() };
         let result = PipelineResult { end, tally: FindingTally::default(), skipped: None };
-        Self { context, convert, each, result, unreached: 0 }
+        Self { each, result, unreached: 0 }
     }
 
     /// Last row, if too many consecutive rows were not reached; the following rows are then not tried.
@@ -280,31 +268,16 @@ impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
     /// Passes one row on and counts it.
     fn output_row(&mut self, outcome: RowOutcome<T>) -> Result<ControlFlow<()>, StudyError> {
         let end = &mut self.result.end;
-        let (converted, reached, error) = match outcome {
-            RowOutcome::Row { converted, reached, error } => (converted, reached, error),
-            // An input error before the first result is an error of the question; a later error belongs to the
-            // row.
-            RowOutcome::Failed { error, .. }
-                if end.rows == end.rows_without_result && !error.has_no_result() =>
-            {
-                return Err(error);
-            }
-            RowOutcome::Failed { row, varied, error } => self.failed_row(row, varied, &error),
-        };
-        let end = &mut self.result.end;
+        // An input error before the first result is an error of the question; a later error belongs to the row.
+        if let Some(refusal) = outcome.refusal.filter(|_| end.rows == end.rows_without_result) {
+            return Err(refusal);
+        }
         end.rows += 1;
-        self.unreached = if reached { 0 } else { self.unreached + 1 };
-        if let Some(error) = error {
+        self.unreached = if outcome.reached { 0 } else { self.unreached + 1 };
+        if let Some(error) = outcome.error {
             end.rows_without_result += 1;
             end.first_error.get_or_insert(error);
         }
-        Ok((self.each)(converted))
-    }
-
-    /// Row without a result because of an error.
-    fn failed_row(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
-        let why = error.message(self.context.prepared.question.names);
-        let row = self.context.row_without_result(row, varied, NO_RESULT_STATUS, why.clone());
-        ((self.convert)(row), true, Some(why))
+        Ok((self.each)(outcome.converted))
     }
 }

@@ -4,8 +4,16 @@ use crate::evaluation::random_rows::RandomRows;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::travel::vary::EvenlySpacedValues;
-use crate::sweep::continuation::DistanceMeasure;
 use crate::tables::trajectory::Trajectory;
+
+/// Number of a row that measures the distance along a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DistanceMeasure {
+    /// Last number: the values of a range.
+    LastNumber,
+    /// No number: all numbers change from row to row.
+    Undefined,
+}
 
 /// Consecutive rows with their numbers.
 #[derive(Debug)]

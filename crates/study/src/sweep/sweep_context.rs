@@ -10,10 +10,9 @@ use crate::pose::positions::Positions;
 use crate::pose::unreachable_range::SkippedRows;
 use crate::question::errors::question_error::StudyError;
 use crate::question::travel::varied_values::VariedValues;
-use crate::sweep::batch_evaluator::BatchEvaluator;
-use crate::sweep::continuation::{DistanceMeasure, LineContinuation, StepLimit};
-use crate::sweep::followed_rows::{FollowedRow, PathFindings};
-use crate::sweep::row_blocks::RowBlock;
+use crate::sweep::continuation::{LineContinuation, StepLimit};
+use crate::sweep::plain_rows::{PlainFindings, PlainRow, TreeRows};
+use crate::sweep::row_blocks::{DistanceMeasure, RowBlock};
 use crate::sweep::row_gradient::RowGradient;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::{SweepHeading, SweepRow};
@@ -36,8 +35,8 @@ pub(crate) struct SweepContext<'a> {
     pub gap: Option<(Gap, Pose)>,
     /// Stops that a row may pass.
     pub passed_stops: Option<PassedStops<'a>>,
-    /// SIMD evaluation, if rows need no poses.
-    pub batch_evaluator: Option<BatchEvaluator>,
+    /// SIMD evaluation of a tree, if rows need no poses.
+    pub tree_rows: Option<TreeRows>,
 }
 
 /// Pose of a row, or the reason for a missing pose.
@@ -45,22 +44,26 @@ pub(crate) struct SweepContext<'a> {
 pub(crate) enum RowPose {
     /// Row with a pose. `first`: true for the first row of its line that is reached.
     Posed { pose: Arc<Pose>, first: bool },
-    /// Row reached and evaluated by the path follower.
-    Followed(Box<FollowedRow>),
-    /// Unreached row, with the reason.
-    Unreached(String),
-    /// Error of the question.
-    Failed(StudyError),
+    /// Row evaluated without a pose.
+    Plain(PlainRow),
+    /// Row that is not reached.
+    Unreached(NoPose),
 }
+
+/// Reason of a row without a pose, or error of the question.
+pub(crate) type NoPose = Result<String, StudyError>;
 
 /// Outcome of a row.
 #[derive(Debug)]
-pub(crate) enum RowOutcome<T> {
-    /// Converted row, true if the pose was reached, and the reason for a missing result.
-    Row { converted: T, reached: bool, error: Option<String> },
-    /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
-    /// the row without a result.
-    Failed { row: usize, varied: VariedValues, error: StudyError },
+pub(crate) struct RowOutcome<T> {
+    /// Converted row.
+    pub converted: T,
+    /// True if the pose was reached.
+    pub reached: bool,
+    /// Reason for a missing result.
+    pub error: Option<String>,
+    /// Input error, which ends the sweep before the first row with a result.
+    pub refusal: Option<StudyError>,
 }
 
 /// Consecutive rows evaluated together.
@@ -117,31 +120,31 @@ struct LineHandler<'r, 'a> {
 }
 
 impl RowHandler for LineHandler<'_, '_> {
-    type Shared = PathFindings;
-    type Error = RowPose;
+    type Shared = PlainFindings;
+    type Error = NoPose;
 
-    fn pose(&mut self, row: usize, values: &[f64], last: Option<&Pose>) -> Result<Arc<Pose>, RowPose> {
+    fn pose(&mut self, row: usize, values: &[f64], last: Option<&Pose>) -> Result<Arc<Pose>, NoPose> {
         self.starts_line = last.is_none();
         self.context.pose_row(self.line, self.first + row, values, last)
     }
 
-    fn driven_path(&mut self, pose: &Pose) -> Option<(DrivenPath, PathFindings)> {
+    fn driven_path(&mut self, pose: &Pose) -> Option<(DrivenPath, PlainFindings)> {
         let SweepContext { prepared, row_layout, contact, heading, .. } = self.context;
         if heading.gradient.is_some() {
             // A gradient needs the pose of its row.
             return None;
         }
-        PathFindings::of_path(prepared, row_layout, contact, pose)
+        PlainFindings::of_path(prepared, row_layout, contact, pose)
     }
 
-    fn receive(&mut self, _: usize, values: &[f64], answer: RowAnswer<'_, PathFindings, RowPose>) {
+    fn receive(&mut self, _: usize, values: &[f64], answer: RowAnswer<'_, PlainFindings, NoPose>) {
         let SweepContext { prepared, heading, .. } = self.context;
         let row_pose = match answer {
-            RowAnswer::Unreached(outcome) => return self.row_poses.push(outcome),
+            RowAnswer::Unreached(reason) => return self.row_poses.push(RowPose::Unreached(reason)),
             RowAnswer::Posed(pose) => RowPose::Posed { pose, first: std::mem::take(&mut self.starts_line) },
             RowAnswer::Followed { shared, mass, answer, positions } => {
-                let row = shared.row(prepared, &heading.joints, mass, answer.residual, positions);
-                RowPose::Followed(Box::new(row))
+                let residual = Some(answer.residual);
+                RowPose::Plain(shared.row(prepared, &heading.joints, mass, residual, positions))
             }
         };
         self.line.record_reached(values);
@@ -156,20 +159,22 @@ impl SweepContext<'_> {
     /// Pose of a row of a line, from the pose of the last row reached.
     ///
     /// # Errors
-    /// The outcome of a row without a pose.
+    /// The reason of a row without a pose.
     fn pose_row(
         &self,
         line: &mut LineContinuation,
         row: usize,
         values: &[f64],
         last: Option<&Pose>,
-    ) -> Result<Arc<Pose>, RowPose> {
+    ) -> Result<Arc<Pose>, NoPose> {
         let names = self.prepared.question.names;
-        match line.pose(&self.prepared.system, &self.row_layout, names, row, values, last) {
-            Ok(Ok(pose)) => Ok(pose),
-            Ok(Err(why)) => Err(RowPose::Unreached(why)),
-            Err(error) => Err(RowPose::Failed(error)),
-        }
+        let pose = line.pose(&self.prepared.system, &self.row_layout, names, row, values, last);
+        pose.map_err(Err)?.map_err(Ok)
+    }
+
+    /// Line whose first row starts from the pose of the question.
+    pub fn new_line(&self, too_far: StepLimit) -> LineContinuation {
+        LineContinuation::new(self.distance_measure, self.travel.clone(), too_far)
     }
 
     /// Poses of consecutive rows of a line.
@@ -190,18 +195,23 @@ impl SweepContext<'_> {
         row_poses
     }
 
-    /// Evaluates rows, given by their numbers in the block with their poses.
-    pub fn evaluate_rows<T>(
-        &self,
-        portion: &mut RowResults<T>,
-        block: &RowBlock,
-        rows: impl Iterator<Item = (usize, RowPose)>,
-        travel: Option<&PointTravel>,
-        convert: RowConversion<'_, T>,
-    ) {
-        for (i, row_pose) in rows {
-            self.evaluate_row(portion, block, i, row_pose, travel, convert);
-        }
+    /// Rows of a tree; an uncertain row is posed alone.
+    pub fn rows_of_tree<'s>(
+        &'s self,
+        tree: &'s TreeRows,
+        block: &'s RowBlock,
+        rows: Range<usize>,
+    ) -> impl Iterator<Item = RowPose> {
+        let results = tree.evaluate(block, rows.clone());
+        rows.enumerate().map(move |(at, i)| {
+            let values = block.values(i);
+            if let Some(row) = tree.row(&self.prepared, &self.heading, &results, at, values) {
+                return RowPose::Plain(row);
+            }
+            let mut line = self.new_line(None);
+            let pose = self.pose_row(&mut line, block.first + i, values, None);
+            pose.map_or_else(RowPose::Unreached, |pose| RowPose::Posed { pose, first: true })
+        })
     }
 
     /// Evaluates a row and appends the outcome to the portion.
@@ -216,79 +226,59 @@ impl SweepContext<'_> {
     ) {
         let row = block.first + i;
         let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
-        let failed = |varied, error| RowOutcome::Failed { row, varied, error };
-        let outcome = match row_pose {
-            RowPose::Failed(error) => failed(varied, error),
-            RowPose::Unreached(why) => {
-                let converted = convert(self.row_without_result(row, varied, UNREACHABLE, why.clone()));
-                RowOutcome::Row { converted, reached: false, error: Some(why) }
-            }
-            RowPose::Followed(followed) => {
-                portion.tally.add(row, followed.own);
-                portion.add_shared_findings(row, &followed.shared_findings);
-                self.add_passed_stops(portion, row, &followed.positions);
-                let (mass, error) = followed.mass;
-                let positions = followed.positions;
-                let sweep_row =
-                    self.without_pose(row, varied, (mass, error), Some(followed.residual), positions, None);
-                RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
+        let reached = !matches!(row_pose, RowPose::Unreached(Ok(_)));
+        let mut refusal = None;
+        let sweep_row = match row_pose {
+            RowPose::Unreached(Ok(why)) => self.row_without_result(row, varied, UNREACHABLE, why),
+            RowPose::Plain(PlainRow { positions, mass, residual, gradient, shared_findings, own }) => {
+                portion.tally.add(row, own);
+                portion.add_shared_findings(row, &shared_findings);
+                let needs_list = self.passed_stops.is_some() || self.gap.is_some();
+                let all = if needs_list { positions.in_joint_order() } else { Vec::new() };
+                if let Some(stops) = &self.passed_stops {
+                    portion.tally.add(row, stops.findings_at(&all));
+                }
+                SweepRow {
+                    effective_mass: Some(mass.0),
+                    effective_mass_error: Some(mass.1),
+                    closure_residual: residual,
+                    singular_pose: Some(false),
+                    gap: self.gap.as_ref().map(|(gap, drawn)| Some(gap.at_positions(drawn, &all))),
+                    ..self.row(row, varied, Status::Finite.name(), positions, gradient)
+                }
             }
             RowPose::Posed { pose, first } => {
                 if first {
                     portion.tally.add(row, self.prepared.guess_findings(&pose));
                 }
                 match self.prepared.evaluate(&pose, &self.prepared.contact_of_row(&self.contact, &pose)) {
-                    Err(error) => failed(varied, error),
+                    Err(error) => self.row_in_error(row, varied, error, &mut refusal),
                     Ok(answer) => {
                         let sweep_row = self.row_with_pose(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
                         let passed = self.passed_stops.iter().flat_map(|stops| stops.findings(&pose));
                         portion.tally.add(row, passed);
-                        RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
+                        sweep_row
                     }
                 }
             }
+            RowPose::Unreached(Err(error)) => self.row_in_error(row, varied, error, &mut refusal),
         };
-        portion.rows.push(outcome);
+        let error = sweep_row.error.clone();
+        portion.rows.push(RowOutcome { converted: convert(sweep_row), reached, error, refusal });
     }
 
-    /// Evaluates rows of a block without poses. Uncertain rows are posed and evaluated separately.
-    pub fn evaluate_batch<T>(
+    /// Row without a result because of an error; `refusal` receives an error of the input.
+    fn row_in_error(
         &self,
-        block: &RowBlock,
-        rows: Range<usize>,
-        convert: RowConversion<'_, T>,
-    ) -> RowResults<T> {
-        let mut portion = RowResults::new(rows.len());
-        let Some(lanes) = &self.batch_evaluator else { return portion };
-        let batch_results = lanes.evaluate(block, rows.clone());
-        for (at, i) in rows.enumerate() {
-            let Some((mass, error)) = batch_results.mass(at) else {
-                let mut line = LineContinuation::new(self.distance_measure, None, None);
-                let row_pose = match self.pose_row(&mut line, block.first + i, block.values(i), None) {
-                    Ok(pose) => RowPose::Posed { pose, first: true },
-                    Err(outcome) => outcome,
-                };
-                self.evaluate_row(&mut portion, block, i, row_pose, None, convert);
-                continue;
-            };
-            let row = block.first + i;
-            lanes.add_findings(&self.prepared, &batch_results, at, row, &mut portion.tally);
-            let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
-            let positions = batch_results.positions(&self.heading.joints, at);
-            self.add_passed_stops(&mut portion, row, &positions);
-            let gradient = self.gradient_of(|| batch_results.gradient(at));
-            let sweep_row = self.without_pose(row, varied, (mass, error), None, positions, gradient);
-            portion.rows.push(RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None });
-        }
-        portion
-    }
-
-    /// Adds the findings about the stops that a row without a pose passes.
-    fn add_passed_stops<T>(&self, portion: &mut RowResults<T>, row: usize, positions: &Positions) {
-        if let Some(stops) = &self.passed_stops {
-            portion.tally.add(row, stops.findings_at(&positions.in_joint_order()));
-        }
+        row: usize,
+        varied: VariedValues,
+        error: StudyError,
+        refusal: &mut Option<StudyError>,
+    ) -> SweepRow {
+        let why = error.message(self.prepared.question.names);
+        *refusal = Some(error).filter(|error| !error.has_no_result());
+        self.row_without_result(row, varied, NO_RESULT_STATUS, why)
     }
 
     /// Gradient of a row if gradients are requested; `values`: one number per velocity of all joints.
@@ -296,28 +286,27 @@ impl SweepContext<'_> {
         self.heading.gradient.as_ref().map(|layout| RowGradient::new(layout, values()))
     }
 
-    /// Row with a finite m̄, evaluated without a pose.
-    fn without_pose(
+    /// Row without further results.
+    fn row(
         &self,
         row: usize,
         varied: VariedValues,
-        (mass, error): (f64, f64),
-        closure_residual: Option<f64>,
+        status: &'static str,
         pose: Positions,
         gradient: Option<RowGradient>,
     ) -> SweepRow {
         SweepRow {
             row,
             varied,
-            status: Status::Finite.name(),
-            effective_mass: Some(mass),
-            effective_mass_error: Some(error),
-            closure_residual,
-            singular_pose: Some(false),
+            status,
+            effective_mass: None,
+            effective_mass_error: None,
+            closure_residual: None,
+            singular_pose: None,
             motion_ratio: None,
             estimate: None,
             estimate_error_percent: None,
-            gap: self.gap.as_ref().map(|(gap, drawn)| Some(gap.at_positions(drawn, &pose.in_joint_order()))),
+            gap: self.gap.as_ref().map(|_| None),
             gradient,
             pose,
             error: None,
@@ -342,10 +331,13 @@ impl SweepContext<'_> {
             None => estimate.and_then(|estimate| estimate.motion_ratio),
         };
         let (status, effective_mass) = Status::classify(answer.response.effective_mass);
+        let gradient = self.gradient_of(|| {
+            let contact = self.prepared.contact_of_row(&self.contact, pose);
+            let found = pose.effective_mass_gradient(&contact).ok().flatten();
+            found.map(|gradient| gradient.joints.concat()).unwrap_or_default()
+        });
+        let positions = Positions::from_pose(&self.heading.joints, pose);
         SweepRow {
-            row,
-            varied,
-            status: status.name(),
             effective_mass,
             effective_mass_error: answer.response.effective_mass_error(),
             closure_residual: pose.loops().map(|l| l.residual),
@@ -354,39 +346,22 @@ impl SweepContext<'_> {
             estimate: estimate.and_then(|e| e.estimate),
             estimate_error_percent: estimate.and_then(|e| e.error_percent),
             gap: self.gap.as_ref().map(|(gap, _)| Some(gap.at(pose))),
-            gradient: self.gradient_of(|| {
-                let contact = self.prepared.contact_of_row(&self.contact, pose);
-                let found = pose.effective_mass_gradient(&contact).ok().flatten();
-                found.map(|gradient| gradient.joints.concat()).unwrap_or_default()
-            }),
-            pose: Positions::from_pose(&self.heading.joints, pose),
-            error: None,
+            ..self.row(row, varied, status.name(), positions, gradient)
         }
     }
 
     /// Row with a status and an error message.
-    pub fn row_without_result(
+    fn row_without_result(
         &self,
         row: usize,
         varied: VariedValues,
         status: &'static str,
         error: String,
     ) -> SweepRow {
+        let positions = Positions::none(&self.heading.joints);
         SweepRow {
-            row,
-            varied,
-            status,
-            effective_mass: None,
-            effective_mass_error: None,
-            closure_residual: None,
-            singular_pose: None,
-            motion_ratio: None,
-            estimate: None,
-            estimate_error_percent: None,
-            gap: self.gap.as_ref().map(|_| None),
-            gradient: self.gradient_of(Vec::new),
-            pose: Positions::none(&self.heading.joints),
             error: Some(error),
+            ..self.row(row, varied, status, positions, self.gradient_of(Vec::new))
         }
     }
 }
@@ -394,4 +369,4 @@ impl SweepContext<'_> {
 /// Status of a row without an existing pose.
 const UNREACHABLE: &str = "unreachable";
 /// Status of a row with a pose and without a result.
-pub(crate) const NO_RESULT_STATUS: &str = "no answer";
+const NO_RESULT_STATUS: &str = "no answer";

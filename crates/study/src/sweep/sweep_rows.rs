@@ -19,9 +19,9 @@ use crate::question::row_source::RowSource;
 use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::question::travel::vary::{Varied, Vary};
-use crate::sweep::batch_evaluator::BatchEvaluator;
 use crate::sweep::continuation;
 use crate::sweep::pipeline;
+use crate::sweep::plain_rows::TreeRows;
 use crate::sweep::row_blocks::RowReader;
 use crate::sweep::row_gradient::GradientLayout;
 use crate::sweep::row_layout::RowLayout;
@@ -164,7 +164,7 @@ impl<'a> Sweep<'a> {
             length_unit: model.length_unit(),
             gradient: None,
         };
-        let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
+        let (along, lanes) = (rows.distance_measure(), TreeRows::new(&prepared, &setting, &contact));
         let passed_stops = match setting.moved() {
             Some(moved) => PassedStops::of_travels(&prepared, [moved]),
             None => PassedStops::of_joints(&prepared),
@@ -178,7 +178,7 @@ impl<'a> Sweep<'a> {
             distance_measure: along,
             gap,
             passed_stops,
-            batch_evaluator: lanes,
+            tree_rows: lanes,
         };
         Ok(Self { context, rows, findings })
     }
@@ -191,7 +191,7 @@ impl<'a> Sweep<'a> {
     pub fn with_gradient(mut self) -> Self {
         let mechanism = self.context.prepared.system.mechanism();
         self.context.heading.gradient = Some(GradientLayout::new(mechanism));
-        self.context.batch_evaluator = self.context.batch_evaluator.map(BatchEvaluator::with_gradient);
+        self.context.tree_rows = self.context.tree_rows.map(TreeRows::with_gradient);
         self
     }
 

@@ -6,7 +6,8 @@
 //! of the region, along the three stationary directions of m̄ and one fixed direction at each point. The largest C
 //! found is multiplied by [`MAP_SAFETY`].
 
-use super::{ContactMap, ContactStatus};
+use super::ContactMap;
+use crate::batch::row_results::ContactStatus;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::EffectiveMass;
 use crate::tolerances::{GOLDEN, MAP_OWN_ROUNDINGS, MAP_SAFETY, MAP_TRUSTED_ERROR};
