@@ -65,9 +65,7 @@ pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, 
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
-pub use question::tables::contact::{
-    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
-};
+pub use question::tables::contact::{BaseName, ConditionsTable, ContactTable, FrameName, PoseTable};
 pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
 pub use question::tables::extremes::{
     ExtremesQuestion, GivenNormals, GivenPath, GivenQuantity, GivenRange, Keep,
