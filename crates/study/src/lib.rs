@@ -134,9 +134,7 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
-pub use reports::safe_speed::{
-    AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speed, safe_speeds,
-};
+pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };

@@ -78,6 +78,7 @@ pub(crate) fn damping_report(
     evaluated: &EvaluatedQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
+    damping.refuse_limit()?;
     let EvaluatedQuestion { prepared, result: answer, .. } = evaluated;
     let effective_mass = mass_for_all_branches(answer, prepared.other_mass())?;
     let EffectiveMass::Finite(mass) = effective_mass else {

@@ -106,12 +106,8 @@ pub struct AlongRecord {
     pub pose: Positions,
 }
 
-/// Safe speed of a contact of a robot.
-///
-/// # Errors
-/// [`StudyError`], as for `mass`; limits out of range, an unknown region, a massless contact, a mass without an
-/// upper bound.
-pub fn safe_speed(
+/// Safe speed of a contact of a robot at its pose.
+fn safe_speed(
     model: &Model,
     question: &MassQuestion,
     asked: &SafeSpeedQuestion,
@@ -225,12 +221,14 @@ fn safe_speed_record(
 /// stationary m̄ (docs/reference/FORMULAS.md, F36).
 ///
 /// # Errors
-/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
+/// [`StudyError`], as for `mass` and for a sweep; not exactly one limit, limits out of range, an unknown region, a massless contact, a mass
+/// without an upper bound; no row with a speed.
 pub fn safe_speeds(
     model: &Model,
     question: &MassQuestion,
     asked: &SafeSpeedQuestion,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    asked.check()?;
     if !asked.has_directions() {
         return Ok(vec![match asked.rows() {
             None => safe_speed(model, question, asked)?,
