@@ -53,7 +53,6 @@ pub use model::loading::{Input, Model, Origin, SheetPoint};
 pub use model::named_states::named_states;
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
-pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
 pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
