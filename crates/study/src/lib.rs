@@ -53,7 +53,6 @@ pub use model::loading::{Input, Model, Origin, SheetPoint};
 pub use model::named_states::named_states;
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
-pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
 pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
@@ -65,9 +64,7 @@ pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, 
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
-pub use question::tables::contact::{
-    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
-};
+pub use question::tables::contact::{BaseName, ConditionsTable, ContactTable, FrameName, PoseTable};
 pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
 pub use question::tables::extremes::{
     ExtremesQuestion, GivenNormals, GivenPath, GivenQuantity, GivenRange, Keep,
@@ -136,9 +133,7 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
-pub use reports::safe_speed::{
-    AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speed, safe_speeds,
-};
+pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };

@@ -3,7 +3,7 @@
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
     ConditionsTable, ContactTable, DampingQuestion, Hold, ImpactQuestion, MassQuestion, ModelTable, Names,
-    PoseTable, QuestionTables, SafeSpeedQuestion,
+    PoseTable, SafeSpeedQuestion,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -135,9 +135,8 @@ impl QuestionRequest {
     /// Combines the pose, conditions and held points of the request with the given contact.
     fn with_contact(&self, contact: &ContactTable) -> Result<MassQuestion, String> {
         let Self { pose, conditions, hold, .. } = self;
-        let tables = QuestionTables { contact, pose, conditions, hold };
-        tables
-            .question(Path::new(""), DEFAULT_MAX_SIZE, Names::KEYS)
+        contact
+            .question(pose, conditions, hold, Path::new(""), DEFAULT_MAX_SIZE, Names::KEYS)
             .map_err(|error| error.message(Names::KEYS))
     }
 }

@@ -5,8 +5,7 @@ use clap::Args;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::{CONDITIONS, POSE};
 use percuss_study::{
-    ConditionsTable, ContactTable, GivenTravel, Hold, MassQuestion, Names, PoseTable, QuestionTables, Vary,
-    WheelMotion,
+    ConditionsTable, ContactTable, GivenTravel, Hold, MassQuestion, Names, PoseTable, Vary, WheelMotion,
 };
 use std::path::Path;
 
@@ -114,8 +113,9 @@ impl ContactArgs {
     /// Converts the flags to a question; link, point and normal may be missing.
     pub fn conditions(&self) -> Result<MassQuestion, Failure> {
         let Self { contact, pose, conditions, hold, .. } = self;
-        let tables = QuestionTables { contact, pose, conditions, hold };
-        let mut question = tables.question(Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)?;
+        let folder = Path::new("");
+        let mut question =
+            contact.question(pose, conditions, hold, folder, DEFAULT_MAX_SIZE, Names::Flags)?;
         if let Some(text) = self.steer.as_ref().filter(|text| !text.contains(':')) {
             let position = text.parse().map_err(|error| Failure::bad_input(format!("--steer: {error}")))?;
             question.set.push((RACK.to_owned(), position));

@@ -14,7 +14,7 @@ use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::errors::question_error::StudyError;
+use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::JointStop;
@@ -78,11 +78,12 @@ pub(crate) fn damping_report(
     evaluated: &EvaluatedQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
+    damping.refuse_limit()?;
     let EvaluatedQuestion { prepared, result: answer, .. } = evaluated;
     let effective_mass = mass_for_all_branches(answer, prepared.other_mass())?;
     let EffectiveMass::Finite(mass) = effective_mass else {
         let (status, _) = Status::classify(effective_mass);
-        return Err(StudyError::NoDamper { status: status.name() });
+        return Err(StudyError::NoDamper(no_damper(status)));
     };
     let record = damper(damping, mass)?;
     let (drift, ended) = drift(evaluated, mass, record.max_penetration);
@@ -127,6 +128,11 @@ pub(crate) fn damping_report(
     })
 }
 
+/// Message: a contact without a finite mass has no damper.
+pub(crate) fn no_damper(status: Status) -> String {
+    format!("the contact is {}: a damper for a restitution does not exist", status.name())
+}
+
 /// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
 /// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
 /// of a free body on the other side, kg.
@@ -145,10 +151,14 @@ fn mass_for_all_branches(answer: &ContactResult, other: Option<f64>) -> Result<E
         {
             Ok(first)
         }
-        _ => Err(StudyError::BranchMassesDiffer {
-            limits: limits().collect(),
-            complete: answer.limits.complete && !answer.limits.continuous,
-        }),
+        _ => {
+            let complete = answer.limits.complete && !answer.limits.continuous;
+            Err(StudyError::NoDamper(format!(
+                "the pose is singular: no damper gives the same restitution on every branch: {}; use a nearby pose on the required \
+                 branch, or compute the damper for the mass of that branch",
+                branch_limits_text(&limits().collect::<Vec<_>>(), complete)
+            )))
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::tables::map::{MapQuestion, MapShapes};
@@ -44,6 +45,10 @@ pub fn map(
     conditions: &MassQuestion,
     question: &MapQuestion,
 ) -> Result<MapAnswer, StudyError> {
+    if question.directions.is_some() || question.point.is_some() {
+        let why = "they belong to a map at a point; expected neither `directions` nor `point` for a map of surfaces";
+        return Err(InvalidKey::new("map.directions", why).into());
+    }
     let mechanism = &model.mechanism;
     let edge = question.edge.map(|edge| edge.0);
     if let Some(edge) = edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {

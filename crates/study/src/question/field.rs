@@ -47,195 +47,148 @@ impl TableKeys {
     }
 }
 
-/// Part of a question: a flag on the command line, a key in a study file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
+/// Declares the fields, each with its flag and its study key.
+macro_rules! fields {
+    ($($(#[$doc:meta])* $name:ident = $flag:literal, $key:literal;)*) => {
+        /// Part of a question: a flag on the command line, a key in a study file.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Field {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Field {
+            /// Flag and study key.
+            fn names(self) -> (&'static str, &'static str) {
+                match self {
+                    $(Field::$name => ($flag, $key),)*
+                }
+            }
+        }
+    };
+}
+
+fields! {
     /// Named contact.
-    At,
+    At = "--at", "contact.at";
     /// Contact link.
-    Link,
+    Link = "--link", "contact.link";
     /// Contact point.
-    Point,
+    Point = "--point", "contact.point";
     /// Contact normal.
-    Normal,
+    Normal = "--normal", "contact.normal";
     /// Line that defines the normal.
-    AlongLine,
+    AlongLine = "--along-line", "contact.along_line";
     /// Axis of a moment.
-    AboutAxis,
+    AboutAxis = "--about-axis", "contact.about_axis";
     /// Frame of point and normal.
-    Frame,
+    Frame = "--frame", "contact.frame";
     /// Other link.
-    Against,
+    Against = "--against", "contact.against";
     /// Mass of a free body on the other side.
-    AgainstMass,
+    AgainstMass = "--against-mass", "contact.against_mass";
     /// A driving joint.
-    Set,
+    Set = "--set", "pose.set";
     /// Initial guess of a joint position.
-    Guess,
+    Guess = "--guess", "pose.guess";
     /// Travel that drives the pose.
-    Travel,
+    Travel = "--travel", "pose.travel";
     /// File of positions for the pose.
-    Pose,
+    Pose = "--pose", "pose.file";
     /// Model file.
-    Model,
+    Model = "MODEL", "model.path";
     /// Mass of a link.
-    LinkMass,
+    LinkMass = "--link-mass", "model.link_mass";
     /// Centre of mass of a link.
-    LinkCom,
+    LinkCom = "--link-com", "model.link_com";
     /// Moments of inertia of a link.
-    LinkInertia,
+    LinkInertia = "--link-inertia", "model.link_inertia";
     /// Moved hardpoint.
-    Move,
+    Move = "--move", "model.move";
     /// Point of a motion ratio.
-    RatioAt,
+    RatioAt = "--ratio-at", "contact.ratio_at";
     /// Coefficients of friction for sticking, jamming and wedging.
-    FrictionThresholds,
+    FrictionThresholds = "--friction-thresholds", "mass.friction_thresholds";
     /// Tolerances of the parts of a model.
-    Tolerance,
+    Tolerance = "--tolerance", "mass.tolerance";
     /// Number of samples.
-    Samples,
+    Samples = "--samples", "mass.samples";
     /// Locked joint.
-    Lock,
+    Lock = "--lock", "conditions.lock";
     /// Held point.
-    Hold,
+    Hold = "--hold", "hold";
     /// Base: fixed or floating root link.
-    Base,
+    Base = "--base", "conditions.base";
     /// Inertia of a rotor.
-    Armature,
+    Armature = "--armature", "conditions.armature";
     /// The classical estimate.
-    Estimate,
+    Estimate = "--estimate", "contact.estimate";
     /// Range of a sweep.
-    Vary,
+    Vary = "--vary", "sweep.vary";
     /// File of positions of a sweep.
-    Input,
+    Input = "--input", "sweep.input";
     /// Ignored column.
-    Ignore,
+    Ignore = "--ignore", "sweep.ignore";
     /// Number of random rows.
-    Random,
+    Random = "--random", "sweep.random";
     /// Stop of a joint.
-    Limit,
+    Limit = "--limit", "damping.limit";
     /// The stiffness of a contact or a stop.
-    Stiffness,
+    Stiffness = "--stiffness", "damping.stiffness";
     /// Approach speed of a contact or a stop.
-    Speed,
+    Speed = "--speed", "damping.speed";
     /// Longest edge of a facet of a map.
-    Edge,
+    Edge = "--edge", "map.edge";
     /// Number of directions of a map at a point.
-    Directions,
+    Directions = "--directions", "map.directions";
     /// Coefficient of restitution of an impact.
-    Restitution,
+    Restitution = "--restitution", "impact.restitution";
     /// Closing speed of an impact.
-    ClosingSpeed,
+    ClosingSpeed = "--speed", "impact.speed";
     /// Stiffness of the contact of an impact.
-    ImpactStiffness,
+    ImpactStiffness = "--stiffness", "impact.stiffness";
     /// Coefficient of friction of an impact.
-    Friction,
+    Friction = "--friction", "impact.friction";
     /// Law of restitution of an impact with friction.
-    RestitutionLaw,
+    RestitutionLaw = "--restitution-law", "impact.restitution_law";
     /// Further contacts of an impact.
-    Also,
+    Also = "--also", "impact.also";
     /// Plastic impact with sticking points.
-    Sticking,
+    Sticking = "--sticking", "impact.sticking";
     /// Stiffness ratios of several contacts.
-    StiffnessRatio,
+    StiffnessRatio = "--stiffness-ratio", "impact.stiffness_ratio";
     /// Exponent of the contact forces of several contacts.
-    ContactExponent,
+    ContactExponent = "--contact-exponent", "impact.contact_exponent";
     /// Rates of driving joints before an impact.
-    Rates,
+    Rates = "--rates", "impact.rates";
     /// Velocity of a floating base before an impact.
-    BaseTwist,
+    BaseTwist = "--base-twist", "impact.base_twist";
     /// Largest jump of a joint rate.
-    RateLimit,
+    RateLimit = "--rate-limit", "impact.rate_limit";
     /// Spring of a joint during an impact in time.
-    JointSpring,
+    JointSpring = "--joint-spring", "impact.joint_spring";
     /// Largest impulse in a gear.
-    GearLimit,
+    GearLimit = "--gear-limit", "impact.gear_limit";
     /// Largest displacement of the contact point.
-    PointError,
+    PointError = "--point-error", "impact.point_error";
     /// Quantity of a search for extremes.
-    Quantity,
+    Quantity = "--quantity", "extremes.quantity";
     /// Stiffness of the contact law of a peak force.
-    ExtremesStiffness,
+    ExtremesStiffness = "--stiffness", "extremes.stiffness";
     /// Closing speed of a peak force.
-    ExtremesSpeed,
+    ExtremesSpeed = "--speed", "extremes.speed";
     /// Range of a joint in a search for extremes.
-    Range,
+    Range = "--range", "extremes.range";
     /// Link or point that stays in place in a search for extremes.
-    Keep,
+    Keep = "--keep", "extremes.keep";
     /// Path of a search for extremes.
-    Path,
+    Path = "--path", "extremes.path";
     /// Joint of a reflected inertia.
-    Reflected,
+    Reflected = "--reflected", "impact.reflected";
     /// Joint of a centre of percussion.
-    Percussion,
+    Percussion = "--percussion", "impact.percussion";
 }
 
 impl Field {
-    /// Flag and study key.
-    fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Field::At => ("--at", "contact.at"),
-            Field::Link => ("--link", "contact.link"),
-            Field::Point => ("--point", "contact.point"),
-            Field::Normal => ("--normal", "contact.normal"),
-            Field::AlongLine => ("--along-line", "contact.along_line"),
-            Field::AboutAxis => ("--about-axis", "contact.about_axis"),
-            Field::Frame => ("--frame", "contact.frame"),
-            Field::Against => ("--against", "contact.against"),
-            Field::AgainstMass => ("--against-mass", "contact.against_mass"),
-            Field::Set => ("--set", "pose.set"),
-            Field::Guess => ("--guess", "pose.guess"),
-            Field::Travel => ("--travel", "pose.travel"),
-            Field::Pose => ("--pose", "pose.file"),
-            Field::Model => ("MODEL", "model.path"),
-            Field::LinkMass => ("--link-mass", "model.link_mass"),
-            Field::LinkCom => ("--link-com", "model.link_com"),
-            Field::LinkInertia => ("--link-inertia", "model.link_inertia"),
-            Field::Move => ("--move", "model.move"),
-            Field::RatioAt => ("--ratio-at", "contact.ratio_at"),
-            Field::FrictionThresholds => ("--friction-thresholds", "mass.friction_thresholds"),
-            Field::Tolerance => ("--tolerance", "mass.tolerance"),
-            Field::Samples => ("--samples", "mass.samples"),
-            Field::Lock => ("--lock", "conditions.lock"),
-            Field::Hold => ("--hold", "hold"),
-            Field::Base => ("--base", "conditions.base"),
-            Field::Armature => ("--armature", "conditions.armature"),
-            Field::Estimate => ("--estimate", "contact.estimate"),
-            Field::Vary => ("--vary", "sweep.vary"),
-            Field::Input => ("--input", "sweep.input"),
-            Field::Ignore => ("--ignore", "sweep.ignore"),
-            Field::Random => ("--random", "sweep.random"),
-            Field::Limit => ("--limit", "damping.limit"),
-            Field::Stiffness => ("--stiffness", "damping.stiffness"),
-            Field::Speed => ("--speed", "damping.speed"),
-            Field::Edge => ("--edge", "map.edge"),
-            Field::Directions => ("--directions", "map.directions"),
-            Field::Restitution => ("--restitution", "impact.restitution"),
-            Field::ClosingSpeed => ("--speed", "impact.speed"),
-            Field::ImpactStiffness => ("--stiffness", "impact.stiffness"),
-            Field::Friction => ("--friction", "impact.friction"),
-            Field::RestitutionLaw => ("--restitution-law", "impact.restitution_law"),
-            Field::Also => ("--also", "impact.also"),
-            Field::Sticking => ("--sticking", "impact.sticking"),
-            Field::ContactExponent => ("--contact-exponent", "impact.contact_exponent"),
-            Field::StiffnessRatio => ("--stiffness-ratio", "impact.stiffness_ratio"),
-            Field::Rates => ("--rates", "impact.rates"),
-            Field::BaseTwist => ("--base-twist", "impact.base_twist"),
-            Field::RateLimit => ("--rate-limit", "impact.rate_limit"),
-            Field::JointSpring => ("--joint-spring", "impact.joint_spring"),
-            Field::GearLimit => ("--gear-limit", "impact.gear_limit"),
-            Field::PointError => ("--point-error", "impact.point_error"),
-            Field::Quantity => ("--quantity", "extremes.quantity"),
-            Field::ExtremesStiffness => ("--stiffness", "extremes.stiffness"),
-            Field::ExtremesSpeed => ("--speed", "extremes.speed"),
-            Field::Range => ("--range", "extremes.range"),
-            Field::Keep => ("--keep", "extremes.keep"),
-            Field::Path => ("--path", "extremes.path"),
-            Field::Reflected => ("--reflected", "impact.reflected"),
-            Field::Percussion => ("--percussion", "impact.percussion"),
-        }
-    }
-
     /// Flag on the command line.
     pub fn flag(self) -> &'static str {
         self.names().0

@@ -140,7 +140,7 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
             report.diagnostics.extend(found);
             report.damper = Some(damper);
         }
-        Err(error @ (StudyError::NoDamper { .. } | StudyError::BranchMassesDiffer { .. })) => {
+        Err(error @ StudyError::NoDamper(_)) => {
             report.diagnostics.push(Finding::about_result(FindingKind::NoDamper, error.to_string()).into());
         }
         Err(error) => return Err(error),

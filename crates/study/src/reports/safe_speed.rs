@@ -6,7 +6,7 @@ use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, Pre
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
-use crate::question::errors::question_error::StudyError;
+use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;
@@ -106,12 +106,8 @@ pub struct AlongRecord {
     pub pose: Positions,
 }
 
-/// Safe speed of a contact of a robot.
-///
-/// # Errors
-/// [`StudyError`], as for `mass`; limits out of range, an unknown region, a massless contact, a mass without an
-/// upper bound.
-pub fn safe_speed(
+/// Safe speed of a contact of a robot at its pose.
+fn safe_speed(
     model: &Model,
     question: &MassQuestion,
     asked: &SafeSpeedQuestion,
@@ -225,12 +221,14 @@ fn safe_speed_record(
 /// stationary m̄ (docs/reference/FORMULAS.md, F36).
 ///
 /// # Errors
-/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
+/// [`StudyError`], as for `mass` and for a sweep; not exactly one limit, limits out of range, an unknown region, a massless contact, a mass
+/// without an upper bound; no row with a speed.
 pub fn safe_speeds(
     model: &Model,
     question: &MassQuestion,
     asked: &SafeSpeedQuestion,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    asked.check()?;
     if !asked.has_directions() {
         return Ok(vec![match asked.rows() {
             None => safe_speed(model, question, asked)?,
@@ -294,7 +292,7 @@ fn safe_speed_along(
     if let Some(error) = failed {
         return Err(error.into());
     }
-    let slowest = slowest.ok_or(StudyError::MassUnknown)?;
+    let slowest = slowest.ok_or_else(mass_unknown)?;
     report.along = Some(AlongRecord { rows: end.rows, unanswered, first_unanswered, ..slowest });
     report.inputs = inputs;
     report.diagnostics.extend(end.diagnostics);
@@ -307,6 +305,12 @@ fn safe_speed_along(
         report.diagnostics.push(Finding::about_result(FindingKind::RowsWithoutSpeed, message).into());
     }
     Ok(report)
+}
+
+/// Error: the error of m̄ is unknown.
+fn mass_unknown() -> StudyError {
+    let why = "the error of the effective mass is unknown: near this pose the effective mass is not finite; no safe speed can be stated";
+    StudyError::NoResult(why.to_owned())
 }
 
 /// Direction of the largest effective mass at the contact point, world axes.
@@ -324,7 +328,7 @@ fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], S
     };
     let principal = map.principal_masses(&contact.point);
     let greatest = principal.iter().flatten().max_by(|a, b| weight(&a.mass).total_cmp(&weight(&b.mass)));
-    let greatest = greatest.ok_or(StudyError::MassUnknown)?;
+    let greatest = greatest.ok_or_else(mass_unknown)?;
     Ok(pose.link(contact.link).vector(&greatest.direction).into())
 }
 
@@ -342,14 +346,17 @@ fn largest_possible_mass(answer: &ContactResult) -> Result<EffectiveMass, StudyE
         let greatest = answer
             .complete_branch_limits()
             .and_then(|all| all.iter().max_by(|a, b| weight(a).total_cmp(&weight(b))));
-        return greatest.copied().ok_or_else(|| StudyError::LargestMassUnknown {
-            limits: limits.limits.clone(),
-            complete: limits.complete && !limits.continuous,
+        return greatest.copied().ok_or_else(|| {
+            StudyError::NoResult(format!(
+                "the pose is singular and the largest effective mass of the robot is unknown: {}; the effective mass is a lower bound, \
+                 which would permit too high a speed; use poses near this one",
+                branch_limits_text(&limits.limits, limits.complete && !limits.continuous)
+            ))
         });
     }
     match (response.effective_mass, response.effective_mass_error()) {
         (EffectiveMass::Finite(m), Some(error)) => Ok(EffectiveMass::Finite(m + error)),
-        (EffectiveMass::Finite(_), None) => Err(StudyError::MassUnknown),
+        (EffectiveMass::Finite(_), None) => Err(mass_unknown()),
         (mass @ (EffectiveMass::Immovable | EffectiveMass::Massless), _) => Ok(mass),
     }
 }

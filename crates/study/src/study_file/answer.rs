@@ -27,7 +27,6 @@ use crate::study_file::schema::table_keys;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
 use serde::{Serialize, Serializer};
-use std::ops::ControlFlow;
 
 /// Result of a map.
 #[derive(Debug)]
@@ -301,15 +300,7 @@ impl StudyFile {
     pub fn sweep_report(&self) -> Result<Option<SweepReport>, StudyError> {
         of_table("sweep", self.sweep.as_ref().zip(self.question.as_ref()), |(requested, question)| {
             let question = self.question_of_rows(question);
-            let sweep = self.prepared_sweep(requested, &question)?;
-            let heading = sweep.heading().clone();
-            let mut rows = Vec::new();
-            let end = sweep.run(&mut |row| {
-                rows.push(row);
-                ControlFlow::Continue(())
-            })?;
-            let diagnostics = self.model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
-            Ok(SweepReport { heading, rows, diagnostics })
+            self.prepared_sweep(requested, &question)?.report()
         })
     }
 

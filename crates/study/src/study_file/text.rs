@@ -3,7 +3,7 @@
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
-use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::impact::ImpactQuestion;
@@ -94,6 +94,6 @@ impl StudyText {
         max_size: u64,
     ) -> Result<MassQuestion, InvalidKey> {
         let Self { pose, conditions, hold, .. } = self;
-        QuestionTables { contact, pose, conditions, hold }.question(folder, max_size, Names::KEYS)
+        contact.question(pose, conditions, hold, folder, max_size, Names::KEYS)
     }
 }

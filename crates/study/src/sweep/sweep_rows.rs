@@ -70,18 +70,26 @@ pub fn sweep_report(
     question: &MassQuestion,
     source: impl Into<RowSource>,
 ) -> Result<SweepReport, StudyError> {
-    let sweep = Sweep::new(model, question, source)?;
-    let heading = sweep.heading().clone();
-    let mut rows = Vec::new();
-    let end = sweep.run(&mut |row| {
-        rows.push(row);
-        ControlFlow::Continue(())
-    })?;
-    let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
-    Ok(SweepReport { heading, rows, diagnostics })
+    Sweep::new(model, question, source)?.report()
 }
 
 impl<'a> Sweep<'a> {
+    /// Runs the sweep; all rows in memory, some hundred bytes each.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run).
+    pub fn report(self) -> Result<SweepReport, StudyError> {
+        let model = self.context.prepared.model;
+        let heading = self.heading().clone();
+        let mut rows = Vec::new();
+        let end = self.run(&mut |row| {
+            rows.push(row);
+            ControlFlow::Continue(())
+        })?;
+        let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
+        Ok(SweepReport { heading, rows, diagnostics })
+    }
+
     /// Prepares a sweep.
     ///
     /// # Errors

@@ -75,7 +75,7 @@ impl Columns {
                 return Err(refuse(TableFault::IsSet { joint: joint.name().to_owned() }));
             }
             if let Some(first) = found.iter().position(|other| other.is_some_and(|(n, _)| n == number)) {
-                return Err(refuse(TableFault::Twice { first: first + 1 }));
+                return Err(refuse(format!("column {} gives the same position", first + 1).into()));
             }
             found.push(Some((number, unit)));
         }
@@ -145,17 +145,21 @@ impl Columns {
         at: impl Fn(TableFault) -> TableError,
     ) -> Result<(), TableError> {
         if cells.len() != self.targets.len() {
-            return Err(at(TableFault::Cells { got: cells.len(), expected: self.targets.len() }));
+            let (got, expected) = (cells.len(), self.targets.len());
+            return Err(at(format!("{got} cells; the header has {expected}").into()));
         }
         for (number, (text, cell)) in cells.zip(&self.targets).enumerate() {
             let Some(cell) = cell else { continue };
             let fault = match text.parse::<f64>() {
                 Ok(read) if cell.store(read, values) => continue,
-                Ok(_) => TableFault::NotFinite { text: shorten_cell(text) },
-                Err(_) if text.is_empty() => TableFault::Empty,
-                Err(_) => TableFault::NoNumber { text: shorten_cell(text) },
+                Ok(_) => not_finite(&shorten_cell(text)),
+                Err(_) if text.is_empty() => "the cell is empty; expected a number".to_owned(),
+                Err(_) => format!(
+                    "\"{}\" is no number; expected one such as 0.5 or -1e-3, its unit in the header",
+                    shorten_cell(text)
+                ),
             };
-            return Err(at(fault).in_column(number, &self.names[number]));
+            return Err(at(fault.into()).in_column(number, &self.names[number]));
         }
         Ok(())
     }
@@ -171,10 +175,10 @@ impl Columns {
             let Some(cell) = &self.targets[number] else { continue };
             let fault = match read {
                 Some(read) if cell.store(read, values) => continue,
-                Some(read) => TableFault::NotFinite { text: read.to_string() },
-                None => TableFault::Null,
+                Some(read) => not_finite(&read.to_string()),
+                None => "the value is null; expected a number".to_owned(),
             };
-            return Err(at(fault).in_column(number, &self.names[number]));
+            return Err(at(fault.into()).in_column(number, &self.names[number]));
         }
         Ok(())
     }
@@ -219,7 +223,7 @@ fn parse_column_name(
         return Ok((number, None));
     }
     if name.is_empty() {
-        return Err(TableFault::NoName);
+        return Err("it has no name; expected the name of a joint".into());
     }
     // Written tables have an apostrophe before a name that a spreadsheet would read as a formula.
     if let Some(written) = name.strip_prefix('\'')
@@ -235,16 +239,32 @@ fn parse_column_name(
         return match Unit::named(unit, &[Dimension::Length, Dimension::Angle, Dimension::Mass]) {
             Some(found) if found.dimension == expected => Ok((number, Some(found))),
             Some(found) => {
-                Err(TableFault::WrongUnit { unit: unit.to_owned(), got: found.dimension, expected })
+                let got = found.dimension;
+                Err(format!("[{unit}] is the unit of {got}; expected {expected}").into())
             }
-            None => Err(TableFault::UnknownUnit { unit: unit.to_owned(), expected }),
+            None => {
+                let units: Vec<&str> = expected.units().map(|unit| unit.name).collect();
+                let units = units.join(", ");
+                Err(format!("\"{unit}\" is no unit of a position; expected {expected}, in {units}").into())
+            }
         };
     }
     let joint = mechanism.find_joint(name)?;
     Err(match mechanism.joint(joint).kind().positions() {
         0 => TableFault::Fixed { joint: name.to_owned() },
-        numbers => TableFault::Components { joint: name.to_owned(), numbers },
+        numbers => {
+            let last = numbers - 1;
+            format!(
+                "joint \"{name}\" has {numbers} numbers; expected columns \"{name}[0]\" to \"{name}[{last}]\""
+            )
+            .into()
+        }
     })
+}
+
+/// Message: a number that is not finite.
+fn not_finite(text: &str) -> String {
+    format!("\"{text}\" is not finite; expected a finite number")
 }
 
 /// Refuses a header with a single name that contains semicolons or tabs: the separator of the file is no comma.
@@ -254,7 +274,10 @@ pub(crate) fn check_separator(names: &[String]) -> Result<(), TableFault> {
         let count = name.matches(separator).count();
         if count > 0 {
             let separator = if separator == '\t' { '⇥' } else { separator };
-            return Err(TableFault::Separator { separator, count });
+            let why = format!(
+                "the header has no comma and {count} \"{separator}\"; expected cells separated by commas"
+            );
+            return Err(why.into());
         }
     }
     Ok(())

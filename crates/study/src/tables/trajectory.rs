@@ -62,7 +62,8 @@ impl Trajectory {
             return Err(table.row_error(TableFault::Missing { columns: missing }));
         }
         if columns.width == 0 {
-            return Err(table.row_error(TableFault::NoColumns));
+            let why = "no column has the name of a joint; expected at least one";
+            return Err(table.row_error(why.into()));
         }
         let positions = PositionCheck::new(prepared, &columns);
         let mut values = vec![0.0; columns.width];
@@ -74,7 +75,8 @@ impl Trajectory {
             count += 1;
         }
         if count == 0 {
-            return Err(TableError::in_file(name, TableFault::NoRows));
+            let why = "it has a header and no rows; expected a row for each configuration";
+            return Err(TableError::in_file(name, why));
         }
         let mut table = bytes.table()?;
         table.header(prepared, file)?;
@@ -121,7 +123,8 @@ impl TableReader {
                 let read = records.read();
                 let at = |fault: TableFault| TableError::at_line(path, records.line, fault);
                 if !read.map_err(|fault| at(fault.into()))? {
-                    return Err(TableError::in_file(path, TableFault::NoHeader));
+                    let why = "it is empty; expected a header with the names of joints, then a row for each configuration";
+                    return Err(TableError::in_file(path, why));
                 }
                 let names: Vec<String> = records.cells().map(str::to_owned).collect();
                 check_separator(&names).map_err(at)?;
@@ -287,7 +290,9 @@ impl<'f> TableBytes<'f> {
         if file.path != "-" {
             let is_named = ["csv", "parquet"].iter().any(|kind| has_extension(&file.path, kind));
             if !is_named && !is_parquet_file(&file.path) {
-                return Err(TableError::in_file(&file.path, TableFault::Kind));
+                let why = "its name ends in neither .csv nor .parquet, and it does not begin as a Parquet file; expected a table of one of \
+                           these kinds";
+                return Err(TableError::in_file(&file.path, why));
             }
             // A regular file is read several times; a pipe or a device once, and only up to the limit.
             if std::fs::metadata(&file.path).map_or(true, |found| found.is_file()) {
@@ -307,7 +312,10 @@ impl<'f> TableBytes<'f> {
         read.map_err(|error| TableError::unreadable(kept.name(), &error))?;
         match &kept {
             TableBytes::Memory(_, bytes) if bytes.len() as u64 > limit => {
-                Err(TableError::in_file(kept.name(), TableFault::TooLarge { limit }))
+                let why = format!(
+                    "larger than the limit of {limit} bytes; name a file instead of -, which is read row by row"
+                );
+                Err(TableError::in_file(kept.name(), why))
             }
             _ => Ok(kept),
         }

@@ -12,8 +12,7 @@ use percuss_explorer::{ENGINE, PageContent, page};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_render::MADE_BY;
 use percuss_study::{
-    Model, ModelTable, Names, PoseTable, QuestionTables, SceneShapes, StudyFile, StudyTables, mass,
-    scene_shapes,
+    Model, ModelTable, Names, PoseTable, SceneShapes, StudyFile, StudyTables, mass, scene_shapes,
 };
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -150,8 +149,8 @@ fn check_question(tables: &StudyTables, model: &Model) -> Result<(), Failure> {
     if contact.is_empty() {
         return Ok(());
     }
-    let question = QuestionTables { contact, pose, conditions, hold }
-        .question(Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)
+    let question = contact
+        .question(pose, conditions, hold, Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)
         .map_err(|error| Failure::bad_input(error.message(Names::Flags)))?;
     match mass(model, &question) {
         Err(error) if !error.has_no_result() => Err(error.into()),

@@ -101,50 +101,15 @@ pub enum StudyError {
     /// Safe speed of a contact without mass.
     #[error("{}", missing_mass_message(Names::Fields))]
     NoMass,
-    /// Safe speed of a contact with an unknown error of m̄.
-    #[error(
-        "the error of the effective mass is unknown: near this pose the effective mass is not finite; no safe \
-         speed can be stated"
-    )]
-    MassUnknown,
-    /// Safe speed at a singular pose without a known upper bound of m̄.
-    #[error(
-        "the pose is singular and the largest effective mass of the robot is unknown: {}; the effective mass is \
-         a lower bound, which would permit too high a speed; use poses near this one",
-        branch_limits_text(limits, *complete)
-    )]
-    LargestMassUnknown {
-        /// Limits of m̄ along the branches found.
-        limits: Vec<EffectiveMass>,
-        /// True if there is no sign of further branches.
-        complete: bool,
-    },
-    /// Damper at a singular pose with different masses on different branches.
-    #[error(
-        "the pose is singular: no damper gives the same restitution on every branch: {}; use a nearby pose on \
-         the required branch, or compute the damper for the mass of that branch",
-        branch_limits_text(limits, *complete)
-    )]
-    BranchMassesDiffer {
-        /// Limits of m̄ along the branches found, including the other body.
-        limits: Vec<EffectiveMass>,
-        /// True if there is no sign of further branches.
-        complete: bool,
-    },
-    /// Impact at a singular pose.
-    #[error(
-        "the pose is singular: the motion of an impact depends on the branch; use a nearby pose on the required branch"
-    )]
-    SingularImpact,
+    /// Valid question without a result.
+    #[error("{0}")]
+    NoResult(String),
     /// Impact of a contact that transmits no impulse, or without a closing motion.
     #[error(transparent)]
     NoImpact(ImpactError),
-    /// Damper of a contact without a finite mass.
-    #[error("the contact is {status}: a damper for a restitution does not exist")]
-    NoDamper {
-        /// `immovable` or `massless`.
-        status: &'static str,
-    },
+    /// No damper gives the restitution: the mass is not finite, or differs between branches.
+    #[error("{0}")]
+    NoDamper(String),
 }
 
 impl StudyError {
@@ -215,12 +180,9 @@ impl StudyError {
     /// True if the question is valid but has no result (exit code 1, not 2).
     pub fn has_no_result(&self) -> bool {
         match self {
-            StudyError::NoDamper { .. }
-            | StudyError::SingularImpact
+            StudyError::NoDamper(_)
+            | StudyError::NoResult(_)
             | StudyError::NoImpact(_)
-            | StudyError::BranchMassesDiffer { .. }
-            | StudyError::LargestMassUnknown { .. }
-            | StudyError::MassUnknown
             | StudyError::NoMass
             | StudyError::TravelNotReached { .. }
             | StudyError::StopNotReached { .. }
@@ -360,7 +322,7 @@ fn missing_mass_message(names: Names) -> String {
 }
 
 /// Limits of m̄ along the branches, as text.
-fn branch_limits_text(limits: &[EffectiveMass], complete: bool) -> String {
+pub(crate) fn branch_limits_text(limits: &[EffectiveMass], complete: bool) -> String {
     let limit = |limit: &EffectiveMass| match limit {
         EffectiveMass::Finite(m) => format!("{m} kg"),
         EffectiveMass::Immovable => "immovable".into(),

@@ -4,7 +4,6 @@ use crate::question::field::{Field, Names};
 use percuss_dynamics::{AssemblyError, ConfigurationError};
 use percuss_mechanism::UnknownName;
 use percuss_tables::FormatFault;
-use percuss_units::Dimension;
 use std::io;
 
 /// Error of a file of positions, with its place.
@@ -27,54 +26,12 @@ pub struct TableError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableFault {
-    /// Unreadable or malformed file.
-    #[error(transparent)]
-    Format(#[from] FormatFault),
-    /// Standard input larger than the limit.
-    #[error("larger than the limit of {limit} bytes; name a file instead of -, which is read row by row")]
-    TooLarge {
-        /// Limit, bytes.
-        limit: u64,
-    },
-    /// File without a header.
-    #[error("it is empty; expected a header with the names of joints, then a row for each configuration")]
-    NoHeader,
-    /// All columns are ignored.
-    #[error("no column has the name of a joint; expected at least one")]
-    NoColumns,
-    /// File without rows.
-    #[error("it has a header and no rows; expected a row for each configuration")]
-    NoRows,
-    /// Cells with another separator than a comma.
-    #[error("the header has no comma and {} \"{separator}\"; expected cells separated by commas", count)]
-    Separator {
-        /// Separator in the header.
-        separator: char,
-        /// Number of separators.
-        count: usize,
-    },
-    /// Unknown kind of file.
-    #[error(
-        "its name ends in neither .csv nor .parquet, and it does not begin as a Parquet file; expected a table of one of these kinds"
-    )]
-    Kind,
-    /// Null value in a Parquet file.
-    #[error("the value is null; expected a number")]
-    Null,
+    /// Reason, with the received and the expected value.
+    #[error("{0}")]
+    Text(String),
     /// Column name that is not a joint name.
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
-    /// A column without a name.
-    #[error("it has no name; expected the name of a joint")]
-    NoName,
-    /// Wrong column names for a joint with several numbers.
-    #[error("joint \"{joint}\" has {numbers} numbers; expected columns \"{joint}[0]\" to \"{joint}[{}]\"", numbers - 1)]
-    Components {
-        /// Joint.
-        joint: String,
-        /// Number of values of the joint.
-        numbers: usize,
-    },
     /// Fixed joint.
     #[error("joint \"{joint}\" is fixed, and has no position")]
     Fixed {
@@ -95,30 +52,6 @@ pub enum TableFault {
         /// Joint.
         joint: String,
     },
-    /// Two columns for the same number.
-    #[error("column {first} gives the same position")]
-    Twice {
-        /// First of the two columns, from 1.
-        first: usize,
-    },
-    /// Unknown unit.
-    #[error("\"{unit}\" is no unit of a position; expected {expected}, in {}", unit_names(*expected))]
-    UnknownUnit {
-        /// Given unit.
-        unit: String,
-        /// Dimension of the position.
-        expected: Dimension,
-    },
-    /// Unit of another dimension.
-    #[error("[{unit}] is the unit of {got}; expected {expected}")]
-    WrongUnit {
-        /// Given unit.
-        unit: String,
-        /// Dimension of the given unit.
-        got: Dimension,
-        /// Dimension of the position.
-        expected: Dimension,
-    },
     /// Missing columns.
     #[error("{} without a column: {}; their positions are undetermined", column_count_text(columns.len()), quoted(columns))]
     Missing {
@@ -128,42 +61,24 @@ pub enum TableFault {
     /// Column of a joint whose position the loops determine.
     #[error(transparent)]
     Dependent(Box<AssemblyError>),
-    /// Row with another number of cells than the header.
-    #[error("{got} cells; the header has {expected}")]
-    Cells {
-        /// Number of cells.
-        got: usize,
-        /// Expected number of cells.
-        expected: usize,
-    },
-    /// An empty cell.
-    #[error("the cell is empty; expected a number")]
-    Empty,
-    /// Cell without a number.
-    #[error("\"{text}\" is no number; expected one such as 0.5 or -1e-3, its unit in the header")]
-    NoNumber {
-        /// Text of the cell.
-        text: String,
-    },
-    /// NaN or infinite.
-    #[error("\"{text}\" is not finite; expected a finite number")]
-    NotFinite {
-        /// Text of the cell.
-        text: String,
-    },
-    /// Invalid position.
-    #[error(transparent)]
-    Position(#[from] ConfigurationError),
 }
+
+/// Converts errors and texts to the text of a fault.
+macro_rules! text_of {
+    ($($error:ty)*) => {$(
+        impl From<$error> for TableFault {
+            fn from(error: $error) -> Self {
+                TableFault::Text(error.to_string())
+            }
+        }
+    )*};
+}
+
+text_of! { &str String FormatFault ConfigurationError }
 
 /// Text for a number of columns.
 fn column_count_text(columns: usize) -> String {
     if columns == 1 { "1 position is".into() } else { format!("{columns} positions are") }
-}
-
-/// Names of the units of a dimension.
-fn unit_names(dimension: Dimension) -> String {
-    dimension.units().map(|unit| unit.name).collect::<Vec<_>>().join(", ")
 }
 
 /// First eight names and the number of further names.

@@ -7,6 +7,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint};
 use crate::question::pose_file::GivenPose;
+use crate::question::row_source::path_in;
 use crate::question::travel::given_travel::GivenTravel;
 #[cfg(feature = "flags")]
 use crate::values::named;
@@ -287,6 +288,45 @@ pub struct ConditionsTable {
 }
 
 impl ContactTable {
+    /// Question at this contact, which may be incomplete, with its pose, conditions and held points. Paths are relative to `folder`; a pose
+    /// file has at most `max_size` bytes.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
+    pub fn question(
+        &self,
+        pose: &PoseTable,
+        conditions: &ConditionsTable,
+        hold: &[Hold],
+        folder: &Path,
+        max_size: u64,
+        names: Names,
+    ) -> Result<MassQuestion, InvalidKey> {
+        let read = |file: &String| {
+            // The standard input and absolute paths are kept.
+            let path = path_in(folder, file);
+            let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
+            if matches!(names, Names::Keys(_)) {
+                refuse_pipe(&path).map_err(|error| refuse(&error))?;
+            }
+            GivenPose::read_as(&path, file, max_size).map_err(|error| refuse(&error))
+        };
+        let mut question = MassQuestion {
+            set: pose.set.clone(),
+            guess: pose.guess.clone(),
+            pose: pose.file.as_ref().map(read).transpose()?,
+            travel: pose.travel.clone(),
+            lock: conditions.lock.clone(),
+            hold: hold.to_vec(),
+            armature: conditions.armature.clone(),
+            base: conditions.base.unwrap_or_default().into(),
+            names,
+            ..MassQuestion::without_contact()
+        };
+        self.apply_to(&mut question)?;
+        Ok(question)
+    }
+
     /// First missing part of the contact.
     pub fn missing(&self) -> Option<&'static str> {
         if self.at.is_some() {
@@ -408,52 +448,5 @@ impl ContactTable {
             && !cable
             && frame.is_none()
             && normal_frame.is_none()
-    }
-}
-
-/// Tables of a question about a contact.
-#[derive(Clone, Copy, Debug)]
-pub struct QuestionTables<'a> {
-    /// Contact.
-    pub contact: &'a ContactTable,
-    /// Pose.
-    pub pose: &'a PoseTable,
-    /// Conditions.
-    pub conditions: &'a ConditionsTable,
-    /// Held points.
-    pub hold: &'a [Hold],
-}
-
-impl QuestionTables<'_> {
-    /// Converts the tables to a question; the contact may be incomplete. Paths are relative to `folder`; a pose file
-    /// has at most `max_size` bytes.
-    ///
-    /// # Errors
-    /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
-    pub fn question(&self, folder: &Path, max_size: u64, names: Names) -> Result<MassQuestion, InvalidKey> {
-        let Self { contact, pose, conditions, hold } = *self;
-        let read = |file: &String| {
-            // The standard input and absolute paths are kept.
-            let path = folder.join(file).to_string_lossy().into_owned();
-            let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
-            if matches!(names, Names::Keys(_)) {
-                refuse_pipe(&path).map_err(|error| refuse(&error))?;
-            }
-            GivenPose::read_as(&path, file, max_size).map_err(|error| refuse(&error))
-        };
-        let mut question = MassQuestion {
-            set: pose.set.clone(),
-            guess: pose.guess.clone(),
-            pose: pose.file.as_ref().map(read).transpose()?,
-            travel: pose.travel.clone(),
-            lock: conditions.lock.clone(),
-            hold: hold.to_vec(),
-            armature: conditions.armature.clone(),
-            base: conditions.base.unwrap_or_default().into(),
-            names,
-            ..MassQuestion::without_contact()
-        };
-        contact.apply_to(&mut question)?;
-        Ok(question)
     }
 }

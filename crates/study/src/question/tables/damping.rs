@@ -253,6 +253,15 @@ impl DampingQuestion {
         }
     }
 
+    /// Refuses the stop of a joint, at a contact or for a given mass.
+    pub(crate) fn refuse_limit(&self) -> Result<(), InvalidKey> {
+        if self.limit.is_none() || self.options.stop.is_some() {
+            return Ok(());
+        }
+        let why = "the stop of a joint replaces the contact and the mass; expected no `limit` with them";
+        Err(InvalidKey::new("damping.limit", why))
+    }
+
     /// Coefficient of restitution e, from 0 to 1; NaN if it is missing.
     pub fn restitution(&self) -> f64 {
         self.restitution.map_or(f64::NAN, |restitution| restitution.0)

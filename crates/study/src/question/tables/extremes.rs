@@ -285,10 +285,7 @@ impl ExtremesQuestion {
     /// range.
     pub fn checked(&self, motions: Vec<Vary>, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
-        let is_file = matches!(self.path, Some(GivenPath(RowSource::File(_))));
-        if !self.ignore.is_empty() && !is_file {
-            return refuse("extremes.ignore", "it removes columns of the file of `path`; give that file");
-        }
+        self.check_ignored()?;
         if motions.len() + usize::from(self.path.is_some()) > 1 {
             return refuse(
                 "extremes.path",
@@ -332,6 +329,18 @@ impl ExtremesQuestion {
             law.check_law().map_err(|error| InvalidKey::new("extremes.law", error.to_string()))?;
         }
         Ok(Self { path, ..self.clone() })
+    }
+
+    /// Refuses ignored columns without a file.
+    pub(crate) fn check_ignored(&self) -> Result<(), InvalidKey> {
+        match &self.path {
+            Some(GivenPath(RowSource::File(_))) => Ok(()),
+            _ if self.ignore.is_empty() => Ok(()),
+            _ => {
+                let why = "it removes columns of the file of `path`; give that file";
+                Err(InvalidKey::new("extremes.ignore", why))
+            }
+        }
     }
 
     /// Quantity whose extremes are searched.

@@ -108,18 +108,27 @@ impl SafeSpeedQuestion {
     /// Question with checked keys. Paths are relative to `folder`; a file read as a stream has at most `max_size` bytes.
     ///
     /// # Errors
-    /// [`InvalidKey`]: not exactly one limit, or keys that exclude each other.
+    /// As for [`check`](Self::check).
     pub fn checked(&self, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
+        self.check()?;
+        let rows = self.rows().map(|rows| rows.in_folder(folder, max_size));
+        Ok(Self { rows, ..self.clone() })
+    }
+
+    /// Checks the keys.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: not exactly one limit, or keys that exclude each other.
+    pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         self.only_limit()?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it removes columns of `input`; give that file");
         }
-        if self.input.is_some() && self.has_directions() {
+        if self.rows().is_some() && self.has_directions() {
             return refuse("safe_speed", "give either `input` or directions");
         }
-        let rows = self.rows().map(|rows| rows.in_folder(folder, max_size));
-        Ok(Self { rows, ..self.clone() })
+        Ok(())
     }
 
     /// Rows of positions; `None` for the pose of the question.

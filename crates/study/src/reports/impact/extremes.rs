@@ -165,6 +165,7 @@ pub fn extremes(
     question: &MassQuestion,
     extremes: &ExtremesQuestion,
 ) -> Result<ExtremesReport, StudyError> {
+    extremes.check_ignored()?;
     let path = extremes.rows();
     let of_rows = path.as_ref().map(|path| path.question_of_rows(question));
     let question = of_rows.as_ref().unwrap_or(question);

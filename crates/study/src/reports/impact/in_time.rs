@@ -2,9 +2,11 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::damper::damped_contact::no_damper;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::status::Status;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::tables::impact::ImpactQuestion;
@@ -101,7 +103,7 @@ pub(crate) fn in_time(
     let Some(law) = law else { return Ok(None) };
     let own = result.mechanism_response().effective_mass;
     let mass = result.response.effective_mass.kilograms();
-    let mass = mass.ok_or(StudyError::NoDamper { status: "immovable" })?;
+    let mass = mass.ok_or_else(|| StudyError::NoDamper(no_damper(Status::Immovable)))?;
     let compliant = contact(&law, mass)?;
     let damper = contact_damper(&law, compliant)?;
     let gravity = impact.gravity().unwrap_or_default();

@@ -197,7 +197,8 @@ pub fn impact(
     let has_point = contact_without_point(&evaluated).is_none();
     refuse_results_at_point(&evaluated, impact)?;
     if response.singular_pose {
-        return Err(StudyError::SingularImpact);
+        let why = "the pose is singular: the motion of an impact depends on the branch; use a nearby pose on the required branch";
+        return Err(StudyError::NoResult(why.to_owned()));
     }
     let (speed, before) = motion_before(&evaluated, impact)?;
     let is_given = before.is_some();
