@@ -135,7 +135,7 @@ pub use reports::tolerance::{
     tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
-pub use study_file::answer::{AskError, MapResult, RequestReport};
+pub use study_file::answer::{AskError, MapResult, RequestReport, report_schema};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};

@@ -1,4 +1,5 @@
 //! Studies.
 
 mod drift;
+mod generated;
 mod stops;

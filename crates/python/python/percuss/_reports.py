@@ -594,21 +594,8 @@ def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
     return cast("records.AnyRecord", report)
 
 
-#: Record of each table of a report.
-_TABLES: Mapping[str, type[Report]] = {
-    "mass": records.MassReport,
-    "damping": records.DampingReport,
-    "impact": records.ImpactReport,
-    "extremes": records.ExtremesReport,
-    "sweep": records.SweepReport,
-    "comparison": records.ComparisonReport,
-    "kinematics": records.KinematicsReport,
-    "contacts": records.ContactListReport,
-}
-
-
 @checked
-def ask(model: Model, request: Mapping[str, Any]) -> Report:
+def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
     """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
     request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
     the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
@@ -617,15 +604,7 @@ def ask(model: Model, request: Mapping[str, Any]) -> Report:
         text = json.dumps(request, default=_plain, allow_nan=False)
     except (TypeError, ValueError) as error:
         raise InputError(f"request: {error}; expected numbers, texts, lists and tables") from None
-    found = json.loads(_percuss.ask(model, text))
-    for table, record in _TABLES.items():
-        if table in found:
-            found[table] = record.of(found[table])
-    if "map" in found:
-        found["map"] = _BY_SCHEMA[found["map"]["schema"].split("/")[0]].of(found["map"])
-    if "safe_speed" in found:
-        found["safe_speed"] = [records.SafeSpeedReport.of(one) for one in found["safe_speed"]]
-    return Report(found)
+    return records.RequestReport.of(json.loads(_percuss.ask(model, text)))
 
 
 def _plain(value: object) -> Any:

@@ -13,11 +13,12 @@ use crate::thresholds::SAMPLES;
 use percuss_dynamics::interruption;
 use percuss_units::{Dimension, Quantity};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either
 /// side.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Tolerance {
     /// Mass of each link, relative; the moments of inertia change in proportion.
     pub mass: f64,
@@ -51,7 +52,7 @@ pub struct Sampling {
 }
 
 /// Variation of m̄ within tolerances.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceReport {
     /// m̄, kg.
     pub effective_mass: f64,
@@ -81,7 +82,7 @@ pub struct ToleranceEffect {
 }
 
 /// First-order variation of m̄ due to each kind of number, kg, as root sum square.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceParts {
     /// Masses of links.
     pub mass: f64,
@@ -94,7 +95,7 @@ pub struct ToleranceParts {
 }
 
 /// m̄ of designs with random deviations, uniform between the limits.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SampleRecord {
     /// Number of samples with a finite m̄.
     pub count: usize,

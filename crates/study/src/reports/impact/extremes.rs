@@ -22,6 +22,7 @@ use percuss_impact::{
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -31,7 +32,7 @@ pub const DEFAULT_STARTS: usize = 32;
 pub const MOST_STARTS: usize = 2_000;
 
 /// Position of a joint at an extreme.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremePosition {
     /// The joint.
     pub joint: String,
@@ -42,7 +43,7 @@ pub struct ExtremePosition {
 }
 
 /// Extreme of the searched quantity.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremeRecord {
     /// Effective mass in the unit of the report; null if it is not finite or if another quantity is searched.
     pub effective_mass: Option<f64>,
@@ -73,7 +74,7 @@ pub struct ExtremeRecord {
 }
 
 /// Link or point that stays in place.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KeptRecord {
     /// The link.
     pub link: String,
@@ -84,7 +85,7 @@ pub struct KeptRecord {
 }
 
 /// Path of a search.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PathRecord {
     /// Moved joints.
     pub joints: Vec<String>,
@@ -95,7 +96,7 @@ pub struct PathRecord {
 }
 
 /// Report of `percuss extremes`, as JSON.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremesReport {
     /// `percuss.extremes/1`.
     pub schema: &'static str,

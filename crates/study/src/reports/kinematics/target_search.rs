@@ -18,6 +18,7 @@ use crate::thresholds::{
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::near_names;
 use percuss_units::{Dimension, LengthUnit, Quantity};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -90,7 +91,7 @@ pub struct TargetSearch {
 }
 
 /// Coordinate before and after a search, in the unit and axes of the sheet.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FoundCoordinate {
     /// Name `POINT.AXIS`.
     pub coordinate: String,
@@ -103,7 +104,7 @@ pub struct FoundCoordinate {
 }
 
 /// Value reached for a target, SI units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReachedTarget {
     /// Column.
     pub quantity: String,
@@ -119,7 +120,7 @@ pub struct ReachedTarget {
 }
 
 /// Result of a search.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TargetReport {
     /// Schema of this report.
     pub schema: &'static str,
