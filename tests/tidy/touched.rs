@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 
 /// Folders with fields, and the permitted median of the number of sources that contain the name of a field.
-const PERMITTED: [(&str, usize); 2] = [("crates/study/src/question/tables", 4), ("crates/study/src/reports", 3)];
+const PERMITTED: [(&str, usize); 2] =
+    [("crates/study/src/question/tables", 4), ("crates/study/src/reports", 3)];
 
 /// Words of a source.
 fn words(text: &str) -> BTreeSet<&str> {
@@ -23,7 +24,9 @@ fn field(line: &str) -> Option<&str> {
 fn a_flag_touches_four_sources_and_a_number_three() {
     let sources: Vec<(String, String)> = files(".rs")
         .iter()
-        .filter_map(|path| path.strip_prefix(root()).ok().map(|inside| (inside.to_string_lossy().replace('\\', "/"), path)))
+        .filter_map(|path| {
+            path.strip_prefix(root()).ok().map(|inside| (inside.to_string_lossy().replace('\\', "/"), path))
+        })
         .filter(|(inside, _)| inside.starts_with("crates/") && inside.contains("/src/"))
         .map(|(inside, path)| (inside, fs::read_to_string(path).expect("text")))
         .collect();
@@ -36,6 +39,9 @@ fn a_flag_touches_four_sources_and_a_number_three() {
         counts.sort_unstable();
         assert!(counts.len() > 30, "{folder}: {counts:?}");
         let median = counts[counts.len() / 2];
-        assert!(median <= permitted, "{folder}: a field is in {median} sources; {permitted} at most: {counts:?}");
+        assert!(
+            median <= permitted,
+            "{folder}: a field is in {median} sources; {permitted} at most: {counts:?}"
+        );
     }
 }

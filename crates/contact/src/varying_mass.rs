@@ -15,6 +15,7 @@ const DERIVATIVE_STEP: f64 = 1e-6;
 
 /// Key figures of an impact with an effective mass that changes over the penetration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VaryingMassImpact {
     /// Rebound speed divided by approach speed.
     pub restitution: f64,

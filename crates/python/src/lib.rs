@@ -37,14 +37,11 @@ mod module {
     #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
-    use crate::questions::impact::{extremes, impact};
-    #[pymodule_export]
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]
     use crate::questions::reports::{
-        ask, check, compare, compare_study, explain, friction_thresholds, map_point_report, map_report,
-        mass_report, reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
-        tolerate,
+        ask, check, compare, compare_study, extremes, impact, map_point_report, map_report, mass_report,
+        reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
     };
     #[pymodule_export]
     use crate::sweep::{Sweep, sweep, sweep_of_arrays};

@@ -32,8 +32,9 @@ import percuss
 
 #: Time of one call with an invalid argument, s. Reports of valid questions of this file take less than one.
 TIME = 60
-#: Arguments that a message names otherwise: a file by its path, a text by its line, a limit by the file that exceeds it.
-OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass"}
+#: Arguments that a message names otherwise: a file by its path, a text by its line, a limit by the file that exceeds it, a
+#: request by its keys.
+OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass", "request"}
 #: Values that are valid alone: the message names the part that does not fit to them.
 VALID_ALONE = {"a model", "another model", "another contact", "a pose of another model"}
 #: Values whose results are out of range: the message names the result.

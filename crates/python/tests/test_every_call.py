@@ -28,13 +28,10 @@ warnings.simplefilter("ignore", percuss.ModelWarning)
 STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
 #: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
-    "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
-    "explain": "explain", "extremes": "extremes",
-    "friction_thresholds": "friction_thresholds", "impact": "impact", "impact_history": "impact_history",
+    "ask": "ask", "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp", "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
     "kinematics": "kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
     "matrix_findings": "MatrixBatch", "run_study": "run_study", "reflected_inertias": "reflected_inertias", "safe_speed": "safe_speed",
     "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
-    "tolerate": "tolerate",
 }  # fmt: skip
 #: Functions without a case: test_pickle.py tests those for pickles; run_command ends its process.
 APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_arrays", "run_command"}

@@ -138,7 +138,7 @@ pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };
 pub use study_file::additions::{StudyAdditions, WithAdditions};
-pub use study_file::answer::{AskError, MapResult, RequestReport, requested_map};
+pub use study_file::answer::{AskError, MapResult, RequestReport, report_schema, requested_map};
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyFile, StudyFileError};
 pub use study_file::keys::{StudyKeys, UnknownKey};

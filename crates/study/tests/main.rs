@@ -1,5 +1,6 @@
 //! Studies.
 
 mod drift;
+mod generated;
 mod requests;
 mod stops;

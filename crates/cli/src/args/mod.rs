@@ -182,10 +182,10 @@ pub enum Command {
     /// Write a first study of a model, with comments: names of links and joints, and a contact with a result.
     #[command(after_help = examples::INIT)]
     Init(Box<InitArgs>),
-    /// Print the JSON schema of studies, for editors and programs: every key with its meaning.
+    /// Print the JSON schema of studies or of reports, for editors and programs: every key with its meaning.
     #[command(after_help = "Example:\n  percuss schema > study.schema.json")]
     Schema {
-        /// JSON schema, or a page of all keys.
+        /// JSON schema of studies or of reports, or a page of all keys of studies.
         #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
         format: SchemaFormat,
     },

@@ -28,6 +28,8 @@ pub enum MassFormat {
 pub enum SchemaFormat {
     /// JSON schema for editors and programs.
     Json,
+    /// JSON schema of the reports of all commands with `--format json`.
+    Report,
     /// Page of all keys for people.
     Markdown,
 }

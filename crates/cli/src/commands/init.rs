@@ -5,7 +5,7 @@ use crate::files::output::{record_input, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
 use crate::terminal::text::shell_quoted;
-use percuss_study::{starting_study, study_key_page, study_schema};
+use percuss_study::{report_schema, starting_study, study_key_page, study_schema};
 use std::path::Path;
 
 /// Writes a study of a model.
@@ -44,12 +44,13 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
     }
 }
 
-/// Prints the JSON schema of studies, or the page of their keys.
+/// Prints the JSON schema of studies or of reports, or the page of the keys of studies.
 pub fn schema(format: SchemaFormat) -> Result<(), Failure> {
-    if format == SchemaFormat::Markdown {
-        return write_unescaped(study_key_page().as_bytes());
-    }
-    let text = serde_json::to_string_pretty(study_schema());
+    let text = match format {
+        SchemaFormat::Json => serde_json::to_string_pretty(study_schema()),
+        SchemaFormat::Report => serde_json::to_string_pretty(&report_schema()),
+        SchemaFormat::Markdown => return write_unescaped(study_key_page().as_bytes()),
+    };
     let text = text.map_err(|error| Failure::NoAnswer(format!("the schema has no JSON form: {error}")))?;
     write_unescaped((text + "\n").as_bytes())
 }

@@ -36,6 +36,7 @@ pub struct Export {
 
 /// Greatest penetration of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Penetration {
     /// Solver or mode of the tool, empty if there is only one.
@@ -59,6 +60,7 @@ pub struct Parameter {
 
 /// The value of a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Value {
     /// One number.
@@ -71,6 +73,7 @@ pub enum Value {
 
 /// Text for a file of the tool.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Snippet {
     /// Title.
     pub title: &'static str,

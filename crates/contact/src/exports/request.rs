@@ -66,6 +66,7 @@ pub struct MassDrift {
 
 /// Motion of a joint into its stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum StopMotion {
     /// Rotation.

@@ -27,6 +27,7 @@ pub struct Facts {
 
 /// Measurement: the tool, run with exported parameters at the exported time step and accuracy 1e-3.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Measurement {
     /// Program and version.
     pub engine: &'static str,

@@ -67,8 +67,6 @@ from ._percuss import model_of_bytes as _model_of_bytes
 from ._percuss import sweep_of_arrays as _sweep_of_arrays
 from ._remarks import RemarkFlags
 from ._reports import (
-    Conditions,
-    Damping,
     Design,
     MapReport,
     Report,
@@ -96,6 +94,7 @@ from ._reports import (
     sweep_report,
     tolerate,
 )
+from ._request import Conditions, Damping
 from .converters import from_mujoco, from_pinocchio
 
 __version__ = _version("percuss")

@@ -32,7 +32,8 @@ _KNOWN: dict[Any, dict[str, Any]] = {}
 _NAMES: dict[Any, str] = {str: "a text", float: "a number", bool: "True or False", type(None): "None", Any: "any value"}
 
 
-def _text_of(value: object) -> str:
+def shown(value: object) -> str:
+    """Short text of a value for a message."""
     try:
         text = repr(value)
     except Exception:  # noqa: BLE001 - of a class of the caller
@@ -140,7 +141,7 @@ def array_of(value: Any, name: str) -> NDArray[np.float64]:
     try:
         return np.asarray(value, dtype=np.float64)
     except _CONVERSIONS as error:
-        found = ArgumentTypeError(f"{name} is {_text_of(value)} ({type(value).__name__}); expected an array of numbers: {error}")
+        found = ArgumentTypeError(f"{name} is {shown(value)} ({type(value).__name__}); expected an array of numbers: {error}")
     raise found
 
 
@@ -148,7 +149,7 @@ def _check(values: Mapping[str, Any], hints: Mapping[str, Any], owner: str = "")
     for name, value in values.items():
         if name in hints and not _fits(value, hints[name]):
             raise ArgumentTypeError(
-                f"{owner}{name} is {_text_of(value)} ({type(value).__name__}); expected {_described(hints[name])}"
+                f"{owner}{name} is {shown(value)} ({type(value).__name__}); expected {_described(hints[name])}"
             )
 
 
@@ -191,7 +192,9 @@ def converted(function: _Function) -> _Function:
     def call(*args: Any, **kwargs: Any) -> Any:
         try:
             return function(*args, **kwargs)
-        except PercussError:
+        except PercussError as error:
+            # Notes name the arguments of the extension.
+            vars(error).pop("__notes__", None)
             raise
         except _CONVERSIONS as error:
             found = _converted(function, error)
@@ -217,4 +220,4 @@ def convert_all(module: types.ModuleType, names: Sequence[str]) -> None:
                 setattr(item, method, own)
 
 
-__all__ = ["array_of", "check_fields", "checked", "convert_all", "converted"]
+__all__ = ["array_of", "check_fields", "checked", "convert_all", "converted", "shown"]

@@ -4,38 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _percuss
 from ._arguments import array_of, checked
+from ._errors import InputError
 from ._percuss import Model
+from ._request import tables
 from .records import KinematicsReport
-
-_Variable = Union[float, Sequence[float], None]
-
-
-@dataclass(frozen=True)
-class _Question:
-    """Question in the form that the extension reads."""
-
-    wheel_travel: _Variable
-    heave: _Variable
-    roll: _Variable
-    steer: _Variable
-    axle: str | None
-    brake_bias: float | None
-    drive_share: float | None
-    cg_height: float | None
-    wheelbase: float | None
-    inboard_brakes: bool
-    inboard_drive: bool
-    sprung_mass: float | None
-    tyre_rate: float | None
 
 
 @dataclass(frozen=True)
@@ -67,14 +46,6 @@ class Kinematics:
 
     def __len__(self) -> int:
         return len(self.problems)
-
-
-def _variable(value: ArrayLike | None, name: str) -> _Variable:
-    """A number, or a list of numbers."""
-    if value is None:
-        return None
-    array = array_of(value, name)
-    return float(array) if array.ndim == 0 else array.ravel().tolist()
 
 
 @checked
@@ -110,22 +81,28 @@ def kinematics(
     sprung_mass: above one wheel, kg; tyre_rate: N/m, None for a rigid tyre. They give body_frequency and
     wheel_hop_frequency, Hz.
     """
-    question = _Question(
-        wheel_travel=_variable(wheel_travel, "wheel_travel"),
-        heave=_variable(heave, "heave"),
-        roll=_variable(roll, "roll"),
-        steer=_variable(steer, "steer"),
-        axle=axle,
-        brake_bias=brake_bias,
-        drive_share=drive_share,
-        cg_height=cg_height,
-        wheelbase=wheelbase,
-        inboard_brakes=inboard_brakes,
-        inboard_drive=inboard_drive,
-        sprung_mass=sprung_mass,
-        tyre_rate=tyre_rate,
-    )
-    report = KinematicsReport.of(json.loads(_percuss.kinematics(model, question)))
+    state: list[tuple[str, float]] = []
+    ranges: dict[str, list[float]] = {}
+    for name, value in (("steer", steer), ("wheel_travel", wheel_travel), ("heave", heave), ("roll", roll)):
+        numbers_of = None if value is None else array_of(value, name)
+        if numbers_of is None:
+            continue
+        if not np.isfinite(numbers_of).all():
+            raise InputError(f"{name} has a value that is not finite; finite numbers in m are expected")
+        if numbers_of.ndim == 0:
+            state.append((name.replace("_", "-"), float(numbers_of)))
+        elif numbers_of.size == 0:
+            raise InputError(f"{name} has no values; give at least one")
+        else:
+            ranges[name] = numbers_of.ravel().tolist()
+    if len(ranges) > 1:
+        raise InputError(f"{' and '.join(ranges)} have several values each; only one variable has rows")
+    varied = next(((name.replace("_", "-"), values) for name, values in ranges.items()), None)
+    vehicle = {
+        "axle": axle, "brake_bias": brake_bias, "drive_share": drive_share, "cg_height": cg_height, "wheelbase": wheelbase,
+        "inboard_brakes": inboard_brakes, "inboard_drive": inboard_drive, "sprung_mass": sprung_mass, "tyre_rate": tyre_rate,
+    }
+    report = KinematicsReport.of(json.loads(_percuss.kinematics(model, (tables(vehicle=vehicle), None, None), state, varied)))
     rows = report["rows"]
     names = [f"{c['quantity']}_{c['side']}" if c["side"] else c["quantity"] for c in report["columns"]]
 

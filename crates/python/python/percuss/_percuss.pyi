@@ -6,9 +6,8 @@ from typing import Any, Literal, NoReturn, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._kinematics import _Question
 from ._matrices import MatrixBatch
-from ._reports import Conditions, Damping, Design, _Impact, _SafeSpeed
+from ._request import Request
 
 __all__ = [
     "Accelerations",
@@ -32,9 +31,7 @@ __all__ = [
     "diagnostic_of_parts",
     "effective_mass",
     "effective_masses",
-    "explain",
     "extremes",
-    "friction_thresholds",
     "impact",
     "impact_history",
     "joint_of_parts",
@@ -62,7 +59,6 @@ __all__ = [
     "sweep",
     "sweep_of_arrays",
     "sweep_report",
-    "tolerate",
     "tools",
 ]
 
@@ -847,84 +843,30 @@ def run_command(arguments: Sequence[str]) -> NoReturn:
     """Runs the command and ends the process with its exit code. The first argument is the program name."""
 
 # JSON reports; _reports and _kinematics convert them.
-def kinematics(model: Model | str | os.PathLike[str], question: _Question) -> str:
-    """Report on the kinematics of a suspension."""
+def kinematics(
+    model: Model | str | os.PathLike[str], request: Request, state: Sequence[tuple[str, float]], range: tuple[str, list[float]] | None
+) -> str:
+    """Report on the kinematics of a suspension. state: values by variable, m; range: variable of the rows and its values."""
 def check(model: Model) -> str:
     """Summary of a model."""
-def mass_report(model: Model, contact: Contact | str, conditions: Conditions, damping: Damping | None) -> str:
-    """Report on one contact of a model, with the damper if damping is given."""
-def sweep_report(
-    model: Model,
-    contact: Contact | str,
-    conditions: Conditions,
-    vary: Sequence[str | tuple[str, float, float, int]] | None,
-    input: tuple[str, Sequence[str]] | None,
-    random: tuple[int, int] | None,
-    gradient: bool,
-) -> tuple[str, list[str]]:
+def mass_report(model: Model, request: Request) -> str:
+    """Report on one contact of a model, with the damper and the results of the table of the mass that are requested."""
+def sweep_report(model: Model, request: Request) -> tuple[str, list[str]]:
     """Report on a contact at many rows of positions."""
-def map_report(
-    model: Model,
-    conditions: Conditions,
-    against: str | None,
-    links: Sequence[str] | None,
-    shapes: str,
-    edge: float | None,
-    packages: Sequence[tuple[str, str]],
-) -> tuple[str, dict[str, dict[str, NDArray[Any]]], str]:
+def map_report(model: Model, request: Request) -> tuple[str, dict[str, dict[str, NDArray[Any]]], str]:
     """Maps of links: the report, the facets of each link as arrays, the picture as SVG."""
-def map_point_report(model: Model, contact: Contact | str, conditions: Conditions, directions: int) -> str:
+def map_point_report(model: Model, request: Request, directions: int) -> str:
     """Report on directions at a point."""
-def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str:
-    """Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass."""
-def friction_thresholds(model: Model, contact: Contact | str, conditions: Conditions) -> str:
-    """Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass."""
-def reflected_inertias(model: Model, joints: Sequence[str], conditions: Conditions) -> str:
+def reflected_inertias(model: Model, request: Request, joints: Sequence[str]) -> str:
     """Inertias reflected to joints. `joints`: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions."""
-def tolerate(
-    model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
-) -> str:
-    """Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
-    and seed."""
-def impact(
-    model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
-) -> str:
-    """Report on a rigid impact at a contact of a model."""
-def extremes(
-    model: Model,
-    contact: Contact | str,
-    conditions: Conditions,
-    ranges: Sequence[str],
-    quantity: str,
-    normals: str,
-    starts: int,
-    keep: Sequence[str],
-    contact_law: Damping | None,
-    rows: tuple[
-        Sequence[str | tuple[str, float, float, int]] | None,
-        tuple[str, Sequence[str]] | None,
-        tuple[int, int] | None,
-    ],
-) -> str:
-    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, "JOINT=FROM:TO", with kept links or points, or
-    along a path of rows."""
-def safe_speed(
-    model: Model,
-    contact: Contact | str,
-    conditions: Conditions,
-    speed: _SafeSpeed,
-    vary: Sequence[str | tuple[str, float, float, int]] | None,
-    input: tuple[str, Sequence[str]] | None,
-    random: tuple[int, int] | None,
-) -> str:
+def impact(model: Model, request: Request, also: Sequence[Contact | None]) -> str:
+    """Report on a rigid impact at a contact of a model. also: further contacts that are no text, each in the place of its text."""
+def extremes(model: Model, request: Request) -> str:
+    """Smallest and largest effective mass, or another quantity, over ranges of driving joints, with kept links or points, or along a path."""
+def safe_speed(model: Model, request: Request) -> str:
     """Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
     several world directions, the worst direction last."""
-def compare(
-    designs: Sequence[Design],
-    vary: Sequence[str | tuple[str, float, float, int]] | None,
-    input: tuple[str, Sequence[str]] | None,
-    random: tuple[int, int] | None,
-) -> tuple[str, list[str]]:
+def compare(designs: Sequence[tuple[str, Model, Request]], rows: Request) -> tuple[str, list[str]]:
     """Compares several designs by one question, at the same rows of positions if rows are given."""
 def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]:
     """Compares the designs of a study file: its model under a name, then its variants."""
@@ -936,15 +878,9 @@ def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
     """Initial study file for a model, which the file refers to by a path."""
 def study_schema() -> str:
     """JSON schema of study files."""
-def damp_mass(mass: float, damping: Damping) -> str:
+def damp_mass(mass: float, request: Request) -> str:
     """Damper for an effective mass, kg."""
-def damp(
-    model: Model,
-    contact: Contact | str | None,
-    stop: tuple[str, str | None] | None,
-    conditions: Conditions,
-    damping: Damping,
-) -> str:
-    """Damper for a contact of a model, or for a stop of a joint: (joint, None, "lower" or "upper")."""
-def impact_history(mass: float, damping: Damping, samples: int) -> _Array:
+def damp(model: Model, request: Request) -> str:
+    """Damper for a contact of a model, or for the stop of a joint."""
+def impact_history(mass: float, request: Request, samples: int) -> _Array:
     """Time (s), penetration (m), its rate (m/s) and force (N) during an impact; (samples, 4)."""

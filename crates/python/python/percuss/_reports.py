@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal, Union, cast
+from dataclasses import dataclass
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,80 +14,8 @@ from numpy.typing import NDArray
 from . import _percuss, records
 from ._arguments import check_fields, checked
 from ._errors import InputError
-from ._percuss import Assembly, Contact, Model, Pose, System
-
-#: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
-Position = Union[float, Sequence[float], str]
-#: Mechanism of a report: a model, a system or an assembly with its conditions, or a pose with those and its positions.
-_Of = Union[Model, System, Assembly, Pose]
-#: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
-Range = Union[str, tuple[str, float, float, int]]
-#: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
-Travel = Union[str, tuple[str, Sequence[float], Sequence[float], float]]
-
-
-@dataclass(frozen=True)
-class Conditions:
-    """Conditions of a contact: the flags of ``percuss mass``.
-
-    frame: frame of the contact point: "link", "world", "against".
-    against_mass: mass of a free body on the other side, kg.
-    set: driving joints and their positions. guess: initial positions in the search for dependent joints.
-    travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
-    distance): point in m in the link's frame, direction in world axes, distance in m.
-    pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence.
-    lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
-    armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
-    estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
-    ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
-    """
-
-    frame: Literal["link", "world", "against"] = "link"
-    against_mass: float | None = None
-    set: Mapping[str, Position] = field(default_factory=dict)
-    guess: Mapping[str, Position] = field(default_factory=dict)
-    lock: Sequence[str] = ()
-    hold: Sequence[Sequence[Any]] = ()
-    armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
-    base: Literal["fixed", "floating"] = "fixed"
-    estimate: Sequence[Any] | None = None
-    travel: Sequence[Travel] = ()
-    pose: str | os.PathLike[str] | Pose | None = None
-    ratio_at: Sequence[Sequence[Any]] = ()
-
-    def __post_init__(self) -> None:
-        check_fields(self)
-
-
-@dataclass(frozen=True)
-class Damping:
-    """Damper to design: the flags of ``percuss damp``.
-
-    restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad for the stop of a revolute joint). exponent: p of the
-    spring's force k x^p, default 1 unless the law has another exponent. speed: approach speed, m/s. law: a name of
-    laws(). separation: "force" (the contact ends when the force vanishes) or "gap". tools: simulators whose parameters
-    are computed, names of tools(), or ("all",). accuracy: permitted error of a simulator's restitution. time_step: time
-    step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
-    diagonal ratio. closed_loops: true if loops bind the contact link. A model supplies this value; for a mass alone,
-    None means unknown, and the parameters of MuJoCo's equality constraints are given too.
-    """
-
-    restitution: float
-    stiffness: float
-    exponent: float | None = None
-    speed: float | None = None
-    law: str = "kelvin-voigt"
-    separation: Literal["force", "gap"] | None = None
-    tools: Sequence[str] = ()
-    accuracy: float | None = None
-    time_step: float | None = None
-    own_mass: float | None = None
-    other_own_mass: float | None = None
-    diagonal_ratio: float | None = None
-    closed_loops: bool | None = None
-
-    def __post_init__(self) -> None:
-        check_fields(self)
+from ._percuss import Contact, Model
+from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, rows, tables
 
 
 @dataclass(frozen=True)
@@ -95,79 +23,12 @@ class Design:
     """Design for ``compare``: a model, a contact and conditions, under a name."""
 
     name: str
-    model: _Of
+    model: Of
     contact: Contact | str
     conditions: Conditions | None = None
 
     def __post_init__(self) -> None:
         check_fields(self)
-
-
-@dataclass(frozen=True)
-class _Impact:
-    """Impact question in the form that the extension reads."""
-
-    restitution: float
-    speed: float | None
-    friction: float | None
-    restitution_law: str | None
-    also: Sequence[Contact | str]
-    also_restitution: Sequence[float]
-    sticking: bool
-    stiffness_ratios: Sequence[float]
-    contact_exponent: float | None
-    rates: Mapping[str, Position]
-    base_twist: Sequence[float] | None
-    law: Damping | None
-    in_time: bool
-    gravity: Sequence[float] | None
-    joint_springs: Mapping[str, Position]
-    rate_limits: Mapping[str, Position]
-    gear_limits: Mapping[str, Position]
-    point_error: float | None
-    reflected: Sequence[str]
-    percussion: Sequence[str]
-
-
-@dataclass(frozen=True)
-class _SafeSpeed:
-    """Safe-speed question in the form that the extension reads."""
-
-    region: str | None
-    force: float | None
-    pressure: float | None
-    area: float | None
-    energy: float | None
-    momentum: float | None
-    load: float
-    directions: Sequence[Sequence[float]] = ()
-    worst: bool = False
-
-
-#: Row source in the form that the extension reads: ranges, file, random rows.
-_Rows = tuple[
-    Union[Sequence[Range], None], Union[tuple[str, list[str]], None], Union[tuple[int, int], None]
-]
-
-
-def _rows(
-    vary: Range | Sequence[Range] | None,
-    input: str | os.PathLike[str] | None,
-    ignore: Sequence[str],
-    random: int | None,
-    seed: int,
-) -> _Rows:
-    ranges: list[Range] | None
-    if vary is None:
-        ranges = None
-    elif isinstance(vary, str):
-        ranges = [vary]
-    elif isinstance(vary, tuple) and len(vary) == 4 and not isinstance(vary[1], (str, tuple)):
-        ranges = [cast("Range", vary)]
-    else:
-        ranges = list(cast("Sequence[Range]", vary))
-    file = None if input is None else (os.fspath(input), list(ignore))
-    return ranges, file, None if random is None else (random, seed)
 
 
 #: Base of all reports.
@@ -194,29 +55,6 @@ class MapReport(records.MapRecord):
         return f"<div>{super()._repr_html_()}{self._svg}</div>"
 
 
-def _asked(of: _Of, conditions: Conditions | None) -> tuple[Model, Conditions]:
-    """Model of a report, and the conditions with plain dicts and lists, as the extension requires. Those of a System, Assembly or Pose are
-    added."""
-    given = Conditions() if conditions is None else conditions
-    if not isinstance(of, Model):
-        own = of._conditions
-        for name in own:
-            if getattr(given, name) != getattr(Conditions(), name):
-                raise InputError(f"conditions.{name}: the {type(of).__name__} has its own; expected the model, or conditions without {name}")
-        given = replace(given, **own)
-    return of if isinstance(of, Model) else of.model, replace(
-        given,
-        set=dict(given.set),
-        guess=dict(given.guess),
-        travel=list(given.travel),
-        pose=given.pose if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
-        lock=list(given.lock),
-        hold=list(given.hold),
-        armature=dict(given.armature),
-        ratio_at=list(given.ratio_at),
-    )
-
-
 def _with_rows(parts: tuple[str, list[str]]) -> Any:
     """Report from its JSON, with the rows from lists in JSON."""
     report = json.loads(parts[0])
@@ -233,17 +71,17 @@ def check(model: Model) -> records.CheckReport:
 
 @checked
 def mass(
-    model: _Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
+    model: Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> records.MassReport:
     """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
     contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``."""
-    model, conditions = _asked(model, conditions)
-    return records.MassReport.of(json.loads(_percuss.mass_report(model, contact, conditions, damping)))
+    model, request = asked(model, contact, conditions, **({} if damping is None else damping._tables()))
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
 
 
 @checked
 def sweep_report(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     conditions: Conditions | None = None,
     *,
@@ -262,14 +100,13 @@ def sweep_report(
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
     Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
     """
-    model, conditions = _asked(model, conditions)
-    rows = _rows(vary, input, ignore, random, seed)
-    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, conditions, *rows, gradient)))
+    model, request = asked(model, contact, conditions, sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient})
+    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, request)))
 
 
 @checked
 def map(
-    model: _Of,
+    model: Of,
     conditions: Conditions | None = None,
     *,
     against: str | None = None,
@@ -284,43 +121,45 @@ def map(
     "visual".
     edge: longest edge of a facet, m. packages: folders of ``package://`` names.
     """
-    model, conditions = _asked(model, conditions)
-    folders = [(name, os.fspath(path)) for name, path in (packages or {}).items()]
-    named = None if links is None else list(links)
-    if named == []:
+    if links is not None and not len(links):
         raise InputError("links is empty; expected names of links, or None for all links with a shape")
-    report, facets, svg = _percuss.map_report(model, conditions, against, named, shapes, edge, folders)
+    folders = {name: os.fspath(path) for name, path in (packages or {}).items()}
+    model, request = asked(
+        model, None, conditions, against,
+        map={"link": links, "all": links is None, "shapes": shapes, "edge": edge, "package": folders},
+    )
+    report, facets, svg = _percuss.map_report(model, request)
     return MapReport(json.loads(report), facets, svg)
 
 
 @checked
 def map_point(
-    model: _Of, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
+    model: Of, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> records.PointMapReport:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
     not used."""
-    model, conditions = _asked(model, conditions)
-    return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, contact, conditions, directions)))
+    model, request = asked(model, contact, conditions)
+    return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, request, directions)))
 
 
 @checked
 def damp(mass: float, damping: Damping) -> records.DampingReport:
     """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
-    return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, damping)))
+    return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, (tables(**damping._tables()), None, None))))
 
 
 @checked
 def damp_contact(
-    model: _Of, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
+    model: Of, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
 ) -> records.DampingReport:
     """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
-    model, conditions = _asked(model, conditions)
-    return records.DampingReport.of(json.loads(_percuss.damp(model, contact, None, conditions, damping)))
+    model, request = asked(model, contact, conditions, **damping._tables())
+    return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
 
 
 @checked
 def damp_stop(
-    model: _Of,
+    model: Of,
     joint: str,
     damping: Damping,
     conditions: Conditions | None = None,
@@ -329,52 +168,50 @@ def damp_stop(
 ) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
     damp --limit``."""
-    model, conditions = _asked(model, conditions)
-    return records.DampingReport.of(json.loads(_percuss.damp(model, None, (joint, end), conditions, damping)))
+    model, request = asked(model, None, conditions, **damping._tables(joint if end is None else f"{joint}:{end}"))
+    return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
 
 
 @checked
 def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
     """Impact of a mass (kg) over time, with the approach speed damping.speed. Returns (samples, 4): time (s),
     penetration (m), penetration rate (m/s), force (N)."""
-    return _percuss.impact_history(mass, damping, samples)
+    return _percuss.impact_history(mass, (tables(**damping._tables()), None, None), samples)
 
 
 @checked
-def explain(model: _Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
+def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``."""
-    model, conditions = _asked(model, conditions)
-    found = json.loads(_percuss.explain(model, contact, conditions))
-    return None if found is None else records.Explanation.of(found)
+    model, request = asked(model, contact, conditions, mass={"explain": True})
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).explanation
 
 
 @checked
 def friction_thresholds(
-    model: _Of, contact: Contact | str, conditions: Conditions | None = None
+    model: Of, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
     has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``."""
-    model, conditions = _asked(model, conditions)
-    found = json.loads(_percuss.friction_thresholds(model, contact, conditions))
-    return None if found is None else records.FrictionThresholdsRecord.of(found)
+    model, request = asked(model, contact, conditions, mass={"friction_thresholds": True})
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).friction_thresholds
 
 
 @checked
 def reflected_inertias(
-    model: _Of, joints: Sequence[str], conditions: Conditions | None = None
+    model: Of, joints: Sequence[str], conditions: Conditions | None = None
 ) -> records.ReflectedReport:
     """Inertias reflected to joints: with all other joints free, and with the other driving joints at rest. joints: "JOINT" for the
     inertia at the pose; "JOINT=FROM:TO:COUNT" for the inertia over a range of positions, with two substitutes for simulators without
     loops. As ``percuss impact --reflected`` without a contact."""
-    model, conditions = _asked(model, conditions)
-    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, list(joints), conditions)))
+    model, request = asked(model, None, conditions)
+    return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, request, list(joints))))
 
 
 @checked
 def tolerate(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     tolerance: str,
     conditions: Conditions | None = None,
@@ -385,10 +222,9 @@ def tolerate(
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
     --tolerance``."""
-    model, conditions = _asked(model, conditions)
-    drawn = None if samples is None else (samples, seed)
-    found = json.loads(_percuss.tolerate(model, contact, conditions, tolerance, drawn))
-    return None if found is None else records.ToleranceReport.of(found)
+    drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
+    model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).tolerance
 
 
 @checked
@@ -405,8 +241,9 @@ def compare(
     random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
     if len(designs) < 2:
         raise InputError(f"designs has {len(designs)} entries; expected two at least")
-    asked = [Design(d.name, model, d.contact, given) for d in designs for model, given in [_asked(d.model, d.conditions)]]
-    return records.ComparisonReport.of(_with_rows(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
+    given = [(design.name, *asked(design.model, design.contact, design.conditions)) for design in designs]
+    source = tables(sweep=rows(vary, input, ignore, random, seed))
+    return records.ComparisonReport.of(_with_rows(_percuss.compare(given, (source, None, None))))
 
 
 @checked
@@ -417,7 +254,7 @@ def compare_study(path: str | os.PathLike[str], name: str = "as given") -> recor
 
 @checked
 def impact(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     restitution: float,
     conditions: Conditions | None = None,
@@ -460,23 +297,25 @@ def impact(
     gears (N·m·s or N·s) or, as text with a unit, largest torques ("80N·m"; requires stiffness), for the greatest closing speed.
     point_error: largest displacement of the contact point (m), for the worst impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
-    model, conditions = _asked(model, conditions)
-    if in_time and stiffness is None:
-        raise InputError("in_time: the impact in time requires stiffness, that of the contact")
-    if in_time and friction is not None:
-        raise InputError("in_time: the impact in time has no friction; expected friction=None")
-    damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
-    asked = _Impact(
-        restitution, speed, friction, restitution_law, list(also), also_restitution, sticking, stiffness_ratio, contact_exponent,
-        rates or {}, base_twist, damping, in_time, gravity, joint_spring or {}, rate_limit or {}, gear_limit or {}, point_error, reflected,
-        percussion,
+    model, request = asked(
+        model, contact, conditions,
+        impact={
+            "restitution": restitution, "speed": speed, "friction": friction, "restitution_law": restitution_law,
+            "also": [one if isinstance(one, str) else "contact" for one in also], "also_restitution": also_restitution,
+            "sticking": sticking, "stiffness_ratio": stiffness_ratio, "contact_exponent": contact_exponent, "rates": rates,
+            "base_twist": base_twist, "stiffness": stiffness, "exponent": exponent,
+            "law": None if stiffness is None and law == "kelvin-voigt" else law, "in_time": in_time, "gravity": gravity,
+            "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
+            "reflected": reflected, "percussion": percussion,
+        },
     )
-    return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, conditions, asked)))
+    contacts = [None if isinstance(one, str) else one for one in also]
+    return records.ImpactReport.of(json.loads(_percuss.impact(model, request, contacts)))
 
 
 @checked
 def extremes(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     conditions: Conditions | None = None,
     *,
@@ -501,16 +340,39 @@ def extremes(
     keep: links or points that stay in place, "LINK", "LINK:X,Y,Z" or "LINK:X,Y,Z:NX,NY,NZ" (m, link's frame; direction in world axes): the
     search covers the self-motion. A path replaces the ranges. vary: one range of a joint or of a travel. input: a file of positions,
     without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``."""
-    model, conditions = _asked(model, conditions)
-    given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
-    return records.ExtremesReport.of(json.loads(_percuss.extremes(
-        model, contact, conditions, given, quantity, normals, starts, list(keep), contact_law, _rows(vary, input, ignore, None, 0)
-    )))
+    path = rows(vary, input, ignore, None, 0) or {}
+    if vary is not None and input is not None:
+        raise InputError("vary: give one of vary and input")
+    model, request = asked(
+        model, contact, conditions,
+        extremes={
+            "range": [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()], "normals": normals,
+            "starts": starts, "quantity": quantity, "keep": keep, "ignore": ignore,
+            "path": path.get("input") or next(iter(path.get("vary", ())), None),
+        },
+        **({} if contact_law is None else contact_law._tables()),
+    )
+    return records.ExtremesReport.of(json.loads(_percuss.extremes(model, request)))
+
+
+def _limit(
+    region: str | None, force: float | None, pressure: float | None, area: float | None, energy: float | None, momentum: float | None, load: float
+) -> dict[str, Any]:
+    """Table of the limit of a safe speed."""
+    limits = {"force": force, "pressure": pressure, "area": area, "energy": energy, "momentum": momentum}
+    given = [name for name, value in limits.items() if value is not None]
+    if given not in (["force"], ["pressure", "area"], ["energy"], ["momentum"]):
+        raise InputError(
+            f"one limit is required: force (N), pressure (Pa) with area (m²), energy (J) or momentum (N·s); given: {' and '.join(given) or 'none'}"
+        )
+    # Numbers without a unit are in N/cm² and cm².
+    units = {"pressure": f"{pressure!r}Pa", "area": f"{area!r}m²"} if "pressure" in given else {}
+    return {"region": region, **limits, **units, "load": load}
 
 
 @checked
 def safe_speed(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     region: str | None,
     conditions: Conditions | None = None,
@@ -531,15 +393,14 @@ def safe_speed(
     with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
     pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
     ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
-    model, conditions = _asked(model, conditions)
-    speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load)
-    rows = _rows(vary, input, ignore, random, seed)
-    return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, contact, conditions, speed, *rows))[0])
+    limit = _limit(region, force, pressure, area, energy, momentum, load)
+    model, request = asked(model, contact, conditions, safe_speed=limit, sweep=rows(vary, input, ignore, random, seed))
+    return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, request))[0])
 
 
 @checked
 def safe_speed_directions(
-    model: _Of,
+    model: Of,
     contact: Contact | str,
     region: str | None,
     directions: Sequence[Sequence[float]],
@@ -555,16 +416,15 @@ def safe_speed_directions(
 ) -> list[records.SafeSpeedReport]:
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
     direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
-    model, conditions = _asked(model, conditions)
+    if not len(directions) and not worst:
+        raise InputError("directions: none is given; give at least one, or worst=True")
     along = [[float(x) for x in direction] for direction in directions]
     for number, direction in enumerate(along):
         if len(direction) != 3 or not np.isfinite(direction).all():
             raise InputError(f"directions[{number}] is {direction}; expected three finite numbers")
-    if not along and not worst:
-        raise InputError("directions: none is given; give at least one, or worst=True")
-    speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load, along, worst)
-    found = _percuss.safe_speed(model, contact, conditions, speed, None, None, None)
-    return [records.SafeSpeedReport.of(report) for report in json.loads(found)]
+    limit = {**_limit(region, force, pressure, area, energy, momentum, load), "direction": along, "worst_direction": worst}
+    model, request = asked(model, contact, conditions, safe_speed=limit)
+    return [records.SafeSpeedReport.of(report) for report in json.loads(_percuss.safe_speed(model, request))]
 
 
 #: Reports of studies by their schema.
@@ -594,45 +454,13 @@ def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
     return cast("records.AnyRecord", report)
 
 
-#: Record of each table of a report.
-_TABLES: Mapping[str, type[Report]] = {
-    "mass": records.MassReport,
-    "damping": records.DampingReport,
-    "impact": records.ImpactReport,
-    "extremes": records.ExtremesReport,
-    "sweep": records.SweepReport,
-    "comparison": records.ComparisonReport,
-    "kinematics": records.KinematicsReport,
-    "contacts": records.ContactListReport,
-}
-
-
 @checked
-def ask(model: Model, request: Mapping[str, Any]) -> Report:
+def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
     """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
     request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
     the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
     (a list). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError."""
-    try:
-        text = json.dumps(request, default=_plain, allow_nan=False)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"request: {error}; expected numbers, texts, lists and tables") from None
-    found = json.loads(_percuss.ask(model, text))
-    for table, record in _TABLES.items():
-        if table in found:
-            found[table] = record.of(found[table])
-    if "map" in found:
-        found["map"] = _BY_SCHEMA[found["map"]["schema"].split("/")[0]].of(found["map"])
-    if "safe_speed" in found:
-        found["safe_speed"] = [records.SafeSpeedReport.of(one) for one in found["safe_speed"]]
-    return Report(found)
-
-
-def _plain(value: object) -> Any:
-    """Numbers and arrays of numpy as numbers and lists."""
-    if isinstance(value, (np.generic, np.ndarray)):
-        return value.tolist()
-    raise TypeError(f"{type(value).__name__} is given")
+    return records.RequestReport.of(json.loads(_percuss.ask(model, json_of(request, "request"))))
 
 
 @checked

@@ -1,15 +1,14 @@
 //! Dampers for a given restitution, simulator parameters, and the available laws, simulators and body regions.
 
-use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
 use crate::conversion::threads::{abandonable, interruptible};
-use crate::questions::question::{Conditions, Damping};
+use crate::questions::question::Request;
 use crate::questions::reports::json;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::contact::exports::Tool;
 use percuss::contact::{BodyRegion, Law};
-use percuss::study::{self, JointStop, StopEnd};
+use percuss::study;
 use pyo3::prelude::*;
 
 /// Number of samples of an impact that takes some milliseconds.
@@ -17,40 +16,19 @@ const MANY_SAMPLES: usize = 10_000;
 
 /// Damper for an effective mass, kg.
 #[pyfunction]
-pub fn damp_mass(mass: f64, damping: Damping) -> PyResult<String> {
-    json(&study::damp(&damping.question()?, mass).map_err(errors::study)?)
+pub fn damp_mass(mass: f64, request: Request<'_>) -> PyResult<String> {
+    json(&study::damp(&request.damping()?.0, mass).map_err(errors::study)?)
 }
 
-/// Damper for a contact of a model, or for a stop of a joint: (joint, None, "lower" or "upper").
+/// Damper for a contact of a model, or for the stop of a joint.
 #[pyfunction]
-pub fn damp(
-    py: Python<'_>,
-    model: &Model,
-    contact: Option<GivenContact<'_>>,
-    stop: Option<(String, Option<String>)>,
-    conditions: Conditions<'_>,
-    damping: Damping,
-) -> PyResult<String> {
-    let damping = damping.question()?;
-    let report = match (contact, stop) {
-        (Some(contact), None) => {
-            let question = conditions.question_at(&model.read.mechanism, &contact)?;
-            interruptible(py, || study::damp_contact(&model.read, &question, &damping))?
-        }
-        (None, Some((joint, end))) => {
-            let end = match end.as_deref() {
-                None => None,
-                Some("lower") => Some(StopEnd::Lower),
-                Some("upper") => Some(StopEnd::Upper),
-                Some(other) => {
-                    return Err(input(format_args!("end is \"{other}\"; expected \"lower\" or \"upper\"")));
-                }
-            };
-            let (question, stop) = (conditions.question()?, JointStop { joint, end });
-            interruptible(py, || study::damp_stop(&model.read, &stop, question, &damping))?
-        }
-        _ => return Err(input("give one of contact and stop")),
-    };
+pub fn damp(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
+    let (damping, stop) = request.damping()?;
+    let question = request.question(&model.read.mechanism)?;
+    let report = interruptible(py, || match &stop {
+        Some(stop) => study::damp_stop(&model.read, stop, question, &damping),
+        None => study::damp_contact(&model.read, &question, &damping),
+    })?;
     json(&report.map_err(errors::study)?)
 }
 
@@ -59,10 +37,10 @@ pub fn damp(
 pub fn impact_history<'py>(
     py: Python<'py>,
     mass: f64,
-    damping: Damping,
+    request: Request<'_>,
     samples: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let question = damping.question()?;
+    let (question, _) = request.damping()?;
     let found =
         abandonable(py, samples >= MANY_SAMPLES, move || study::impact_history(&question, mass, samples))?
             .map_err(input)?;

@@ -1,7 +1,6 @@
 //! Questions and reports of the command line.
 
 pub(crate) mod damping;
-pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub mod question;
 pub(crate) mod reports;

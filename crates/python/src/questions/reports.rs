@@ -1,22 +1,22 @@
 //! Reports of the command line as JSON text; the Python package converts them to dicts.
 
-use crate::analysis::contact::GivenContact;
+use crate::analysis::contact::Contact;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::{abandonable, interruptible};
-use crate::questions::question::{Conditions, Damping, optional_rows, rows};
+use crate::questions::question::{Request, invalid};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::study::{
-    self, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
-    StudyAdditions, StudyError, StudyFile, Sweep, Tolerance, Vector, WithAdditions,
+    self, FurtherContact, MassQuestion, Names, SafeSpeedQuestion, SkinFacets, StudyAdditions, StudyError,
+    StudyFile, Sweep, WithAdditions,
 };
 use percuss::{DEFAULT_MAX_SIZE, interruption};
 use pyo3::prelude::*;
-use pyo3::types::{PyAny, PyDict};
+use pyo3::types::PyDict;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A report as JSON.
@@ -24,15 +24,14 @@ pub fn json(report: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(report).map_err(errors::no_answer)
 }
 
-/// Evaluates `answer` for a contact of a model under conditions and returns the report as JSON.
-pub fn contact_report<R: Serialize + Send>(
+/// Evaluates `answer` for the question of a request and returns the report as JSON.
+fn report_of<R: Serialize + Send>(
     py: Python<'_>,
     model: &Model,
-    contact: GivenContact<'_>,
-    conditions: &Conditions<'_>,
+    request: &Request<'_>,
     answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
 ) -> PyResult<String> {
-    let question = conditions.question_at(&model.read.mechanism, &contact)?;
+    let question = request.question(&model.read.mechanism)?;
     json(&interruptible(py, || answer(&model.read, &question))?.map_err(errors::study)?)
 }
 
@@ -42,42 +41,14 @@ pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
     json(&interruptible(py, || study::check(&model.read))?.map_err(errors::study)?)
 }
 
-/// Report on one contact of a model, with the damper if damping is given.
+/// Report on one contact of a model, with the damper and the results of the table of the mass that are requested.
 #[pyfunction]
-pub fn mass_report(
-    py: Python<'_>,
-    model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
-    damping: Option<Damping>,
-) -> PyResult<String> {
-    let damping = damping.map(|damping| damping.question()).transpose()?;
-    contact_report(py, model, contact, &conditions, |model, question| match &damping {
-        Some(damping) => study::mass_with_damper(model, question, damping),
-        None => study::mass(model, question),
+pub fn mass_report(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
+    request.tables.mass.check().map_err(invalid)?;
+    let (options, damper) = (&request.tables.mass, request.damper()?);
+    report_of(py, model, &request, |model, question| {
+        study::requested_mass(model, question, damper.as_ref(), options)
     })
-}
-
-/// Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass.
-#[pyfunction]
-pub fn explain(
-    py: Python<'_>,
-    model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
-) -> PyResult<String> {
-    contact_report(py, model, contact, &conditions, study::explain)
-}
-
-/// Coefficients of friction from which a contact can stick, jam or wedge; null if the contact has no finite mass.
-#[pyfunction]
-pub fn friction_thresholds(
-    py: Python<'_>,
-    model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
-) -> PyResult<String> {
-    contact_report(py, model, contact, &conditions, study::friction_thresholds)
 }
 
 /// Inertias reflected to joints. `joints`: "JOINT", or "JOINT=FROM:TO:COUNT" for a range of positions.
@@ -85,30 +56,41 @@ pub fn friction_thresholds(
 pub fn reflected_inertias(
     py: Python<'_>,
     model: &Model,
+    request: Request<'_>,
     joints: Vec<String>,
-    conditions: Conditions<'_>,
 ) -> PyResult<String> {
-    let question = conditions.question()?;
-    let found = interruptible(py, || study::reflected_inertias(&model.read, &question, &joints))?;
-    json(&found.map_err(errors::study)?)
+    report_of(py, model, &request, |model, question| study::reflected_inertias(model, question, &joints))
 }
 
-/// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
-/// and seed.
+/// Report on a rigid impact at a contact of a model. also: further contacts that are no text, each in the place of its text.
 #[pyfunction]
-pub fn tolerate(
+pub fn impact(
     py: Python<'_>,
     model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
-    tolerance: &str,
-    samples: Option<(usize, u64)>,
+    request: Request<'_>,
+    also: Vec<Option<Bound<'_, Contact>>>,
 ) -> PyResult<String> {
-    let tolerance = Tolerance::parse(tolerance).map_err(|error| of_argument("tolerance")(input(error)))?;
-    let sampling = samples.map(|(count, seed)| Sampling { count, seed });
-    contact_report(py, model, contact, &conditions, |model, question| {
-        study::tolerance_report(model, question, tolerance, sampling)
-    })
+    request.tables.impact.check().map_err(invalid)?;
+    let mut requested = request.tables.impact.clone();
+    for (further, given) in requested.also.iter_mut().zip(&also) {
+        if let Some(contact) = given {
+            let resolved = contact.get().resolve(&model.read.mechanism).map_err(of_argument("also"))?;
+            *further = FurtherContact::Resolved(resolved);
+        }
+    }
+    report_of(py, model, &request, |model, question| study::impact(model, question, &requested))
+}
+
+/// Smallest and largest effective mass, or another quantity, over ranges of driving joints, with kept links or points, or along a path.
+#[pyfunction]
+pub fn extremes(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
+    let mut requested = request.tables.extremes.clone();
+    if let Some(law) = request.damper()? {
+        (requested.stiffness, requested.restitution, requested.speed) = (law.stiffness, law.restitution, law.speed);
+        (requested.exponent, requested.law, requested.separation) = (law.exponent, law.law, law.separation);
+    }
+    let requested = requested.checked(Vec::new(), Path::new(""), DEFAULT_MAX_SIZE).map_err(invalid)?;
+    report_of(py, model, &request, |model, question| study::extremes(model, question, &requested))
 }
 
 /// Report as JSON with an empty list of rows, and its rows as JSON lists of some thousand. Python converts one list after the other,
@@ -147,21 +129,13 @@ impl<T: Send + 'static> Drop for Deferred<T> {
 
 /// Report on a contact at many rows of positions.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
-pub fn sweep_report<'py>(
-    py: Python<'py>,
-    model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'py>,
-    vary: Option<Vec<Bound<'py, PyAny>>>,
-    input: Option<(String, Vec<String>)>,
-    random: Option<(usize, u64)>,
-    gradient: bool,
-) -> PyResult<RowParts> {
-    let question = conditions.question_at(&model.read.mechanism, &contact)?;
-    let source = rows(vary, input, random)?;
+pub fn sweep_report(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<RowParts> {
+    let question = request.question(&model.read.mechanism)?;
+    let source = request.rows()?.ok_or_else(|| input("give one of vary, input and random"))?;
     let additions = StudyAdditions::default();
-    run_sweep(py, &model.read, gradient, &additions, || Sweep::new(&model.read, &question, source))
+    run_sweep(py, &model.read, request.has_gradient(), &additions, || {
+        Sweep::new(&model.read, &question, source)
+    })
 }
 
 /// Runs a sweep; stops on Ctrl-C. `additions`: further keys of the report.
@@ -218,33 +192,13 @@ fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict
 
 /// Maps of links: the report, the facets of each link as arrays, the picture as SVG.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the question of a map")]
 pub fn map_report<'py>(
     py: Python<'py>,
     model: &Model,
-    conditions: Conditions<'py>,
-    against: Option<String>,
-    links: Option<Vec<String>>,
-    shapes: &str,
-    edge: Option<f64>,
-    packages: Vec<(String, PathBuf)>,
+    request: Request<'py>,
 ) -> PyResult<(String, Bound<'py, PyDict>, String)> {
-    let mut question = MapQuestion::all();
-    let conditions = MassQuestion { against, ..conditions.question()? };
-    if let Some(links) = links {
-        (question.all, question.link) = (false, links);
-    }
-    question.shapes = match shapes {
-        "auto" => MapShapes::Auto,
-        "collision" => MapShapes::Collision,
-        "visual" => MapShapes::Visual,
-        _ => {
-            return Err(input(format_args!(
-                "shapes is \"{shapes}\"; expected \"auto\", \"collision\" or \"visual\""
-            )));
-        }
-    };
-    (question.edge, question.package) = (edge.map(Into::into), packages);
+    let conditions = request.question(&model.read.mechanism)?;
+    let question = request.tables.map.checked(&conditions, Path::new("")).map_err(invalid)?;
     let read = Arc::clone(&model.read);
     let work = move || {
         let answer = study::map(&read, &conditions, &question)?;
@@ -265,89 +219,35 @@ pub fn map_report<'py>(
 pub fn map_point_report(
     py: Python<'_>,
     model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
+    request: Request<'_>,
     directions: usize,
 ) -> PyResult<String> {
-    contact_report(py, model, contact, &conditions, |model, question| {
-        study::map_point(model, question, directions)
-    })
-}
-
-/// Python class `percuss._reports._SafeSpeed`.
-#[derive(FromPyObject)]
-pub struct SpeedQuestion {
-    region: Option<String>,
-    force: Option<f64>,
-    pressure: Option<f64>,
-    area: Option<f64>,
-    energy: Option<f64>,
-    momentum: Option<f64>,
-    load: f64,
-    directions: Vec<[f64; 3]>,
-    worst: bool,
+    report_of(py, model, &request, |model, question| study::map_point(model, question, directions))
 }
 
 /// Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
 /// several world directions, the worst direction last.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the question of a safe speed")]
-pub fn safe_speed(
-    py: Python<'_>,
-    model: &Model,
-    contact: GivenContact<'_>,
-    conditions: Conditions<'_>,
-    speed: SpeedQuestion,
-    vary: Option<Vec<Bound<'_, PyAny>>>,
-    input: Option<(String, Vec<String>)>,
-    random: Option<(usize, u64)>,
-) -> PyResult<String> {
-    let SpeedQuestion { region, force, pressure, area, energy, momentum, load, directions, worst } = speed;
-    let asked = SafeSpeedQuestion {
-        region,
-        force: force.map(Into::into),
-        pressure: pressure.map(Into::into),
-        area: area.map(Into::into),
-        energy: energy.map(Into::into),
-        momentum: momentum.map(Into::into),
-        load: Some(load.into()),
-        direction: directions.into_iter().map(Vector).collect(),
-        worst_direction: worst,
-        rows: optional_rows(vary, input, random)?,
-        ..SafeSpeedQuestion::default()
-    };
-    asked.limit().map_err(errors::input)?;
-    contact_report(py, model, contact, &conditions, |model, question| {
-        study::safe_speeds(model, question, &asked)
-    })
-}
-
-/// Python class `percuss.Design`.
-#[derive(FromPyObject)]
-pub struct Design<'py> {
-    name: String,
-    model: Bound<'py, Model>,
-    contact: GivenContact<'py>,
-    conditions: Conditions<'py>,
+pub fn safe_speed(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
+    request.tables.safe_speed.check().map_err(invalid)?;
+    let requested = SafeSpeedQuestion { rows: request.rows()?, ..request.tables.safe_speed.clone() };
+    report_of(py, model, &request, |model, question| study::safe_speeds(model, question, &requested))
 }
 
 /// Compares several designs by one question, at the same rows of positions if rows are given.
 #[pyfunction]
-#[allow(clippy::type_complexity, reason = "where rows come from")]
 pub fn compare(
     py: Python<'_>,
-    designs: Vec<Design<'_>>,
-    vary: Option<Vec<Bound<'_, PyAny>>>,
-    input: Option<(String, Vec<String>)>,
-    random: Option<(usize, u64)>,
+    designs: Vec<(String, Bound<'_, Model>, Request<'_>)>,
+    rows: Request<'_>,
 ) -> PyResult<RowParts> {
-    let source = optional_rows(vary, input, random)?;
-    let design = |design: &Design<'_>| {
-        let model = &design.model.get().read;
+    let source = rows.rows()?;
+    let design = |(name, model, request): &(String, Bound<'_, Model>, Request<'_>)| {
+        let model = &model.get().read;
         PyResult::Ok(study::Design {
-            name: design.name.clone(),
+            name: name.clone(),
             model: study::Model::clone(model),
-            question: design.conditions.question_at(&model.mechanism, &design.contact)?,
+            question: request.question(&model.mechanism)?,
             contact: None,
             rows: source.clone(),
         })

@@ -10,10 +10,11 @@ use crate::thresholds::CHECKED_MESHES;
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_formats::inertias_beyond_meshes;
 use percuss_mechanism::{Geometry, Mechanism, Subject};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Report of `percuss check`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct CheckReport {
     /// `percuss.check/1`.
     pub schema: &'static str,
@@ -56,7 +57,7 @@ pub struct CheckReport {
 }
 
 /// A link in a [`CheckReport`].
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LinkRecord {
     /// Name of the link.
     pub name: String,
@@ -71,7 +72,7 @@ pub struct LinkRecord {
 }
 
 /// A joint in a [`CheckReport`].
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct JointRecord {
     /// Name of the joint.
     pub name: String,
@@ -92,7 +93,7 @@ pub struct JointRecord {
 }
 
 /// A loop closure or coupling in a [`CheckReport`].
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ClosureRecord {
     /// Name of the closure or coupling.
     pub name: String,
@@ -111,7 +112,7 @@ pub struct ClosureRecord {
 }
 
 /// Joint of a relation in a [`ClosureRecord`].
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RelationTermRecord {
     /// Joint.
     pub joint: String,

@@ -16,12 +16,13 @@ use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
     impact_with_varying_mass,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Damper of a contact and the resulting impact. All keys are always present; a value is null if not
 /// applicable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DamperRecord {
     /// Requested coefficient of restitution.
     pub restitution: f64,
@@ -68,7 +69,7 @@ pub struct DamperRecord {
 }
 
 /// Change of m̄ over the penetration. A large change means that one constant mass is a poor approximation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Drift {
     /// Relative rate (dm̄/dδ)/m̄ along the direction of impact, 1/m.
     pub per_metre: Option<f64>,
@@ -81,7 +82,7 @@ pub struct Drift {
 }
 
 /// Mass of the contact body taken alone, a common substitute for m̄.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BodyAlone {
     /// Mass, kg.
     pub mass: f64,
@@ -91,7 +92,7 @@ pub struct BodyAlone {
 }
 
 /// Report of `percuss damp`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DampingReport {
     /// `percuss.damp/1`.
     pub schema: &'static str,

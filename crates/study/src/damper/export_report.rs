@@ -5,10 +5,11 @@ use crate::model::conversion::{ChangeRecord, changes};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::spelled_contact::StopRecord;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Report of `percuss export`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ExportReport {
     /// `percuss.export/1`.
     pub schema: &'static str,

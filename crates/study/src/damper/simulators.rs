@@ -1,12 +1,13 @@
 //! Simulator parameters in reports.
 
 use percuss_contact::exports::{Export, ExportError, Measurement, Penetration, Snippet, Tool, Value};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Contact in the parameters of a simulator, or the reason for missing support. All keys are always present; a
 /// value is null or empty if not applicable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ExportRecord {
     /// Name of the tool, in the spelling of its makers.
     pub title: &'static str,

@@ -9,12 +9,13 @@ use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Classical estimate m_K v_A²: mass of some links, all moving with the speed of point A. l̄ = 1/v_A is r_B/r_A of Euler's note
 /// (Fayzullin 2018). v_A is the component of the velocity along a direction: the given one, or upwards in a suspension, as for
 /// all motion ratios of a wheel. In other models without a direction, v_A is the magnitude of the velocity.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EstimateRecord {
     /// Links with a mass counted in m_K.
     pub links: Vec<String>,

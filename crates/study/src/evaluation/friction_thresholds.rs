@@ -8,10 +8,11 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::FrictionThresholds;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Coefficients of friction at which the behaviour of a contact changes. They do not depend on the velocities.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FrictionThresholdsRecord {
     /// Sliding speed per closing speed, t, of a contact with one relative motion; null for other contacts.
     pub slope: Option<f64>,

@@ -10,10 +10,11 @@ use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::Delassus;
 use percuss_mechanism::{ContactKind, JointKind, LinkId, Mechanism, NamedContact};
 use percuss_units::LengthUnit;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Named contact of a result. Lengths in m.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct NamedContactRecord {
     /// Name.
     pub name: String,
@@ -49,7 +50,7 @@ impl NamedContactRecord {
 }
 
 /// Upward travel of a wheel centre, m.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WheelTravelRecord {
     /// Link at the wheel centre.
     pub link: String,

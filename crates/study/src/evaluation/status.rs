@@ -1,10 +1,11 @@
 //! Kind of a result: finite, immovable, massless.
 
 use percuss_dynamics::EffectiveMass;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Kind of result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
     /// m̄ is finite.

@@ -7,10 +7,11 @@ use crate::reports::mass_report::ConditionsRecord;
 use percuss_dynamics::ContactStatus;
 use percuss_formats::{Facet, Orientation};
 use percuss_spatial::Transform;
-use serde::ser::{Serialize, SerializeSeq, Serializer};
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
 
 /// Contact with the smallest or largest m̄.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Extreme {
     /// m̄, kg.
     pub effective_mass: f64,
@@ -27,7 +28,7 @@ pub struct Extreme {
 }
 
 /// Orientation of mesh triangles, so that the normals point outward.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OrientationRecord {
     /// Connected pieces of the meshes.
     pub pieces: usize,
@@ -46,7 +47,7 @@ impl From<&Orientation> for OrientationRecord {
 }
 
 /// Summary of a link.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinkMap {
     /// The link.
     pub link: String,
@@ -78,7 +79,7 @@ pub struct LinkMap {
 }
 
 /// Link omitted from the map.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OmittedLink {
     /// The link.
     pub link: String,
@@ -87,7 +88,7 @@ pub struct OmittedLink {
 }
 
 /// Report of `percuss map`, as JSON. All keys are always present; a value is null if not applicable.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MapReport {
     /// `percuss.map/1`.
     pub schema: &'static str,
@@ -133,7 +134,7 @@ pub struct SkinFacets {
 }
 
 /// Contact of a map.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FacetRecord<'a> {
     /// The link.
     pub link: &'a str,
@@ -192,35 +193,18 @@ impl SkinFacets {
 }
 
 /// Map: the report and the facets.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MapAnswer {
     /// Report.
+    #[serde(flatten)]
     pub report: MapReport,
-    /// Facets of the links, in the order of the report's links.
+    /// Contacts, one for each facet of the links, in the order of the report's links.
+    #[serde(rename = "contacts", serialize_with = "contacts")]
+    #[schemars(with = "Vec<FacetRecord<'_>>")]
     pub skins: Vec<SkinFacets>,
 }
 
-/// JSON with all contacts: the keys of the report, and `contacts`.
-impl Serialize for MapAnswer {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(serde::Serialize)]
-        struct MapJson<'a> {
-            #[serde(flatten)]
-            report: &'a MapReport,
-            contacts: FacetRecords<'a>,
-        }
-        MapJson { report: &self.report, contacts: FacetRecords(&self.skins) }.serialize(serializer)
-    }
-}
-
-struct FacetRecords<'a>(&'a [SkinFacets]);
-
-impl Serialize for FacetRecords<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(None)?;
-        for record in self.0.iter().flat_map(SkinFacets::records) {
-            list.serialize_element(&record)?;
-        }
-        list.end()
-    }
+/// Serializes all contacts.
+fn contacts<S: Serializer>(skins: &[SkinFacets], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(skins.iter().flat_map(SkinFacets::records))
 }

@@ -13,10 +13,11 @@ use crate::thresholds::DIRECTIONS;
 use nalgebra::Vector3;
 use percuss_dynamics::EffectiveMass;
 use percuss_spatial::Transform;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// m̄ along a direction.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DirectionMass {
     /// Unit vector, link's axes.
     pub direction_link: [f64; 3],
@@ -31,7 +32,7 @@ pub struct DirectionMass {
 }
 
 /// Report of `percuss map --point`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct PointMapReport {
     /// `percuss.map-point/1`.
     pub schema: &'static str,

@@ -4,13 +4,14 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use percuss_formats::{Change, Effect, NOT_READ};
 use percuss_mechanism::Severity;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Codes of the warnings and notes about parts of a file that are not read.
 const UNREAD: [&str; 5] = [NOT_READ, "ignored", "unknown-element", "unknown-attribute", "stray-text"];
 
 /// Part of a model that has another form in the written file, or none.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ChangeRecord {
     /// `changed` or `lost`.
     pub effect: &'static str,
@@ -46,7 +47,7 @@ impl From<Change> for ChangeRecord {
 }
 
 /// Report of `percuss convert`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ConversionReport {
     /// `percuss.convert/1`.
     pub schema: &'static str,

@@ -2,13 +2,15 @@
 
 use percuss_formats::Diagnostic;
 use percuss_mechanism::Severity;
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// Finding about a file or a result.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DiagnosticRecord {
     /// Severity; `error`, `warning` or `note` in JSON.
     #[serde(serialize_with = "serialize_severity")]
+    #[schemars(with = "String", extend("enum" = ["error", "warning", "note"]))]
     pub severity: Severity,
     /// Stable short name for scripts.
     pub code: &'static str,

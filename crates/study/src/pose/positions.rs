@@ -1,5 +1,6 @@
 //! Joint positions of poses by name. The names are stored once and shared by all poses.
 
+use crate::values::quantities::schema_of;
 use nalgebra::Vector3;
 use percuss_dynamics::Pose;
 use percuss_mechanism::{JointId, JointKind, Mechanism};
@@ -151,6 +152,8 @@ impl Positions {
         self.values.is_empty()
     }
 }
+
+schema_of!(Positions, std::collections::BTreeMap<String, Vec<f64>>);
 
 impl Serialize for Positions {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -10,10 +10,11 @@ use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Direction, Frame};
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, near_names};
 use percuss_spatial::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Stop of a joint, in reports.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StopRecord {
     /// The joint.
     pub joint: String,

@@ -9,10 +9,11 @@ use crate::question::tables::damping::DampingQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
 use percuss_mechanism::{ContactKind, Mechanism, NamedContact};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Effective masses at all named contacts, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ContactListReport {
     /// `percuss.contacts/1`.
     pub schema: &'static str,
@@ -27,7 +28,7 @@ pub struct ContactListReport {
 }
 
 /// Named contact with its result.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ListedContact {
     /// Name.
     pub name: String,

@@ -15,10 +15,11 @@ use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{Inertial, LinkId};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Sensitivities of an effective mass.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Explanation {
     /// m̄, kg.
     pub effective_mass: f64,
@@ -35,7 +36,7 @@ pub struct Explanation {
 }
 
 /// Sensitivity of m̄ to a link.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinkSensitivity {
     /// The link.
     pub link: String,
@@ -51,7 +52,7 @@ pub struct LinkSensitivity {
 }
 
 /// Sensitivity of m̄ to the armature of a joint.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RotorSensitivity {
     /// The joint.
     pub joint: String,
@@ -60,7 +61,7 @@ pub struct RotorSensitivity {
 }
 
 /// Sensitivity of m̄ to a hardpoint.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointSensitivity {
     /// The hardpoint.
     pub point: String,
@@ -72,7 +73,7 @@ pub struct PointSensitivity {
 }
 
 /// Change of mass that lowers m̄; the opposite change raises m̄.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MassChange {
     /// The link.
     pub link: String,
@@ -81,7 +82,7 @@ pub struct MassChange {
 }
 
 /// Displacement that lowers m̄; the opposite displacement raises m̄.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointChange {
     /// The hardpoint.
     pub point: String,

@@ -20,11 +20,12 @@ use crate::reports::motion_ratio::MotionRatioRecord;
 use crate::reports::tolerance::ToleranceReport;
 use percuss_dynamics::{Base, EffectiveMass, Route};
 use percuss_mechanism::{JointId, LinkId};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Share of a link in m̄.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BodyShare {
     /// The link.
     pub link: String,
@@ -33,7 +34,7 @@ pub struct BodyShare {
 }
 
 /// Share of a rotor in m̄.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RotorShare {
     /// Joint driven by the rotor.
     pub joint: String,
@@ -42,7 +43,7 @@ pub struct RotorShare {
 }
 
 /// Contact, in the world frame and in the frame of the contact link.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ContactRecord {
     /// Contact link.
     pub link: String,
@@ -62,7 +63,7 @@ pub struct ContactRecord {
 }
 
 /// Conditions of a result, sufficient to repeat the question.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct ConditionsRecord {
     /// `fixed` or `floating`.
     pub base: &'static str,
@@ -81,7 +82,7 @@ pub struct ConditionsRecord {
 }
 
 /// A travel that drove the pose.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TravelRecord {
     /// `point`, or the motion of the wheels: `wheel-travel`, `heave`, `roll`.
     pub motion: &'static str,
@@ -96,7 +97,7 @@ pub struct TravelRecord {
 }
 
 /// A held point.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct HoldRecord {
     /// The link.
     pub link: String,
@@ -144,7 +145,7 @@ impl ConditionsRecord {
 }
 
 /// Report of `percuss mass`, as JSON. All keys are always present; a value is null if not applicable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MassReport {
     /// `percuss.mass/1`.
     pub schema: &'static str,
@@ -233,7 +234,7 @@ pub struct MassReport {
 }
 
 /// Parts of the error bound of m̄, kg; null if a part is unknown or m̄ is not finite.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ErrorBudgetRecord {
     /// Rounding of positions, frames and constraint rows, and of the computation.
     pub rounding: Option<f64>,

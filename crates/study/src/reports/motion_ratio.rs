@@ -13,11 +13,12 @@ use percuss_dynamics::{
     Pose,
 };
 use percuss_mechanism::LinkId;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Motion ratio of the contact relative to a point, in the motion v*: closing of the contact per travel of the point, such as
 /// spring compression per wheel travel.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MotionRatioRecord {
     /// Link of the point: `wheel_centre` or `contact_patch` if the model has these links, or the requested
     /// link.

@@ -19,11 +19,12 @@ use percuss_contact::{
 use percuss_dynamics::{Base, EffectiveMass, Frame};
 use percuss_impact::reachable_closing_speed;
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
 /// Speed for one mass of the robot.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpeedRecord {
     /// Robot mass m_R, kg: the mass of the standard, or the effective mass plus its error bound (at a singular pose the
     /// largest limit along the branches). Null if the robot is immovable.
@@ -35,7 +36,7 @@ pub struct SpeedRecord {
 }
 
 /// Report of `percuss safe-speed`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SafeSpeedReport {
     /// True for a robot arm without any rotor inertia, for text.
     #[serde(skip)]
@@ -80,7 +81,7 @@ pub struct SafeSpeedReport {
 }
 
 /// Greatest closing speed within the rate limits of the joints.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReachableSpeedRecord {
     /// Closing speed at the pose, m/s.
     pub speed: f64,
@@ -89,7 +90,7 @@ pub struct ReachableSpeedRecord {
 }
 
 /// Slowest row of a list of positions.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct AlongRecord {
     /// Number of rows.
     pub rows: usize,

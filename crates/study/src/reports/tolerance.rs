@@ -14,10 +14,11 @@ use crate::reports::explain::{Explanation, changed_mass, explain_parts};
 use crate::thresholds::SAMPLES;
 use percuss_dynamics::interruption;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Variation of m̄ within tolerances.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceReport {
     /// m̄, kg.
     pub effective_mass: f64,
@@ -47,7 +48,7 @@ pub struct ToleranceEffect {
 }
 
 /// First-order variation of m̄ due to each kind of number, kg, as root sum square.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceParts {
     /// Masses of links.
     pub mass: f64,
@@ -60,7 +61,7 @@ pub struct ToleranceParts {
 }
 
 /// m̄ of designs with random deviations, uniform between the limits.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SampleRecord {
     /// Number of samples with a finite m̄.
     pub count: usize,

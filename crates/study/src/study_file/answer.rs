@@ -1,10 +1,13 @@
 //! Results of the tables of a study.
 
+use crate::checks::model_check::CheckReport;
 use crate::damper::damped_contact::{damp_contact, damp_stop};
 use crate::damper::damping::DampingReport;
-use crate::map::map_report::MapAnswer;
+use crate::damper::export_report::ExportReport;
+use crate::map::map_report::{MapAnswer, MapReport};
 use crate::map::point_map::{PointMapReport, map_point};
 use crate::map::surface_map::map;
+use crate::model::conversion::ConversionReport;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
@@ -17,33 +20,39 @@ use crate::reports::compare::{CompareError, ComparisonReport, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
+use crate::reports::impact::reflected::ReflectedReport;
 use crate::reports::impact::report::{ImpactReport, impact};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::{KinematicsReport, kinematics};
+use crate::reports::kinematics::target_search::TargetReport;
 use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
 use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;
 use crate::sweep::sweep_report::SweepReport;
 use crate::sweep::sweep_rows::Sweep;
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::{Serialize, Serializer};
+use serde_json::Value;
 
 /// Result of a map.
-#[derive(Debug)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
 pub enum MapResult {
-    /// Map of surfaces.
-    Surfaces(Box<MapAnswer>),
+    /// Map of surfaces; its report in JSON.
+    Surfaces(
+        #[serde(serialize_with = "without_facets")]
+        #[schemars(with = "MapReport")]
+        Box<MapAnswer>,
+    ),
     /// Directions at a point.
     Directions(Box<PointMapReport>),
 }
 
-impl Serialize for MapResult {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Surfaces(answer) => answer.report.serialize(serializer),
-            Self::Directions(report) => report.serialize(serializer),
-        }
-    }
+/// Serializes the report of a map.
+fn without_facets<S: Serializer>(answer: &MapAnswer, serializer: S) -> Result<S::Ok, S::Error> {
+    answer.report.serialize(serializer)
 }
 
 /// Map of surfaces, or of directions at a point. `contact`: pose, conditions and other side, and the point if `question` has none.
@@ -82,7 +91,7 @@ impl MapResult {
 }
 
 /// Results of all tables of a study. The key of a table is absent if the study does not have the table.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct RequestReport {
     /// `percuss.report/1`.
     pub schema: &'static str,
@@ -138,6 +147,36 @@ fn of_table<Q, T>(
     answer: impl FnOnce(Q) -> Result<T, StudyError>,
 ) -> Result<Option<T>, StudyError> {
     question.map(answer).transpose().map_err(|error| error.in_table(table_keys(table)))
+}
+
+/// JSON schema (draft 2020-12) of the reports, each with all of its records as `$defs`.
+pub fn report_schema() -> Value {
+    let mut generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    let reports = [
+        generator.subschema_for::<RequestReport>(),
+        generator.subschema_for::<MassReport>(),
+        generator.subschema_for::<ContactListReport>(),
+        generator.subschema_for::<DampingReport>(),
+        generator.subschema_for::<ImpactReport>(),
+        generator.subschema_for::<ExtremesReport>(),
+        generator.subschema_for::<ReflectedReport>(),
+        generator.subschema_for::<SweepReport>(),
+        generator.subschema_for::<ComparisonReport>(),
+        generator.subschema_for::<KinematicsReport>(),
+        generator.subschema_for::<TargetReport>(),
+        generator.subschema_for::<MapAnswer>(),
+        generator.subschema_for::<PointMapReport>(),
+        generator.subschema_for::<SafeSpeedReport>(),
+        generator.subschema_for::<CheckReport>(),
+        generator.subschema_for::<ConversionReport>(),
+        generator.subschema_for::<ExportReport>(),
+    ];
+    serde_json::json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Report of percuss",
+        "anyOf": reports,
+        "$defs": generator.take_definitions(true),
+    })
 }
 
 impl StudyFile {

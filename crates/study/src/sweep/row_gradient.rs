@@ -1,5 +1,6 @@
 //! Gradient of m̄ at a row of a sweep.
 
+use crate::values::quantities::schema_of;
 use percuss_mechanism::Mechanism;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::ops::Range;
@@ -59,6 +60,8 @@ impl RowGradient {
         all.map(|velocity| self.values.get(velocity).copied())
     }
 }
+
+schema_of!(RowGradient, std::collections::BTreeMap<String, Vec<f64>>);
 
 impl Serialize for RowGradient {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

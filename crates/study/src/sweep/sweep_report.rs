@@ -6,12 +6,13 @@ use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::travel::varied_values::{VariedColumn, VariedValues};
 use crate::sweep::row_gradient::{GradientLayout, RowGradient};
 use percuss_units::LengthUnit;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::Arc;
 
 /// Continuation of the rows of a sweep: loops are closed on the branch of the preceding row. Without loops no
 /// row depends on another row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Continuation {
     /// All rows form one path: each row continues from the last row reached.
@@ -23,7 +24,7 @@ pub enum Continuation {
 }
 
 /// Heading of a sweep: data common to all rows.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SweepHeading {
     /// `percuss.sweep/2`.
     pub schema: &'static str,
@@ -65,7 +66,7 @@ pub struct SweepHeading {
 }
 
 /// A row of a sweep.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SweepRow {
     /// Number of the row, from 0.
     pub row: usize,
@@ -116,7 +117,7 @@ pub struct SweepEnd {
 }
 
 /// A sweep with all its rows.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SweepReport {
     /// Heading: data common to all rows.
     #[serde(flatten)]

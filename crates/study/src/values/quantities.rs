@@ -6,10 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::str::FromStr;
 
-/// Gives a type the JSON schema of the type from which it is converted.
+/// Gives a type the JSON schema of the type from which it is converted, or as which it is serialized.
 macro_rules! schema_of {
     ($name:ident, $from:ty) => {
-        impl JsonSchema for $name {
+        impl schemars::JsonSchema for $name {
             fn schema_name() -> std::borrow::Cow<'static, str> {
                 stringify!($name).into()
             }
@@ -20,6 +20,7 @@ macro_rules! schema_of {
         }
     };
 }
+pub(crate) use schema_of;
 
 /// Number of a dimension, in SI units.
 fn in_dimension(dimension: Dimension, text: &str) -> Result<f64, QuantityError> {

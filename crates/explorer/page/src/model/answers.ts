@@ -1,7 +1,7 @@
 // Further results at the pose: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. A result is requested
 // only while it is displayed and no drag is in progress.
 
-import type { DampingReport, Directions, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
+import type { DampingReport, PointMapReport, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
 
 /** Settings of the further results, as texts of a study. */
 export interface Settings {
@@ -36,7 +36,7 @@ export interface Results {
   impact: ImpactReport;
   safe: SafeSpeedReport[];
   kinematics: KinematicsReport;
-  directions: Directions;
+  directions: PointMapReport;
   /** By link: m̄ of each facet. */
   map: Map<number, GivenContact[]>;
 }

@@ -1,6 +1,6 @@
 // Quantities that move the mechanism: motions of the wheels, and joints that can be set.
 
-import type { Opened, Posed, Scene, SceneJoint, Study } from '../engine/protocol';
+import type { Opened, PosedMass, Scene, SceneJoint, Study } from '../engine/protocol';
 import { DEGREE, MILLIMETRE, plain, siValue, type DisplayUnit } from './numbers';
 
 export interface Driver {
@@ -87,7 +87,7 @@ export function givenValue(study: Study, driver: Driver): number | undefined {
 }
 
 /** Value of a driver at the displayed pose, SI. */
-export function valueOf(driver: Driver, study: Study, posed: Posed | undefined): number {
+export function valueOf(driver: Driver, study: Study, posed: PosedMass | undefined): number {
   const given = givenValue(study, driver);
   if (given !== undefined) return given;
   if (!driver.isMotion) return posed?.report.pose[driver.name]?.[0] ?? 0;

@@ -2,7 +2,7 @@
 
 import { Ended, Engine } from '../engine/engine';
 import type {
-  ContactTable, Curve, CurveRow, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
+  ContactTable, Curve, CurveRow, Explanation, DiagnosticRecord, KinematicsReport, Opened, Outcome, PosedMass, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
 import { Answers, type PanelTables } from './answers';
 import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
@@ -61,7 +61,7 @@ export class Store {
   study: Study | undefined;
   /** Study of the result shown. */
   answered: Study | undefined;
-  posed: Posed | undefined;
+  posed: PosedMass | undefined;
   /** Reason why the study has no result; `posed` is then the last good one. */
   problem: Refusal | undefined;
   frames: number[] | undefined;
@@ -534,7 +534,7 @@ export class Store {
     };
   }
 
-  get findings(): Finding[] {
+  get findings(): DiagnosticRecord[] {
     const shapes = this.opened?.shapes?.diagnostics ?? [];
     return [...(this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? []), ...shapes];
   }

@@ -2,7 +2,7 @@
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import type { Finding, KinematicsReport, Outcome } from '../engine/protocol';
+import type { DiagnosticRecord, KinematicsReport, Outcome } from '../engine/protocol';
 import { LIMITS, type Kind, type Results, type TextSetting } from '../model/answers';
 import { digits, fixed, signed } from '../model/numbers';
 import { store } from '../model/store';
@@ -40,7 +40,7 @@ function Panel<K extends Kind>({ kind, title, children, result, command }: {
 /** Warnings of a result that the list of findings on the page does not contain. */
 function WarningsOfPanel({ of }: { of: unknown }) {
   const shown = new Set(store.findings.map((finding) => finding.message));
-  const found = [of].flat().flatMap((report) => (report as { diagnostics?: Finding[] }).diagnostics ?? []);
+  const found = [of].flat().flatMap((report) => (report as { diagnostics?: DiagnosticRecord[] }).diagnostics ?? []);
   const texts = new Set(found.filter((finding) => finding.severity === 'warning' && !shown.has(finding.message)).map((finding) => finding.message));
   return <>{[...texts].map((text) => <p key={text} class="finding warning">{text}</p>)}</>;
 }

@@ -12,7 +12,7 @@ use std::str::FromStr;
 
 /// Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either
 /// side.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Tolerance {
     /// Mass of each link, relative; the moments of inertia change in proportion.
     pub mass: f64,

@@ -1,10 +1,12 @@
 //! Varied numbers of the rows of a sweep by name. The columns are stored once and shared by all rows.
 
+use crate::values::quantities::schema_of;
+use schemars::JsonSchema;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
 
 /// Varied column: a component of a joint position, or the travel of a point.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
 pub struct VariedColumn {
     /// Name of the column: the joint; `JOINT[0]`, `JOINT[1]`, … for a joint with several numbers; or
     /// `travel:LINK`.
@@ -39,6 +41,8 @@ impl VariedValues {
         self.columns.iter().map(|column| column.name.as_str()).zip(self.values.iter().copied())
     }
 }
+
+schema_of!(VariedValues, std::collections::BTreeMap<String, f64>);
 
 impl Serialize for VariedValues {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

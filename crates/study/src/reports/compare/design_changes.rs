@@ -4,10 +4,11 @@ use crate::model::loading::Model;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{EQUAL_VALUES, SLENDER_ROD};
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Difference of a design from its reference.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DesignChange {
     /// Kind of the difference.
     pub kind: ChangeKind,
@@ -21,7 +22,7 @@ pub struct DesignChange {
 }
 
 /// Kind of a difference between designs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ChangeKind {
     /// Hardpoint of a suspension, m, in the axes of the sheet.

@@ -17,6 +17,7 @@ use crate::reports::answer_mass::mass;
 use crate::reports::compare::design_changes::{DesignChange, design_changes};
 use crate::sweep::sweep_rows::sweep_report;
 use percuss_units::LengthUnit;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Model and question of a design.
@@ -36,7 +37,7 @@ pub struct Design {
 }
 
 /// Report of `percuss compare`, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ComparisonReport {
     /// `percuss.compare/1`.
     pub schema: &'static str,
@@ -53,7 +54,7 @@ pub struct ComparisonReport {
 }
 
 /// Result of a design at the pose of the question.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DesignRecord {
     /// Name of the design.
     pub name: String,
@@ -91,7 +92,7 @@ pub struct DesignRecord {
 }
 
 /// Row of the comparison with the values of all designs.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct ComparisonRow {
     /// Number of the row, from 0.
     pub row: usize,

@@ -19,10 +19,11 @@ use base64::engine::general_purpose::STANDARD;
 use percuss_dynamics::{PointVelocity, Pose};
 use percuss_mechanism::{ContactNormal, Link, LinkId, Mechanism, NamedContact};
 use percuss_spatial::{Transform, Vector3};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Scene of a model with the root fixed. Links are numbered in file order; lengths in m.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Scene {
     /// `percuss.scene/1`.
     pub schema: &'static str,
@@ -51,7 +52,7 @@ pub struct Scene {
 }
 
 /// Link of a scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneLink {
     /// Name.
     pub name: String,
@@ -66,7 +67,7 @@ pub struct SceneLink {
 }
 
 /// Joint of a scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneJoint {
     /// Name.
     pub name: String,
@@ -85,7 +86,7 @@ pub struct SceneJoint {
 }
 
 /// Loop closure of a scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneClosure {
     /// Name.
     pub name: String,
@@ -96,11 +97,12 @@ pub struct SceneClosure {
 }
 
 /// Named contact of a scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneContact {
     /// Name.
     pub name: String,
     /// `stop`, `spring`, `damper`, `patch` or `other`.
+    #[schemars(extend("enum" = ["stop", "spring", "damper", "patch", "other"]))]
     pub kind: &'static str,
     /// Number of the contact link.
     pub link: usize,
@@ -117,7 +119,7 @@ pub struct SceneContact {
 }
 
 /// Wheel of a scene, as a circle.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneWheel {
     /// Number of the link with the bearing.
     pub link: usize,
@@ -130,7 +132,7 @@ pub struct SceneWheel {
 }
 
 /// Hardpoints of a suspension sheet.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneSheet {
     /// Unit of the lengths of the sheet.
     pub unit: &'static str,
@@ -143,7 +145,7 @@ pub struct SceneSheet {
 }
 
 /// Hardpoint of a sheet.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneHardpoint {
     /// Name.
     pub name: String,
@@ -159,7 +161,7 @@ pub struct SceneHardpoint {
 }
 
 /// Frames of all links in the world: per link the rows of the rotation, then the position, m.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Frames(pub Vec<f64>);
 
@@ -176,7 +178,7 @@ impl Frames {
 }
 
 /// Result of a contact with the frames of the links.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct PosedMass {
     /// The result.
     pub report: MassReport,
@@ -276,7 +278,7 @@ pub fn scene(model: &Model) -> Result<Scene, StudyError> {
 }
 
 /// Triangles of the shapes of the links.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SceneShapes {
     /// Per link: base64 of the corners as 32-bit floats (little endian, m, frame of the link), nine numbers per triangle; `None`
     /// without a shape.

@@ -13,10 +13,11 @@ use percuss_impact::{
     greatest_closing_speed_of_gears, worst_reaction_within,
 };
 use percuss_mechanism::{JointId, Mechanism, near_names};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Centre of percussion of a joint, a closure or the ground.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PercussionRecord {
     /// Bearing with the least impulse: name of a joint or of a closure, or `ground`.
     pub joint: String,
@@ -45,7 +46,7 @@ pub struct PercussionRecord {
 }
 
 /// Greatest closing speed by the limits of joint rates and gears.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GreatestSpeedRecord {
     /// Speed, m/s.
     pub speed: f64,

@@ -26,6 +26,7 @@ use percuss_impact::{
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -34,7 +35,7 @@ const PEAK_AND_LAW: &str = "expected a contact law (stiffness, restitution and c
                             no other quantity";
 
 /// Position of a joint at an extreme.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremePosition {
     /// The joint.
     pub joint: String,
@@ -45,7 +46,7 @@ pub struct ExtremePosition {
 }
 
 /// Extreme of the searched quantity.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremeRecord {
     /// Effective mass in the unit of the report; null if it is not finite or if another quantity is searched.
     pub effective_mass: Option<f64>,
@@ -76,7 +77,7 @@ pub struct ExtremeRecord {
 }
 
 /// Link or point that stays in place.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KeptRecord {
     /// The link.
     pub link: String,
@@ -87,7 +88,7 @@ pub struct KeptRecord {
 }
 
 /// Path of a search.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PathRecord {
     /// Moved joints.
     pub joints: Vec<String>,
@@ -98,7 +99,7 @@ pub struct PathRecord {
 }
 
 /// Report of `percuss extremes`, as JSON.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremesReport {
     /// `percuss.extremes/1`.
     pub schema: &'static str,

@@ -4,10 +4,11 @@ use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use percuss_impact::RigidImpact;
 use percuss_spatial::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Coulomb friction at the contact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FrictionRecord {
     /// Coefficient of friction µ.
     pub coefficient: f64,
@@ -47,7 +48,7 @@ impl FrictionRecord {
 }
 
 /// Phase of an impact with friction.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PhaseRecord {
     /// `slip`, `jam`, `stick` or `reverse slip`.
     pub kind: &'static str,
@@ -58,7 +59,7 @@ pub struct PhaseRecord {
 }
 
 /// Result of one law of restitution; null if the law has no solution.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LawRecord {
     /// Law.
     pub law: &'static str,

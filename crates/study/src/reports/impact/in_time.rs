@@ -21,13 +21,14 @@ use percuss_impact::{
     ImpactInTime, JointSpring, RigidImpact, TimeConditions, impact_in_time, peak_over_time,
 };
 use percuss_spatial::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Further samples within each step of the integration, for smooth curves and for maxima between the steps.
 const SAMPLES_WITHIN_STEPS: usize = 9;
 
 /// Force in one bearing over the time of an impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BearingForceRecord {
     /// Place.
     pub place: ReactionPlace,
@@ -46,7 +47,7 @@ pub struct BearingForceRecord {
 }
 
 /// Motion of a joint over the time of an impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JointMotionRecord {
     /// The joint.
     pub joint: String,
@@ -55,7 +56,7 @@ pub struct JointMotionRecord {
 }
 
 /// Impact in time with a compliant contact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactTimeRecord {
     /// Restitution that is reached: separation speed divided by closing speed.
     pub restitution: f64,

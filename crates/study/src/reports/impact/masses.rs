@@ -7,10 +7,11 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use percuss_dynamics::{Configuration, EffectiveMass, Pose};
 use percuss_impact::{held_point_mass, locked_body_masses};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Mass of a contact for one state of rotors and joints.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MassStateRecord {
     /// `rotors-decoupled`: all armatures are 0, as with compliant gears. `rotors-coupled`: the rotors move with the joints, as in all other
     /// results. `joints-locked`: all moving links form one free rigid body (composite rigid body). Impacts on robots with stiff

@@ -3,10 +3,11 @@
 use percuss_dynamics::Pose;
 use percuss_impact::{Component, JointConstraint, JointConstraintReaction, Reaction, Reactions};
 use percuss_mechanism::{JointId, LinkId, LoopFrame, Mechanism};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Place of a reaction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ReactionPlace {
     /// Root link on the ground.
@@ -20,7 +21,7 @@ pub enum ReactionPlace {
 }
 
 /// Impulsive reaction at one place, component by component. Null marks components that redundant loops leave open.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReactionRecord {
     /// Place.
     pub place: ReactionPlace,
@@ -52,7 +53,7 @@ pub struct ReactionRecord {
 }
 
 /// Kind of a constraint of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum JointConstraintKind {
     /// Locked joint.
@@ -75,7 +76,7 @@ impl JointConstraintKind {
 }
 
 /// Impulses of a lock, a mimic or a coupling on its joints.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JointConstraintRecord {
     /// Kind.
     pub kind: JointConstraintKind,

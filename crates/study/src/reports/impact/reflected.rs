@@ -23,10 +23,11 @@ use percuss_impact::{
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Inertia reflected to a joint.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReflectedRecord {
     /// The joint.
     pub joint: String,
@@ -50,7 +51,7 @@ pub struct ReflectedRecord {
 }
 
 /// Inertia reflected to a joint over a range of its positions.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReflectedRangeRecord {
     /// The joint.
     pub joint: String,
@@ -79,7 +80,7 @@ pub struct ReflectedRangeRecord {
 }
 
 /// Open tree of a linkage in which all dependent joints are mimic joints of the driving joint.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MimicSubstituteRecord {
     /// Mimic joints.
     pub joints: Vec<MimicJointRecord>,
@@ -92,7 +93,7 @@ pub struct MimicSubstituteRecord {
 }
 
 /// Joint that follows the driving joint: position = multiplier · position of the driving joint + offset.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MimicJointRecord {
     /// The joint.
     pub joint: String,
@@ -105,7 +106,7 @@ pub struct MimicJointRecord {
 }
 
 /// Reflected inertias without a contact, as JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ReflectedReport {
     /// `percuss.reflected/1`.
     pub schema: &'static str,

@@ -38,10 +38,11 @@ use percuss_impact::{
     rates_from_drivers,
 };
 use percuss_spatial::{Twist, Vector3};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Rates of a joint before and after the impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JointRateRecord {
     /// The joint.
     pub joint: String,
@@ -54,7 +55,7 @@ pub struct JointRateRecord {
 }
 
 /// Velocity of a floating base, world axes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BaseRateRecord {
     /// Angular velocity before the impact, rad/s.
     pub angular_before: [f64; 3],
@@ -67,7 +68,7 @@ pub struct BaseRateRecord {
 }
 
 /// Free body on the other side.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OtherBodyRecord {
     /// Mass, kg.
     pub mass: f64,
@@ -76,7 +77,7 @@ pub struct OtherBodyRecord {
 }
 
 /// Compliant contact with the peak force of the impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactLawRecord {
     /// Contact law.
     pub law: &'static str,
@@ -103,7 +104,7 @@ pub struct ImpactLawRecord {
 }
 
 /// Force in a bearing that the velocities before the impact cause alone; it is quadratic in the rates.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MotionForceRecord {
     /// Place.
     pub place: ReactionPlace,
@@ -116,7 +117,7 @@ pub struct MotionForceRecord {
 }
 
 /// Report of `percuss impact`, as JSON. All keys are always present; a value is null if not applicable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ImpactReport {
     /// `percuss.impact/1`.
     pub schema: &'static str,

@@ -17,10 +17,11 @@ use percuss_impact::{
     simultaneous_impact, sticking_impact,
 };
 use percuss_spatial::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One of several contacts.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TouchingRecord {
     /// Name of the contact, or its link and number.
     pub name: String,
@@ -48,7 +49,7 @@ pub struct TouchingRecord {
 }
 
 /// Rates of a joint after an impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RatesAfterRecord {
     /// The joint.
     pub joint: String,
@@ -57,7 +58,7 @@ pub struct RatesAfterRecord {
 }
 
 /// Result of one law for several contacts without friction.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimultaneousLawRecord {
     /// `newton`, `poisson` or `energetic`.
     pub law: &'static str,
@@ -76,7 +77,7 @@ pub struct SimultaneousLawRecord {
 }
 
 /// Plastic impact with sticking points.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StickingRecord {
     /// For each contact: true if it sticks, false if it lets go.
     pub sticks: Vec<bool>,
@@ -106,7 +107,7 @@ pub struct StickingRecord {
 }
 
 /// Impact of several contacts at once.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimultaneousRecord {
     /// The contacts; the first is that of all other results.
     pub contacts: Vec<TouchingRecord>,

@@ -13,13 +13,17 @@ use crate::reports::kinematics::linkage_motion::Linkage;
 use crate::reports::kinematics::row_values::RowEvaluation;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
+use crate::values::quantities::schema_of;
+use crate::values::value::NumberOrText;
 use percuss_suspension::{LengthUnit, StopForce};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Column of a report.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KinematicColumn {
     /// Quantity.
     pub quantity: String,
@@ -27,6 +31,7 @@ pub struct KinematicColumn {
     pub side: &'static str,
     /// SI unit; empty for a plain number.
     #[serde(serialize_with = "si_unit")]
+    #[schemars(with = "String")]
     pub unit: KinematicUnit,
     /// Reason for the absence of all values; null if a row has a value.
     pub missing: Option<String>,
@@ -57,6 +62,8 @@ pub struct KinematicsRow {
     columns: Arc<[KinematicColumn]>,
 }
 
+schema_of!(KinematicsRow, BTreeMap<String, Option<NumberOrText>>);
+
 impl Serialize for KinematicsRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -70,7 +77,7 @@ impl Serialize for KinematicsRow {
 }
 
 /// Kinematics of a suspension.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KinematicsReport {
     /// Schema of this report.
     pub schema: &'static str,

@@ -19,6 +19,7 @@ use crate::thresholds::{
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::near_names;
 use percuss_units::{Dimension, LengthUnit, Quantity};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -91,7 +92,7 @@ pub struct TargetSearch {
 }
 
 /// Coordinate before and after a search, in the unit and axes of the sheet.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FoundCoordinate {
     /// Name `POINT.AXIS`.
     pub coordinate: String,
@@ -104,7 +105,7 @@ pub struct FoundCoordinate {
 }
 
 /// Value reached for a target, SI units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReachedTarget {
     /// Column.
     pub quantity: String,
@@ -120,7 +121,7 @@ pub struct ReachedTarget {
 }
 
 /// Result of a search.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TargetReport {
     /// Schema of this report.
     pub schema: &'static str,

@@ -5,21 +5,40 @@ from __future__ import annotations
 import html
 import json
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 _R = TypeVar("_R", bound="Record")
 _Convert = Callable[[Any], Any]
 #: Units for a moment about an axis, by the units for a contact point.
 _UNITS_OF_MOMENT = {"kg": "kg m²", "N s": "N m s", "m/s": "rad/s", "N": "N m"}
+#: Keys that repr shows, with their units, by type.
+_ANSWERS: Mapping[str, Mapping[str, str]] = {
+    "DampingReport": {"damping": "", "dissipation": "", "achieved_restitution": "", "peak_force": "N"},
+    "MassReport": {"effective_mass": "kg", "effective_mass_error": "kg", "status": ""},
+    "ReflectedReport": {"drivers": "", "reflected_inertia": "", "reflected_over": ""},
+    "FrictionThresholdsRecord": {"sticking": "", "jamming": ""},
+    "Explanation": {"effective_mass": "", "links": ""},
+    "ToleranceReport": {"effective_mass": "", "root_sum_square": "", "worst_case": ""},
+    "ContactListReport": {"contacts": ""},
+    "SweepReport": {"link": "", "rows": ""},
+    "SweepRow": {"row": "", "effective_mass": "", "status": ""},
+    "ComparisonReport": {"designs": "", "rows": ""},
+    "DesignRecord": {"name": "", "effective_mass": "kg", "difference_percent": "%"},
+    "KinematicsReport": {"variable": "", "columns": "", "rows": ""},
+    "ImpactReport": {"impulse": "N s", "energy_loss": "J", "closing_speed": "m/s"},
+    "ExtremesReport": {"least.effective_mass": "kg", "most.effective_mass": "kg"},
+    "ExtremeRecord": {"effective_mass": "", "status": ""},
+    "MapRecord": {"links": ""},
+    "PointMapReport": {"link": "", "principal": "", "directions": ""},
+    "SafeSpeedReport": {"reflected.speed": "m/s", "standard.speed": "m/s", "limited_by": ""},
+    "CheckReport": {"name": "", "total_mass": "kg", "degrees_of_freedom": "", "links": "", "diagnostics": ""},
+}
 #: Keys that describe the report, not the result.
 _HEADING = ("schema", "percuss", "inputs")
 
 
 class Record(dict[str, Any]):
     """Part of a report: the dict that the command prints with ``--format json``. Keys are attributes too."""
-
-    #: Keys that repr shows, with their units.
-    _answer: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
     def of(cls: type[_R], values: Mapping[str, Any]) -> _R:
@@ -63,9 +82,8 @@ class Record(dict[str, Any]):
 
     def __repr__(self) -> str:
         units = _UNITS_OF_MOMENT if _is_moment(self) else {}
-        answer = [
-            f"{key}: {_shown(self, key)}{unit and ' ' + units.get(unit, unit)}" for key, unit in self._answer.items()
-        ]
+        keys = next((_ANSWERS[kind.__name__] for kind in type(self).__mro__ if kind.__name__ in _ANSWERS), {})
+        answer = [f"{key}: {_shown(self, key)}{unit and ' ' + units.get(unit, unit)}" for key, unit in keys.items()]
         if not answer:
             answer = [f"{key}: {value}" for key, value in self._facts() if key not in _HEADING]
         return f"<{type(self).__name__} {', '.join(answer)}>"
@@ -136,6 +154,10 @@ def _conversion(hint: Any) -> _Convert | None:
     """Conversion of a type; None if it contains no record."""
     if get_origin(hint) is None and isinstance(hint, type) and issubclass(hint, Record):
         return hint.of
+    reports = [part for part in get_args(hint) if isinstance(part, type) and issubclass(part, Record)]
+    if len(reports) > 1:
+        # Of several records, the one with the most similar keys.
+        return lambda value: min(reports, key=lambda report: len(_keys(report) ^ value.keys())).of(value)
     inner = [convert for convert in map(_conversion, get_args(hint)) if convert is not None]
     return _of_parts(get_origin(hint), inner[0]) if inner else None
 

@@ -1,0 +1,217 @@
+"""Questions as the tables of a study (docs/reference/STUDY_KEYS.md), JSON."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, Union, cast
+
+import numpy as np
+
+from ._arguments import array_of, check_fields, shown
+from ._errors import InputError
+from ._percuss import Assembly, Contact, Model, Pose, System
+
+#: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
+Position = Union[float, Sequence[float], str]
+#: Mechanism of a report: a model, a system or an assembly with its conditions, or a pose with those and its positions.
+Of = Union[Model, System, Assembly, Pose]
+#: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
+Range = Union[str, tuple[str, float, float, int]]
+#: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
+Travel = Union[str, tuple[str, Sequence[float], Sequence[float], float]]
+#: Tables as JSON, contact and pose.
+Request = tuple[str, Union[Contact, str, None], Union[Pose, None]]
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Conditions of a contact: the flags of ``percuss mass``.
+
+    frame: frame of the contact point: "link", "world", "against".
+    against_mass: mass of a free body on the other side, kg.
+    set: driving joints and their positions. guess: initial positions in the search for dependent joints.
+    travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
+    distance): point in m in the link's frame, direction in world axes, distance in m.
+    pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence.
+    lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
+    armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
+    estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
+    ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
+    """
+
+    frame: Literal["link", "world", "against"] = "link"
+    against_mass: float | None = None
+    set: Mapping[str, Position] = field(default_factory=dict)
+    guess: Mapping[str, Position] = field(default_factory=dict)
+    lock: Sequence[str] = ()
+    hold: Sequence[Sequence[Any]] = ()
+    armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
+    base: Literal["fixed", "floating"] = "fixed"
+    estimate: Sequence[Any] | None = None
+    travel: Sequence[Travel] = ()
+    pose: str | os.PathLike[str] | Pose | None = None
+    ratio_at: Sequence[Sequence[Any]] = ()
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+
+@dataclass(frozen=True)
+class Damping:
+    """Damper to design: the flags of ``percuss damp``.
+
+    restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad for the stop of a revolute joint). exponent: p of the
+    spring's force k x^p, default 1 unless the law has another exponent. speed: approach speed, m/s. law: a name of
+    laws(). separation: "force" (the contact ends when the force vanishes) or "gap". tools: simulators whose parameters
+    are computed, names of tools(), or ("all",). accuracy: permitted error of a simulator's restitution. time_step: time
+    step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
+    diagonal ratio. closed_loops: true if loops bind the contact link. A model supplies this value; for a mass alone,
+    None means unknown, and the parameters of MuJoCo's equality constraints are given too.
+    """
+
+    restitution: float
+    stiffness: float
+    exponent: float | None = None
+    speed: float | None = None
+    law: str = "kelvin-voigt"
+    separation: Literal["force", "gap"] | None = None
+    tools: Sequence[str] = ()
+    accuracy: float | None = None
+    time_step: float | None = None
+    own_mass: float | None = None
+    other_own_mass: float | None = None
+    diagonal_ratio: float | None = None
+    closed_loops: bool | None = None
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+    def _tables(self, stop: str | None = None) -> dict[str, Any]:
+        """Tables of the damper, at the stop of a joint if given."""
+        keys = {name: value for name, value in vars(self).items() if name not in ("tools", "closed_loops")}
+        return {"damping": {**keys, "for": self.tools, "limit": stop}, "closed_loops": self.closed_loops}
+
+
+def plain(value: object) -> Any:
+    """Value of another type as numbers, lists and dicts."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
+        return list(value)
+    if hasattr(value, "__index__"):
+        return value.__index__()
+    if hasattr(value, "__float__"):
+        return float(value)
+    raise TypeError(f"{type(value).__name__} is given")
+
+
+def json_of(value: object, name: str) -> str:
+    """JSON of a value; an InputError that names it if it has none."""
+    try:
+        text = json.dumps(value, default=plain, allow_nan=False, ensure_ascii=False)
+        text.encode()
+    except (TypeError, ValueError, OverflowError, RecursionError) as error:
+        message = f"{name} is {shown(value)}; expected finite numbers, texts, lists and tables: {error}"
+    else:
+        return text
+    raise InputError(message.encode("utf-8", "backslashreplace").decode())
+
+
+def tables(**given: Any) -> str:
+    """JSON of tables; tables and keys without a value are left out."""
+    parts = []
+    for table, keys in given.items():
+        if isinstance(keys, dict):
+            inner = [f'"{key}":{json_of(value, key)}' for key, value in keys.items() if value is not None]
+            parts.append(f'"{table}":{{{",".join(inner)}}}')
+        elif keys is not None:
+            parts.append(f'"{table}":{json_of(keys, table)}')
+    return "{" + ",".join(parts) + "}"
+
+
+def _parts(given: Any, name: str, keys: Sequence[str], least: int) -> dict[str, Any]:
+    """Parts of a tuple by key, without those that are None."""
+    if isinstance(given, (str, Mapping)) or not isinstance(given, (Sequence, np.ndarray)) or not least <= len(given) <= len(keys):
+        forms = " or ".join(f"({', '.join(keys[:count])}{',' if count == 1 else ''})" for count in range(least, len(keys) + 1))
+        raise InputError(f"{name}: expected {forms}")
+    return {key: value for key, value in zip(keys, given) if value is not None}
+
+
+def _numbers(value: Any, name: str) -> str:
+    """Numbers as text, with all digits."""
+    return ",".join(repr(float(number)) for number in array_of(value, name).ravel())
+
+
+def _travel(given: Any) -> str:
+    if isinstance(given, str):
+        return given
+    parts = _parts(given, "travel", ("link", "point", "direction", "distance"), 4)
+    point, direction, distance = (_numbers(parts.get(key), f"{key} of travel") for key in ("point", "direction", "distance"))
+    return f"{parts.get('link')}:{point}:{direction}={distance}"
+
+
+def _estimate(given: Any) -> dict[str, Any]:
+    parts = _parts(given, "estimate", ("links", "point", "direction"), 1)
+    links = parts.get("links")
+    return {**parts, "links": [links] if isinstance(links, str) else links}
+
+
+def _range(given: Any) -> str:
+    if isinstance(given, str):
+        return given
+    joint, start, end, count = _parts(given, "vary", ("joint", "from", "to", "count"), 4).values()
+    return f"{joint}={_numbers(start, 'vary')}:{_numbers(end, 'vary')}:{count}"
+
+
+def rows(
+    vary: Range | Sequence[Range] | None, input: str | os.PathLike[str] | None, ignore: Sequence[str], random: int | None, seed: int
+) -> dict[str, Any] | None:
+    """Table of the rows; None if no row source is given."""
+    if vary is None and input is None and random is None and not len(ignore) and not seed:
+        return None
+    is_one = isinstance(vary, str) or isinstance(vary, tuple) and len(vary) == 4 and not isinstance(vary[1], (str, tuple))
+    ranges = [vary] if is_one else cast("Sequence[Range]", () if vary is None else vary)
+    return {
+        "vary": [_range(one) for one in ranges],
+        "input": None if input is None else os.fspath(input),
+        "ignore": ignore,
+        "random": random,
+        "seed": None if random is None and not seed else seed,
+    }
+
+
+def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, against: str | None = None, **further: Any) -> tuple[Model, Request]:
+    """Model and request of a report. The conditions of a System, Assembly or Pose are added."""
+    given = Conditions() if conditions is None else conditions
+    if not isinstance(of, Model):
+        own = of._conditions
+        for name in own:
+            if getattr(given, name) != getattr(Conditions(), name):
+                raise InputError(f"conditions.{name}: the {type(of).__name__} has its own; expected the model, or conditions without {name}")
+        given = replace(given, **own)
+    pose = given.pose if isinstance(given.pose, Pose) else None
+    of_contact = {
+        "frame": None if given.frame == "link" else given.frame,
+        "against_mass": given.against_mass,
+        "estimate": None if given.estimate is None else _estimate(given.estimate),
+        "ratio_at": [_parts(one, "ratio_at", ("link", "point", "direction"), 2) for one in given.ratio_at],
+        "against": against,
+    }
+    text = tables(
+        contact=of_contact,
+        pose={
+            "set": given.set,
+            "guess": given.guess,
+            "travel": [_travel(one) for one in given.travel],
+            "file": None if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
+        },
+        conditions={"lock": given.lock, "armature": given.armature, "base": given.base},
+        hold=[_parts(one, "hold", ("link", "point", "normal"), 2) for one in given.hold],
+        **further,
+    )
+    return of if isinstance(of, Model) else of.model, (text, contact, pose)
