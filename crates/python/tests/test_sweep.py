@@ -90,6 +90,10 @@ def test_base_poses_of_rows() -> None:
     assert turned.effective_mass[3] == pytest.approx(system.pose(q[3], base_pose=base[3]).respond(one).effective_mass, rel=1e-11)
     fixed = percuss.sweep(system, contact, q, base_pose=base[3], normals=normals)
     assert fixed.effective_mass[3] == pytest.approx(turned.effective_mass[3], rel=1e-12)
+    moment = percuss.Contact.about_axis("tool", [0, 0, 1], axis_frame="world")
+    about = percuss.sweep(system, moment, q, base_pose=base)
+    alone = [system.pose(row, base_pose=at).respond(moment).effective_mass for row, at in zip(q, base, strict=True)]
+    assert about.effective_mass == pytest.approx(alone, rel=1e-11)
 
 
 def test_wrong_points_and_normals() -> None:

@@ -8,6 +8,7 @@ use crate::conversion::labels::AXES;
 use crate::conversion::threads::interruptible_if_large;
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use percuss::LinkId;
 use percuss::nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -29,6 +30,14 @@ fn check_finite(py: Python<'_>, values: ArrayView2<'_, f64>, what: &str) -> PyRe
         py.check_signals()?;
     }
     Ok(())
+}
+
+/// Contact link, and the link on the other side.
+fn links(pose: &Pose, link: &str, against: Option<&str>) -> PyResult<(LinkId, Option<LinkId>)> {
+    let mechanism = &pose.model.read.mechanism;
+    let link = mechanism.find_link(link).map_err(input)?;
+    let against = against.map(|link| mechanism.find_link(link)).transpose();
+    Ok((link, against.map_err(|error| of_argument("against")(input(error)))?))
 }
 
 /// m̄ of many contacts of a link.
@@ -54,10 +63,7 @@ pub fn contact_map<'py>(
         }
         check_finite(py, array.as_array(), what)?;
     }
-    let mechanism = &pose.model.read.mechanism;
-    let link = mechanism.find_link(link).map_err(input)?;
-    let against = against.map(|link| mechanism.find_link(link)).transpose();
-    let against = against.map_err(|error| of_argument("against")(input(error)))?;
+    let (link, against) = links(pose, link, against)?;
     let rows = |array: &PyReadonlyArray2<'_, f64>| -> Vec<[f64; 3]> {
         array.as_array().rows().into_iter().map(|row| [row[0], row[1], row[2]]).collect()
     };
@@ -81,8 +87,10 @@ pub fn principal_masses<'py>(
     against: Option<&str>,
 ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
     let point = Vector3::from(triple(point, "point")?);
+    let (link, against) = links(pose, link, against)?;
     let found = py.detach(|| {
-        PyResult::Ok(contact_map_about(pose, link, against, point, 0.0)?.principal_masses(&point))
+        let map = pose.pose.contact_map(link, against, point, 0.0).map_err(input)?;
+        PyResult::Ok(map.principal_masses(&point))
     })?;
     let Some(found) = found else { return Ok(None) };
     let one = |principal: percuss::PrincipalMass| {

@@ -15,9 +15,9 @@ use crate::conversion::threads::Threads;
 use crate::sweep::portions::{Progress, run_portions};
 use crate::sweep::row_contacts::{BasePose, RowContacts};
 use crate::sweep::rows::{RowQuestion, numbers_of, refused_rows, solve_rows};
-use numpy::ndarray::s;
+use numpy::ndarray::{IntoDimension, s};
 use numpy::{
-    Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1,
+    Element, PyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1,
     PyUntypedArrayMethods,
 };
 use percuss::spatial::Transform;
@@ -222,27 +222,13 @@ pub fn sweep(
         }
     }
     drop((masses, errors, codes, flags));
-    let gradient = match gradients {
-        Some((array, values)) => {
-            drop(values);
-            Some(array.reshape([count, velocities])?.unbind())
-        }
-        None => None,
-    };
-    let inverse_operational_inertia = match inverses {
-        Some((array, values)) => {
-            drop(values);
-            Some(array.reshape([count, 6, 6])?.unbind())
-        }
-        None => None,
-    };
     Ok(Sweep {
         effective_mass: effective_mass.unbind(),
         error: error.unbind(),
         status: status.unbind(),
         remarks: remarks.unbind(),
-        gradient,
-        inverse_operational_inertia,
+        gradient: gradients.map(|array| reshaped(array, [count, velocities])).transpose()?,
+        inverse_operational_inertia: inverses.map(|array| reshaped(array, [count, 6, 6])).transpose()?,
         link: model.read.mechanism.link(given.link).name().to_owned(),
         no_answer,
     })
@@ -256,6 +242,11 @@ type OwnedArray<'py> = (Bound<'py, PyArray1<f64>>, PyReadwriteArray1<'py, f64>);
 fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
     let array = PyArray1::zeros(py, count, false);
     (array.clone(), array.readwrite())
+}
+
+/// Array in its final shape.
+fn reshaped<S: IntoDimension>((array, _): OwnedArray<'_>, shape: S) -> PyResult<Py<PyArray<f64, S::Dim>>> {
+    Ok(array.reshape(shape)?.unbind())
 }
 
 /// Values of an optional array.

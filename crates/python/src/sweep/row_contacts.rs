@@ -8,7 +8,7 @@ use numpy::PyUntypedArrayMethods;
 use percuss::input::{LARGEST_NUMBER, not_a_number};
 use percuss::nalgebra::Vector3;
 use percuss::spatial::Transform;
-use percuss::{BatchContacts, Contact as Resolved, Direction, Frame};
+use percuss::{BatchContacts, Contact as Resolved, Frame};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 
@@ -51,6 +51,14 @@ impl BasePose {
         }
     }
 
+    /// Pose at a row, if it is given.
+    fn at(&self, row: usize) -> Option<&Transform<f64>> {
+        match self {
+            Self::Rows(bases) => bases.get(row),
+            Self::NotGiven | Self::One(_) => self.one(),
+        }
+    }
+
     pub fn is_given(&self) -> bool {
         !matches!(self, Self::NotGiven)
     }
@@ -72,9 +80,10 @@ impl RowContacts {
         base: &BasePose,
         rows: usize,
     ) -> PyResult<Option<Self>> {
-        let Direction::Along(normal, frame) = contact.normal else {
-            let refused = points.is_some() || normals.is_some();
-            return match refused {
+        let is_given = points.is_some() || normals.is_some();
+        let vector = contact.normal.vector().filter(|_| !(is_given && contact.normal.is_moment()));
+        let Some((normal, frame)) = vector else {
+            return match is_given {
                 true => Err(input(
                     "points and normals need a contact with a normal; this contact has toward, or is a moment",
                 )),
@@ -82,11 +91,8 @@ impl RowContacts {
             };
         };
         let in_world = frame == Frame::World || (frame == Frame::Against && contact.against.is_none());
-        let bases = match base {
-            BasePose::Rows(bases) if in_world => Some(bases),
-            _ => None,
-        };
-        if points.is_none() && normals.is_none() && bases.is_none() {
+        let has_bases = in_world && matches!(base, BasePose::Rows(_));
+        if !is_given && !has_bases {
             return Ok(None);
         }
         let read = |given: Option<&Bound<'_, PyAny>>, what: &str, constant: &Vector3<f64>| match given {
@@ -94,20 +100,16 @@ impl RowContacts {
             None => Ok(constant.as_slice().to_vec()),
         };
         let points = read(points, "points", &contact.point)?;
-        let mut normals = read(normals, "normals", &normal)?;
+        let normals = read(normals, "normals", &normal)?;
         check_normals(&normals)?;
-        if let Some(bases) = bases {
-            let given =
-                |row: usize| if normals.len() == 3 { &normals[..3] } else { &normals[3 * row..3 * row + 3] };
-            let turned = |(row, base): (usize, &Transform<f64>)| {
-                base.inverse_vector(&Vector3::from_column_slice(given(row))).data.0[0]
-            };
-            normals = bases.iter().enumerate().flat_map(turned).collect();
-        } else if let (true, Some(base)) = (in_world, base.one()) {
-            for normal in normals.chunks_mut(3) {
-                normal.copy_from_slice(base.inverse_vector(&Vector3::from_column_slice(normal)).as_slice());
-            }
-        }
+        let in_root_axes = |row: usize| {
+            let first = if normals.len() == 3 { 0 } else { 3 * row };
+            let normal = Vector3::from_column_slice(&normals[first..first + 3]);
+            let base = base.at(row).filter(|_| in_world);
+            base.map_or(normal, |base| base.inverse_vector(&normal)).data.0[0]
+        };
+        let count = if has_bases { rows } else { normals.len() / 3 };
+        let normals = (0..count).flat_map(in_root_axes).collect();
         Ok(Some(Self { points, normals }))
     }
 
