@@ -56,8 +56,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for a mechanism with loops without SIMD lanes for the contact
-    /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
+    /// Error, kg; `None` unless m̄ is finite, and if the error is above m̄ ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
     /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.
@@ -100,8 +99,9 @@ struct Worker {
     /// Positions of one configuration.
     row: Vec<f64>,
     workspace: Workspace,
-    /// Findings that hold at every configuration.
+    /// Findings that hold at every configuration, and those of each result of the kernel.
     remarks: RemarkFlags,
+    lane_remarks: RemarkFlags,
     /// Pose of the root link in the world, for normals given in the world.
     base_of_normal: Option<Transform<f64>>,
     limits: PositionLimits,
@@ -138,6 +138,7 @@ impl Workspace {
             .take_kernel()
             .zip(kernel_contact(model, contact))
             .and_then(|(mut lanes, contact)| lanes.set_contact(&contact).then_some(lanes));
+        let own = in_lanes.as_ref().map_or(RemarkFlags::NONE, |_| assembly.kernel_remarks());
         let worker = Worker {
             read: in_lanes.iter().flat_map(Kernel::read_positions).collect(),
             columns: Aligned::zeros(match in_lanes {
@@ -148,6 +149,7 @@ impl Workspace {
             workspace,
             kernel: in_lanes,
             remarks,
+            lane_remarks: remarks | own,
             base_of_normal,
             limits: PositionLimits::of(model, false),
             gap,
@@ -199,9 +201,9 @@ impl Batch {
         self.worker.kernel.is_some()
     }
 
-    /// Findings that hold at every configuration. The findings of a single result include these.
+    /// Findings about each result that [`run_columns`](Self::run_columns) does not pass to `other`.
     pub fn remarks(&self) -> RemarkFlags {
-        self.worker.remarks
+        self.worker.lane_remarks
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
@@ -211,14 +213,11 @@ impl Batch {
     /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        let remarks = self.worker.remarks;
+        let Worker { remarks, lane_remarks, .. } = self.worker;
         let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
         let mut answer = match clear {
-            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
-            None => {
-                let with_closing = self.worker.kernel.is_some();
-                evaluate_row(&mut self.worker.workspace, &self.contact, positions, with_closing, remarks)
-            }
+            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, lane_remarks),
+            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, remarks),
         };
         answer.remarks |= self.worker.limits.flags(|q| positions[q]);
         if let Some(gap) = &mut self.worker.gap {
@@ -432,8 +431,9 @@ impl Worker {
         first: usize,
         places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal, limits, gap } =
+        let Worker { kernel: in_lanes, read, columns, row, workspace, base_of_normal, limits, gap, .. } =
             self;
+        let (remarks, lane_remarks) = (self.remarks, self.lane_remarks);
         let count = places.count();
         let of_rows = contacts.contacts;
         let contact_column = row.len();
@@ -477,7 +477,7 @@ impl Worker {
                 }
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
-            places.store_lanes(block, masses, errors, *remarks);
+            places.store_lanes(block, masses, errors, lane_remarks);
             let clear =
                 |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(limit);
             let mut own = [RemarkFlags::NONE; BLOCK];
@@ -495,11 +495,11 @@ impl Worker {
             for (lane, own) in own[..here].iter().enumerate() {
                 let mut answer = match clear(lane) {
                     true if own.is_empty() => continue,
-                    true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
+                    true => BatchAnswer::finite(masses[lane], errors[lane], lane_remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = contacts.at(start + lane, base_of_normal.as_ref());
-                        evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
+                        evaluate_row(workspace, &contact, row, remarks)
                     }
                 };
                 answer.remarks |= *own;
@@ -509,19 +509,17 @@ impl Worker {
     }
 }
 
-/// Computes one configuration by the workspace. `with_closing`: true if the lanes did not certify this configuration, so that its error has
-/// the part of the closing; false without lanes. `remarks`: findings that hold at every configuration.
+/// Computes one configuration by the workspace. `remarks`: findings that hold at every configuration.
 fn evaluate_row(
     workspace: &mut Workspace,
     contact: &Contact,
     positions: &[f64],
-    with_closing: bool,
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
         return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
     }
-    match workspace.evaluate(contact, with_closing) {
+    match workspace.evaluate(contact) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }
