@@ -117,6 +117,10 @@ impl Assembly {
             remarks: RemarkFlags::NONE,
             velocities: vec![0.0; model.velocity_coordinates.len()],
         };
+        if workspace.kernel.is_some() {
+            // Computed here, so that no later configuration allocates.
+            let _ = self.kernel_remarks();
+        }
         workspace.update_frames();
         workspace
     }
