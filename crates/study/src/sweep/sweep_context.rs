@@ -1,6 +1,7 @@
 //! Evaluation of the rows of a sweep: pose of a row, and result of the contact.
 
 use crate::checks::finding::{Finding, FindingTally};
+use crate::checks::findings::open_gap_finding;
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::{ContactResult, PreparedQuestion};
 use crate::evaluation::status::Status;
@@ -226,7 +227,7 @@ impl SweepContext<'_> {
             RowPose::Followed(followed) => {
                 portion.tally.add(row, followed.own);
                 portion.add_shared_findings(row, &followed.shared_findings);
-                self.add_passed_stops(portion, row, &followed.positions);
+                self.add_gap_findings(portion, row, &followed.positions);
                 let (mass, error) = followed.mass;
                 let positions = followed.positions;
                 let sweep_row =
@@ -276,7 +277,7 @@ impl SweepContext<'_> {
             lanes.add_findings(&self.prepared, &batch_results, at, row, &mut portion.tally);
             let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
             let positions = batch_results.positions(&self.heading.joints, at);
-            self.add_passed_stops(&mut portion, row, &positions);
+            self.add_gap_findings(&mut portion, row, &positions);
             let gradient = self.gradient_of(|| batch_results.gradient(at));
             let sweep_row = self.without_pose(row, varied, (mass, error), None, positions, gradient);
             portion.rows.push(RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None });
@@ -284,10 +285,15 @@ impl SweepContext<'_> {
         portion
     }
 
-    /// Adds the findings about the stops that a row without a pose passes.
-    fn add_passed_stops<T>(&self, portion: &mut RowResults<T>, row: usize, positions: &Positions) {
+    /// Adds the findings about the gap of a row without a pose, and about the stops that it passes.
+    fn add_gap_findings<T>(&self, portion: &mut RowResults<T>, row: usize, positions: &Positions) {
         if let Some(stops) = &self.passed_stops {
             portion.tally.add(row, stops.findings_at(&positions.in_joint_order()));
+        }
+        if let Some((gap, drawn)) = &self.gap {
+            let gap = gap.at_positions(drawn, &positions.in_joint_order());
+            let is_open = Gap::is_open(gap, self.prepared.system.mechanism());
+            portion.tally.add(row, is_open.then(|| open_gap_finding(gap).into_note()));
         }
     }
 
