@@ -28,7 +28,7 @@ pub struct Conditions<'py> {
     lock: Vec<String>,
     hold: Vec<Bound<'py, PyAny>>,
     armature: Option<Bound<'py, PyDict>>,
-    base: String,
+    base: Option<String>,
     estimate: Option<Bound<'py, PyAny>>,
     ratio_at: Vec<Bound<'py, PyAny>>,
 }
@@ -99,7 +99,10 @@ impl PositionsOf<'_> {
                 "the pose has a base_pose, and a report has the root link at the world's origin; expected a pose without \
                  base_pose, and vectors in the axes of the root link",
             )),
-            Self::Pose(pose) => GivenPose::from_pose(&pose.get().pose).map_err(input),
+            Self::Pose(pose) => {
+                let Pose { model, pose, .. } = pose.get();
+                GivenPose::from_pose(pose, model.read.inputs.first().cloned()).map_err(input)
+            }
         };
         read.map_err(of_argument("pose"))
     }
@@ -130,7 +133,7 @@ impl Conditions<'_> {
             lock: self.lock.clone(),
             hold: self.hold.iter().map(hold).collect::<PyResult<_>>().map_err(of_argument("hold"))?,
             armature: numbers(self.armature.as_ref(), "armature").map_err(of_argument("armature"))?,
-            base: base(&self.base)?,
+            base: base(self.base.as_deref().unwrap_or("fixed"))?,
             estimate: self.estimate.as_ref().map(estimate).transpose().map_err(of_argument("estimate"))?,
             ratio_at: self
                 .ratio_at
