@@ -5,7 +5,7 @@ use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::thresholds::MAX_MASS_RATIO;
+use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
 use percuss_formats::LoadError;
 use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
 use std::collections::BTreeMap;
@@ -139,7 +139,7 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
         let Some(inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
             return Err(StudyError::input(Field::LinkCom, Fault::NoMassToMove { link: name.clone() }));
         };
-        if let Some(value) = com.iter().find(|x| !x.is_finite()) {
+        if let Some(value) = com.iter().find(|x| !x.is_finite() || x.abs() > LARGEST_COORDINATE) {
             return Err(StudyError::input(
                 Field::LinkCom,
                 Fault::LinkCom { link: name.clone(), value: *value },

@@ -122,6 +122,12 @@ pub enum Field {
     Edge,
     /// Number of directions of a map at a point.
     Directions,
+    /// Link of a map.
+    MapLink,
+    /// Point of a map of directions.
+    MapPoint,
+    /// Direction of a safe speed.
+    Direction,
     /// Coefficient of restitution of an impact.
     Restitution,
     /// Closing speed of an impact.
@@ -210,6 +216,9 @@ impl Field {
             Field::Speed => ("--speed", "damping.speed"),
             Field::Edge => ("--edge", "map.edge"),
             Field::Directions => ("--directions", "map.directions"),
+            Field::MapLink => ("--link", "map.link"),
+            Field::MapPoint => ("--point", "map.point"),
+            Field::Direction => ("--direction", "safe_speed.direction"),
             Field::Restitution => ("--restitution", "impact.restitution"),
             Field::ClosingSpeed => ("--speed", "impact.speed"),
             Field::ImpactStiffness => ("--stiffness", "impact.stiffness"),

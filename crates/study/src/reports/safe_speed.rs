@@ -317,7 +317,9 @@ pub fn safe_speed_directions(
     }
     let of_direction = |direction: &[f64; 3]| {
         let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
-        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, limit_question)
+        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, limit_question).map_err(
+            |error| error.with_field(|field| if field == Field::Normal { Field::Direction } else { field }),
+        )
     };
     all.iter().map(of_direction).collect()
 }

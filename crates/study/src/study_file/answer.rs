@@ -8,10 +8,10 @@ use crate::map::surface_map::map;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Names;
+use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
-use crate::reports::compare::{CompareError, ComparisonReport, compare};
+use crate::reports::compare::{CompareError, ComparisonReport, Design, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
@@ -310,7 +310,25 @@ impl StudyFile {
         if self.variants.is_empty() && self.contacts.is_empty() {
             return Ok(None);
         }
-        compare(&self.designs(name)).map(Some)
+        self.compare(&self.designs(name)).map(Some)
+    }
+
+    /// Comparison of the [designs](Self::designs). An error has the key at fault, such as `variant[0].set`.
+    ///
+    /// # Errors
+    /// As for [`compare`].
+    pub fn compare(&self, designs: &[Design]) -> Result<ComparisonReport, CompareError> {
+        compare(designs).map_err(|error| match error {
+            CompareError::Question { design, source, .. } => {
+                let is_of = |name: &str| {
+                    design.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
+                };
+                let number = self.variants.iter().position(|variant| is_of(&variant.name));
+                let key = source.key().map(|key| self.keys.of_variant(number, &key));
+                CompareError::Question { design, source, key }
+            }
+            other => other,
+        })
     }
 
     /// Kinematics of `[kinematics]`.
@@ -327,7 +345,14 @@ impl StudyFile {
     /// As for [`map`] and [`map_point`].
     pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
         let found = self.map.as_ref().map(|requested| requested.question.answer(&self.model)).transpose();
-        found.map_err(|error| error.in_table(table_keys("map")))
+        // The contact gives the link and the point that the table does not have.
+        let is_of_map = |keys: [&str; 2]| keys.iter().any(|key| self.keys.contains(key));
+        let of_map = |field| match field {
+            Field::Link if is_of_map(["map.link", "map.all"]) => Field::MapLink,
+            Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
+            other => other,
+        };
+        found.map_err(|error| error.with_field(of_map).in_table(table_keys("map")))
     }
 
     /// Safe speeds of `[safe_speed]`.

@@ -442,7 +442,9 @@ pub enum Fault {
         link: String,
     },
     /// Centre of mass that is not finite.
-    #[error("link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers")]
+    #[error(
+        "link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers of at most {LARGEST_COORDINATE:e}"
+    )]
     LinkCom {
         /// Link.
         link: String,
