@@ -37,7 +37,9 @@ fn shared_findings(
 ) -> Option<Vec<Finding>> {
     let values: Vec<f64> = (0..setting.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
     let pose = prepared.system.pose(&setting.configuration(&values, false).ok()?).ok()?;
-    prepared.evaluate(&pose, contact).ok()?.into_branch_findings()
+    let mut shared = prepared.evaluate(&pose, contact).ok()?.into_branch_findings()?;
+    shared.extend(prepared.guess_findings(&pose));
+    Some(shared)
 }
 
 /// Results of one batch of rows.
