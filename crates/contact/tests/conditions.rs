@@ -173,6 +173,13 @@ fn gravity_is_a_stated_condition() {
         }
     }
     assert!(Request { speed: None, ..hinged(0.5, 24.0) }.gravity_loss().is_none());
+    // The loss is proportional to 1/v; from e/3 on the body does not rebound.
+    for (part, prevents) in [(0.3, false), (0.35, true), (0.9, true), (1.2, true)] {
+        let request = hinged(0.6, 24.0);
+        let speed = SPEED * request.gravity_loss().unwrap() / (part * 0.6);
+        let export = Tool::MUJOCO.export(&request.at(speed)).unwrap();
+        assert_eq!(export.weight_prevents_rebound, prevents, "{part}");
+    }
 }
 
 #[test]

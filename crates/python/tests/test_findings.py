@@ -41,6 +41,7 @@ CASES = {
     "many-turns": (Flags.OUTSIDE_LIMITS | Flags.MANY_TURNS, chain(), OTHER, [0.0, 90.0]),
     "open-gap": (Flags.OPEN_GAP, chain(), STOP, [0.1, 0.0]),
     "nearly-immovable": (Flags.NEARLY_IMMOVABLE, chain(), percuss.Contact("rod", [0, 0, 0], ACROSS), [0.1, 0.0]),
+    "massless-motions": (Flags.MASSLESS_MOTIONS | Flags.UNDETERMINED_MOTION, chain(tip=""), OTHER, [0.1, 0.2]),
     "singular-pose": (Flags.SINGULAR_POSE, FLAT, percuss.Contact("coupler", [0.3, 0, 0], [0, 1, 0]), [0.0, 0.0, 0.0]),
 }
 

@@ -133,10 +133,18 @@ def test_a_pose_or_a_system_replaces_the_model() -> None:
         (system, percuss.Conditions(armature={"crank_hinge": 0.1})),
         (pose, percuss.Conditions(pose=pose)),
         (system.pose(base_pose=[0, 0, 1, 1, 0, 0, 0]), None),
+        (bar.system(base="floating"), percuss.Conditions(base="fixed")),
+        (system, percuss.Conditions(base="floating")),
     ]
     for of, conditions in refused:
         with pytest.raises(percuss.InputError):
             percuss.mass(of, contact, conditions)
+    assert percuss.mass(system, contact, percuss.Conditions(base="fixed")).conditions.base == "fixed"
+    # A pose of another file has the finding of a saved pose of another file; the same file, read again, has none.
+    other = percuss.loads((ROOT / "models/four_bar.urdf").read_text() + "\n")
+    for model, expected in [(other, 1), (percuss.load(ROOT / "models/four_bar.urdf"), 0)]:
+        report = percuss.mass(model, contact, percuss.Conditions(pose=pose))
+        assert [finding.code for finding in report.diagnostics].count("pose-of-another-file") == expected
 
 
 def test_names_of_contacts_in_arrays() -> None:

@@ -186,8 +186,7 @@ fn contact_print<'a>(
         return Ok(Box::new(move || contact_list::write(&list, MassFormat::Text, strict)));
     }
     if !study.variants.is_empty() || !study.contacts.is_empty() {
-        let report =
-            percuss_study::compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
+        let report = study.compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
         return Ok(Box::new(move || {
             let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
             let format = MassFormat::Text;

@@ -53,10 +53,7 @@ impl Failure {
             Failure::BadInput(lines) => {
                 let of_study = |line: String| match line.strip_prefix("error: ") {
                     Some(message) => {
-                        // The message of a design begins with the design's name.
-                        let named = message.strip_prefix('"').and_then(|rest| rest.split_once("\": "));
-                        let key =
-                            named.map_or(message, |(_, rest)| rest).split(':').next().unwrap_or_default();
+                        let key = message.split(':').next().unwrap_or_default();
                         format!("{}: error: {message}", position(key))
                     }
                     None => line,

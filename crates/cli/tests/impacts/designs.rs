@@ -100,14 +100,22 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
         assert!((number(&design["effective_mass"]) / expected - 1.0).abs() < 1e-12, "{design}");
     }
     for (of_model, variants, words) in [
-        ("link_mass = { bub = 4 }", "", ["model: ", "\"bub\""]),
+        ("link_mass = { bub = 4 }", "", ["model.link_mass: ", "\"bub\""]),
         ("link_mass = { bob = \"4 m\" }", "", ["model.link_mass.bob", "mass"]),
-        ("move = { ball = [0, 0, 1] }", "", ["model: ", "without hardpoints"]),
+        ("move = { ball = [0, 0, 1] }", "", ["model.move: ", "without hardpoints"]),
         ("", "[[variant]]\nlink_mass = { bob = 1 }", ["name", "missing"]),
         ("", "[[variant]]\nname = \"a\"\nlink_mas = { bob = 1 }", ["link_mas", "link_mass"]),
-        ("", "[[variant]]\nname = \"a\"\nlink_mass = { bub = 1 }", ["variant: \"a\"", "\"bub\""]),
+        (
+            "",
+            "[[variant]]\nname = \"a\"\nlink_mass = { bub = 1 }",
+            ["variant[0].link_mass: \"a\"", "\"bub\""],
+        ),
         ("", "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"", ["variant.name", "twice"]),
-        ("", "[[variant]]\nname = \"a\"\nmodel = \"nowhere.urdf\"", ["variant: \"a\"", "no such file"]),
+        (
+            "",
+            "[[variant]]\nname = \"a\"\nmodel = \"nowhere.urdf\"",
+            ["variant[0].model: \"a\"", "no such file"],
+        ),
         ("", "[[variant]]\nname = \"a\"\nset = { hange = 1 }", ["\"a\"", "\"hange\""]),
     ] {
         let bad = folder.write("bad.toml", &text(of_model, variants));

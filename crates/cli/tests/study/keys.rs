@@ -185,12 +185,96 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
         ("[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"\n", ":10: error: variant.name: "),
         (
             "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nlink_mass = { none = 1 }\n",
-            ":9: error: variant: \"b\": ",
+            ":11: error: variant[1].link_mass: \"b\": no link",
         ),
+        ("[[variant]]\nname = \"a\"\nmodel = \"none.urdf\"\n", ":9: error: variant[0].model: \"a\": "),
+        ("[[variant]]\nname = \"a\"\nset.none = 1\n", ":9: error: variant[0].set: \"a\": no joint"),
+        ("[[variant]]\nname = \"a\"\nset.rocker_hinge = 1\n", ":9: error: variant[0].set: \"a\": joint"),
+        ("[[variant]]\nname = \"a\"\narmature.crank_pin = -1\n", ":9: error: variant[0].armature: \"a\": "),
+        ("[[variant]]\nname = \"a\"\ncontact.at = \"none\"\n", ":9: error: variant[0].contact.at: \"a\": "),
+        (
+            "[[variant]]\nname = \"a\"\ncontact.link = \"crank\"\n",
+            ":9: error: variant[0].contact: point is missing",
+        ),
+        (
+            "[[hold]]\nlink = \"crank\"\npoint = [0, 0, 0]\n[[hold]]\nlink = \"none\"\npoint = [0, 0, 0]\n",
+            ":11: error: hold[1].link: no link",
+        ),
+        (
+            "[[hold]]\nlink = \"crank\"\npoint = [0, 1e200, 0]\n",
+            ":9: error: hold[0].point: 1e200 is no coordinate",
+        ),
+        (
+            "[[hold]]\nlink = \"crank\"\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n",
+            ":10: error: hold[0].normal: its length",
+        ),
+        ("[map]\nlink = \"none\"\n", ":8: error: map.link: no link"),
+        ("[map]\npoint = [0, 1e200, 0]\ndirections = 9\n", ":8: error: map.point: "),
+        ("[safe_speed]\nenergy = 1\ndirection = [[0, 0, 0]]\n", ":9: error: safe_speed.direction: "),
     ] {
         let path = folder.write("study.toml", &format!("{head}{more}"));
         let outcome = percuss(&format!("run {path}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}\n{}", outcome.stderr);
+    }
+}
+
+/// Invalid values of closures and of changes of the model are named by their keys, with the number of the closure.
+#[test]
+fn keys_of_closures_and_changes_are_named() {
+    let folder = Scratch::new("closures");
+    let model = root().join("models/four_bar.urdf");
+    let closure = |changed: &str| {
+        let mut rows = vec![
+            "[[closure]]",
+            "name = 'a'",
+            "type = 'universal'",
+            "predecessor = 'crank'",
+            "successor = 'rocker'",
+        ];
+        rows.retain(|row| row.split(' ').next() != changed.split(' ').next());
+        format!(
+            "[[closure]]\nname = 'first'\ntype = 'spherical'\npredecessor = 'crank'\nsuccessor = 'rocker'\n{}\n{changed}\n",
+            rows.join("\n")
+        )
+    };
+    let mut texts: Vec<(String, String)> = [
+        "name = 'first'",
+        "predecessor = 'none'",
+        "successor = 'none'",
+        "successor = 'crank'",
+        "axis = [0, 0, 0]",
+        "axis2 = [0, 0, 0]",
+        "axis2 = [1e200, 0, 0]",
+        "predecessor_xyz = [1e200, 0, 0]",
+        "successor_xyz = [1e200, 0, 0]",
+    ]
+    .map(|changed| (closure(changed), format!("closure[1].{}: ", changed.split(' ').next().expect("a key"))))
+    .to_vec();
+    let changes = [
+        "link_mass = { none = 1 }",
+        "link_mass = { crank = -1 }",
+        "link_com = { crank = [1e200, 0, 0] }",
+        "link_inertia = { crank = [1, 1, 5] }",
+        "move = { none = [1, 1, 1] }",
+    ];
+    texts.extend(
+        changes
+            .map(|row| (format!("\n{row}\n"), format!("model.{}: ", row.split(' ').next().expect("a key")))),
+    );
+    for (rows, key) in texts {
+        let text = format!(
+            "[model]\npath = {model:?}\n{rows}[contact]\nlink = 'coupler'\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n"
+        );
+        let last = key.rsplit('.').next().and_then(|key| key.split(':').next()).expect("a key");
+        let line = text.lines().count()
+            - text.lines().rev().position(|row| row.starts_with(&format!("{last} ="))).expect("it");
+        let file = folder.write("wrong.toml", &text);
+        let outcome = percuss(&format!("run {file}"));
+        let found = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            outcome.code == 2 && found.contains(&format!("{file}:{line}: error: {key}")),
+            "{rows}: {found}"
+        );
     }
 }
 

@@ -256,7 +256,10 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
         (of(COUPLER, "[pose]\nset = { rocker_hinge = 1 }"), "\"crank_hinge\""),
         (of(COUPLER, "[pose]\nset = { crank_hinge = \"1kg\" }"), "expected an angle (rad)"),
         (of(COUPLER, "[pose]\nset = { crank_hinge = nan }"), "not finite"),
-        (of(COUPLER, "") + "[[hold]]\nlink = \"coupler\"\npoint = [0, 0, inf]", "not a coordinate"),
+        (
+            of(COUPLER, "") + "[[hold]]\nlink = \"coupler\"\npoint = [0, 0, inf]",
+            "hold[0].point: inf is no coordinate",
+        ),
         (of(COUPLER, "") + "[sweep]\nvary = \"crank_hinge=0:1:0\"", "COUNT is 0"),
         (of(COUPLER, "") + "[sweep]\nvary = \"rocker_hinge=0:1:3\"", "\"crank_hinge\""),
         (of(COUPLER, "") + "[sweep]\nsteps = 3", "unknown key \"sweep.steps\""),

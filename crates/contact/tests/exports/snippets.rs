@@ -247,6 +247,7 @@ fn chrono_uses_the_masses_of_the_bodies() {
     let own = 1.5 * 3.0 / 4.5;
     for e in RESTITUTIONS {
         let export = Tool::CHRONO.export(&request(e)).unwrap();
+        assert!(export.assumptions.iter().any(|text| text.contains("a fixed body counts with its own mass")));
         close(number(&export, "m_eff"), own, 1e-15);
         let (k, c) = (number(&export, "kn"), number(&export, "gn") * own);
         let h = export.time_step.unwrap();

@@ -5,15 +5,18 @@ use crate::analysis::routes::WorkspacePool;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{Remark, ResponseError};
+use crate::kinematics::remarks::RemarkFlags;
 use crate::kinematics::rows::{GroupRows, largest};
 use crate::loops::assembling::{Facts, GroupFacts};
 use crate::loops::singular::Surroundings;
 use crate::mobility::{GroupMobility, MobilityWorkspace, Rank, Redundancy, rank_of_rows};
 use crate::model::conditions::Base;
 use crate::model::{Constraint, ConstraintRows, Group, Model};
+use crate::recursion::{Pivoting, Recursion};
 use crate::tolerances::{
     CLOSED_AS_DRAWN, DRAWN_OPEN, HELD_ASIDE, OPEN_ROW, REDUNDANCY_LIMIT, ROUNDED, WEAKLY_CONSTRAINED,
 };
+use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 use std::sync::{Arc, OnceLock};
 
@@ -31,8 +34,9 @@ pub struct Assembly {
     misfits: Vec<f64>,
     /// Closed generic pose. With held contacts, joints outside loops are moved away from zero.
     generic_kinematics: Kinematics,
-    /// Computed on first use from the other fields.
+    /// Computed on first use from the other fields, as `kernel_remarks`.
     redundant: OnceLock<Vec<Vec<String>>>,
+    kernel_remarks: OnceLock<RemarkFlags>,
     workspaces: WorkspacePool,
     remarks: Vec<Remark>,
 }
@@ -92,6 +96,7 @@ impl Assembly {
             misfits,
             generic_kinematics,
             redundant: OnceLock::new(),
+            kernel_remarks: OnceLock::new(),
             workspaces: WorkspacePool::default(),
             remarks,
         }
@@ -179,6 +184,17 @@ impl Assembly {
         }
     }
 
+    /// Decides the rank and the dependent coordinates of each group of the model without locks and held contacts.
+    pub(crate) fn decide_loop_mobility(&self, kinematics: &Kinematics) -> Vec<GroupMobility> {
+        let (model, workspace) = (self.pose_model(), &mut MobilityWorkspace::default());
+        let of_groups = model.groups.iter().zip(&self.facts.groups).map(|(group, facts)| {
+            let (expected, mut decided) = (Some(facts.rank.rank), GroupMobility::default());
+            model.decide_mobility(workspace, kinematics, group, facts.floor, expected, &mut decided);
+            decided
+        });
+        of_groups.collect()
+    }
+
     /// For each group: residual misfit of its loops, relative to the group's size.
     pub(crate) fn misfits(&self) -> &[f64] {
         &self.misfits
@@ -264,6 +280,24 @@ impl Assembly {
     /// Findings about the loops that hold at every pose.
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
+    }
+
+    /// Findings about each finite result of a SIMD kernel. The kernels leave out motions without mass; a motion that is massless at a generic
+    /// pose is massless at every pose.
+    pub(crate) fn kernel_remarks(&self) -> RemarkFlags {
+        *self.kernel_remarks.get_or_init(|| {
+            let (model, mut kinematics) = (self.model(), self.generic_kinematics.clone());
+            move_unbound_joints(self.pose_model(), &mut kinematics);
+            kinematics.refill(model);
+            let groups = self.decide_mobility(&kinematics);
+            let mut deciding = Pivoting::<1>::new(model);
+            let origin = Vector3::zeros();
+            Recursion::<1>::new(model).eliminate(model, &kinematics, &groups, &origin, &mut deciding);
+            match deciding.dropped {
+                0 => RemarkFlags::NONE,
+                _ => RemarkFlags::MASSLESS_MOTIONS | RemarkFlags::UNDETERMINED_MOTION,
+            }
+        })
     }
 
     /// Returns a remark if the normal of the contact is given in the world, the base floats, and the base pose is not
@@ -388,22 +422,27 @@ fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics {
     let posing = &models.pose_model;
     let mut kinematics = Kinematics::zero(posing);
     if models.mass_model.groups.iter().any(|g| g.is_held) {
-        let bound = |c: &usize| posing.groups.iter().any(|g| g.column(*c).is_some());
-        let coordinates: Vec<usize> = (0..posing.coordinates.len()).filter(|c| !bound(c)).collect();
-        let size = posing.mechanism.characteristic_length();
-        let lengths = coordinates.iter().map(|&c| if posing.coordinates[c].turns { size } else { 1.0 });
-        let outside = Group {
-            lengths: lengths.collect(),
-            coordinates,
-            size,
-            bodies: (0..posing.bodies.len()).collect(),
-            ..Group::default()
-        };
-        posing.perturb(&mut kinematics, &outside, HELD_ASIDE, 77);
+        move_unbound_joints(posing, &mut kinematics);
     }
     for (group, facts) in posing.groups.iter().zip(&facts.groups) {
         posing.restore_group(&mut kinematics, group, &facts.generic);
     }
     kinematics.refill(&models.mass_model);
     kinematics
+}
+
+/// Moves the joints outside loops to generic positions.
+fn move_unbound_joints(posing: &Model, kinematics: &mut Kinematics) {
+    let bound = |c: &usize| posing.groups.iter().any(|g| g.column(*c).is_some());
+    let coordinates: Vec<usize> = (0..posing.coordinates.len()).filter(|c| !bound(c)).collect();
+    let size = posing.mechanism.characteristic_length();
+    let lengths = coordinates.iter().map(|&c| if posing.coordinates[c].turns { size } else { 1.0 });
+    let outside = Group {
+        lengths: lengths.collect(),
+        coordinates,
+        size,
+        bodies: (0..posing.bodies.len()).collect(),
+        ..Group::default()
+    };
+    posing.perturb(kinematics, &outside, HELD_ASIDE, 77);
 }

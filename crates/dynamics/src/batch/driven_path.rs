@@ -86,12 +86,12 @@ impl Pose {
         }))
     }
 
-    /// Findings about a contact that hold for every pose of the branch.
+    /// Findings about a contact that hold for every pose of the branch with a finite m̄.
     fn branch_remarks(&self, contact: &Contact) -> RemarkFlags {
         let remarks = self.remarks();
         let of_branch = remarks.iter().filter(|remark| !matches!(remark, Remark::OutsideLimits { .. }));
         let base = self.assembly.base_remark(contact, self.base_is_given);
-        of_branch.chain(&base).collect()
+        of_branch.chain(&base).collect::<RemarkFlags>() | self.assembly.kernel_remarks()
     }
 
     /// For each coordinate: true if it is dependent at this pose. `None` if locks or held contacts change the groups, or if the

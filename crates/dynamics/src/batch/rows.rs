@@ -52,8 +52,9 @@ struct Worker {
     /// Positions of a block of rows that give some positions only.
     given: Vec<f64>,
     workspace: Workspace,
-    /// Findings that hold at every configuration.
+    /// Findings that hold at every configuration, and those of each result of the kernel.
     remarks: RemarkFlags,
+    lane_remarks: RemarkFlags,
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
@@ -88,6 +89,7 @@ impl Workspace {
             .take_kernel()
             .zip(kernel_contact(model, contact))
             .and_then(|(mut lanes, contact)| lanes.set_contact(&contact).then_some(lanes));
+        let own = in_lanes.as_ref().map_or(RemarkFlags::NONE, |_| assembly.kernel_remarks());
         let worker = Worker {
             read: in_lanes.iter().flat_map(Kernel::read_positions).collect(),
             columns: Aligned::zeros(match in_lanes {
@@ -99,6 +101,7 @@ impl Workspace {
             workspace,
             kernel: in_lanes,
             remarks,
+            lane_remarks: remarks | own,
             limits: PositionLimits::of(model, false),
             gap,
         };
@@ -136,9 +139,9 @@ impl Batch {
         self.worker.kernel.is_some()
     }
 
-    /// Findings that hold at every configuration. The findings of a single result include these.
+    /// Findings about each result of the kernel.
     pub fn remarks(&self) -> RemarkFlags {
-        self.worker.remarks
+        self.worker.lane_remarks
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
@@ -148,14 +151,11 @@ impl Batch {
     /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        let remarks = self.worker.remarks;
+        let Worker { remarks, lane_remarks, .. } = self.worker;
         let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
         let mut answer = match clear {
-            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
-            None => {
-                let with_closing = self.worker.kernel.is_some();
-                evaluate_row(&mut self.worker.workspace, &self.contact, positions, with_closing, remarks)
-            }
+            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, lane_remarks),
+            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, remarks),
         };
         answer.remarks |= self.worker.limits.flags(|q| positions[q]);
         if let Some(gap) = &mut self.worker.gap {
@@ -278,11 +278,12 @@ impl Worker {
         rows: RowBlock<'_>,
         results: &mut RowColumns<'_, S>,
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, limits, gap, .. } = self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, limits, gap, .. } = self;
+        let (remarks, lane_remarks) = (self.remarks, self.lane_remarks);
         let (count, positions, of_rows) = (results.masses.len(), rows.positions, rows.contacts);
         results.statuses.fill(ContactStatus::Finite.into());
         if let Some(bits) = &mut results.remarks {
-            bits.fill(remarks.bits());
+            bits.fill(lane_remarks.bits());
         }
         let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
@@ -332,11 +333,11 @@ impl Worker {
             for (lane, own) in own[..here].iter().enumerate() {
                 let mut answer = match clear(lane) {
                     true if own.is_empty() => continue,
-                    true => BatchAnswer::finite(masses[lane], errors[lane], *remarks),
+                    true => BatchAnswer::finite(masses[lane], errors[lane], lane_remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = rows.contact_at(start + lane);
-                        evaluate_row(workspace, &contact, row, in_lanes.is_some(), *remarks)
+                        evaluate_row(workspace, &contact, row, remarks)
                     }
                 };
                 answer.remarks |= *own;
@@ -346,19 +347,17 @@ impl Worker {
     }
 }
 
-/// Computes one configuration by the workspace. `with_closing`: true if the lanes did not certify this configuration, so that its error has
-/// the part of the closing; false without lanes. `remarks`: findings that hold at every configuration.
+/// Computes one configuration by the workspace. `remarks`: findings that hold at every configuration.
 fn evaluate_row(
     workspace: &mut Workspace,
     contact: &Contact,
     positions: &[f64],
-    with_closing: bool,
     remarks: RemarkFlags,
 ) -> BatchAnswer {
     if workspace.set_positions(positions).is_err() {
         return BatchAnswer::UNREACHED;
     }
-    match workspace.evaluate(contact, with_closing) {
+    match workspace.evaluate(contact) {
         Ok((mass, error, own)) => BatchAnswer { mass: Some(mass), error, remarks: remarks | own },
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
     }

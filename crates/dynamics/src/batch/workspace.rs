@@ -21,6 +21,7 @@ use nalgebra::Vector3;
 use percuss_kernel::Kernel;
 use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, Twist};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -116,6 +117,10 @@ impl Assembly {
             remarks: RemarkFlags::NONE,
             velocities: vec![0.0; model.velocity_coordinates.len()],
         };
+        if workspace.kernel.is_some() {
+            // Computed here, so that no later configuration allocates.
+            let _ = self.kernel_remarks();
+        }
         workspace.update_frames();
         workspace
     }
@@ -239,8 +244,8 @@ impl Workspace {
         if !self.is_allocated {
             // Allocate the buffers of the recursion once, for configurations with uncertain lanes.
             let _ = self.recursion_mass(contact);
-            self.remarks = flags;
         }
+        self.remarks = flags | self.assembly.kernel_remarks();
         Ok(EffectiveMass::Finite(clear.mass))
     }
 
@@ -257,23 +262,20 @@ impl Workspace {
     }
 
     /// m̄ at the current positions by the recursion, its error (kg), and the findings of the result. The error is `None` unless m̄ is
-    /// finite with an error below 100 %. For loops it contains the error of closing if `with_closing`, at the cost of a pose and with
-    /// allocations, and is `None` otherwise. For a massless contact, it is the upper limit of m̄, if massless only within rounding.
+    /// finite with an error below 100 %. For loops it contains the error of closing, at the cost of a pose and with allocations. For a
+    /// massless contact, it is the upper limit of m̄, if massless only within rounding.
     pub(crate) fn evaluate(
         &mut self,
         contact: &Contact,
-        with_closing: bool,
     ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), ResponseError> {
         let (mass, rounding, limit, flags) = self.with_recursion(contact, |route_input, recursion| {
             let found = route_input.evaluate(recursion)?;
             let limit = route_input.massless_limit(recursion, found.mass);
             Ok((found.mass, found.error, limit, found.flags))
         })?;
-        let error = match self.assembly.model().groups.is_empty() || rounding.is_none() {
-            true => rounding,
-            false if with_closing => self.error_with_closing(contact),
-            false => None,
-        };
+        let is_tree = self.assembly.model().groups.is_empty();
+        let error =
+            rounding.and_then(|own| if is_tree { Some(own) } else { self.error_with_closing(contact) });
         // Above 100 %, a relative error of 1/m̄ bounds no m̄.
         let error = error.filter(|error| matches!(mass, EffectiveMass::Finite(m) if *error < m));
         Ok((mass, error.or(limit), flags | RemarkFlags::of_error(mass, error) | self.singular_flags()))
@@ -290,12 +292,14 @@ impl Workspace {
     }
 
     /// Error of a finite m̄ of a mechanism with loops at the current positions, kg, as a pose states it: the loops may close at nearby
-    /// positions of the dependent coordinates. `None` if locks or held contacts change the groups.
+    /// positions of the dependent coordinates.
     fn error_with_closing(&self, contact: &Contact) -> Option<f64> {
+        // Locks and held contacts change the groups; the loops close without these.
+        let (posing, mut of_loops) = (self.assembly.pose_model(), Cow::Borrowed(&self.groups));
         if !self.assembly.has_single_model() {
-            return None;
+            of_loops = Cow::Owned(self.assembly.decide_loop_mobility(&self.kinematics));
         }
-        let dependent = self.assembly.model().groups.iter().zip(&self.groups).map(|(group, decided)| {
+        let dependent = posing.groups.iter().zip(of_loops.iter()).map(|(group, decided)| {
             let is_dependent = |at: &usize| !decided.independent.contains(at);
             (0..group.coordinates.len()).filter(is_dependent).collect()
         });

@@ -5,7 +5,7 @@ use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use crate::tolerances::OPEN_GAP;
 use nalgebra::Vector3;
-use percuss_mechanism::{ContactNormal, LinkId, NamedContact};
+use percuss_mechanism::{ContactNormal, LinkId, Mechanism, NamedContact};
 
 /// Gap of a named contact: distance along its normal between the contact point and the other side, as a function of the pose.
 ///
@@ -90,8 +90,12 @@ impl Gap {
 
     /// Gap at given frames, m, if the contact does not touch there.
     pub(crate) fn open_at(&self, model: &Model, kinematics: &Kinematics) -> Option<f64> {
-        let gap = self.at_frames(model, kinematics);
-        (gap > OPEN_GAP * model.mechanism.characteristic_length()).then_some(gap)
+        Some(self.at_frames(model, kinematics)).filter(|gap| Self::is_open(*gap, &model.mechanism))
+    }
+
+    /// True if a contact of the mechanism with this gap (m) does not touch.
+    pub fn is_open(gap: f64, mechanism: &Mechanism) -> bool {
+        gap > OPEN_GAP * mechanism.characteristic_length()
     }
 
     /// Contact point in the frame of the other side, m.

@@ -64,3 +64,32 @@ impl KeptRows {
         if self.is_empty() { 0.0 } else { self.size * self.residuals(pose).amax() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use percuss_dynamics::{Conditions, System};
+    use percuss_oracle::zoo;
+
+    /// The error of a kept point is its displacement in metres, for every size of the mechanism.
+    #[test]
+    fn the_largest_error_is_a_displacement() {
+        for length in [0.05, 20.0] {
+            let system =
+                System::new(zoo::point_mass_pendulum(2.0, length), &Conditions::new()).expect("fits");
+            let mechanism = system.mechanism();
+            let link = *mechanism.order().last().expect("links");
+            let at = |angle: f64| {
+                let mut configuration = system.configuration();
+                configuration.set(mechanism.joints()[0].name(), &[angle]).expect("a hinge");
+                system.pose(&configuration).expect("a tree")
+            };
+            let point = Vector3::new(0.3, 0.2, 0.5) * length;
+            let kept = KeptRows::new(&at(0.1), &[KeptPoint { link, point, normal: None }]);
+            let place = |angle| at(angle).link_in_root(link).point(&point);
+            let expected = (place(0.9) - place(0.1)).amax();
+            assert!((kept.largest_error(&at(0.9)) / expected - 1.0).abs() < 1e-12, "{length}");
+            assert_eq!(kept.largest_error(&at(0.1)), 0.0);
+        }
+    }
+}

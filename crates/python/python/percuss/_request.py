@@ -37,7 +37,7 @@ class Conditions:
     distance): point in m in the link's frame, direction in world axes, distance in m.
     pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence.
     lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
-    armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
+    armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating"; default: that of the System, or "fixed".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
     """
@@ -49,7 +49,7 @@ class Conditions:
     lock: Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
-    base: Literal["fixed", "floating"] = "fixed"
+    base: Literal["fixed", "floating"] | None = None
     estimate: Sequence[Any] | None = None
     travel: Sequence[Travel] = ()
     pose: str | os.PathLike[str] | Pose | None = None
@@ -191,7 +191,8 @@ def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, 
     if not isinstance(of, Model):
         own = of._conditions
         for name in own:
-            if getattr(given, name) != getattr(Conditions(), name):
+            value = getattr(given, name)
+            if value != getattr(Conditions(), name) and (name != "base" or value != own[name]):
                 raise InputError(f"conditions.{name}: the {type(of).__name__} has its own; expected the model, or conditions without {name}")
         given = replace(given, **own)
     pose = given.pose if isinstance(given.pose, Pose) else None

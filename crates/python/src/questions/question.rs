@@ -99,14 +99,14 @@ impl<'py> FromPyObject<'_, 'py> for Request<'py> {
 
 /// Positions of all joints of a pose.
 fn positions_of(pose: &Bound<'_, Pose>) -> PyResult<GivenPose> {
-    let pose = &pose.get().pose;
+    let Pose { model, pose, .. } = pose.get();
     if *pose.base() != Transform::identity() {
         return Err(input(
             "pose: it has a base_pose, and a report has the root link at the world's origin; expected a pose without base_pose, and \
              vectors in the axes of the root link",
         ));
     }
-    GivenPose::from_pose(pose).map_err(input).map_err(of_argument("pose"))
+    GivenPose::from_pose(pose, model.read.inputs.first().cloned()).map_err(input).map_err(of_argument("pose"))
 }
 
 impl Request<'_> {

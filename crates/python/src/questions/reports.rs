@@ -86,7 +86,8 @@ pub fn impact(
 pub fn extremes(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
     let mut requested = request.tables.extremes.clone();
     if let Some(law) = request.damper()? {
-        (requested.stiffness, requested.restitution, requested.speed) = (law.stiffness, law.restitution, law.speed);
+        (requested.stiffness, requested.restitution, requested.speed) =
+            (law.stiffness, law.restitution, law.speed);
         (requested.exponent, requested.law, requested.separation) = (law.exponent, law.law, law.separation);
     }
     let requested = requested.checked(Vec::new(), Path::new(""), DEFAULT_MAX_SIZE).map_err(invalid)?;

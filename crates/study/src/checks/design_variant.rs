@@ -5,7 +5,7 @@ use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::thresholds::MAX_MASS_RATIO;
+use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
 use percuss_formats::LoadError;
 use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
 use std::collections::BTreeMap;
@@ -148,9 +148,9 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
             );
             return Err(StudyError::input(Field::LinkCom, why));
         };
-        if let Some(value) = com.iter().find(|x| !x.is_finite()) {
+        if let Some(value) = com.iter().find(|x| !x.is_finite() || x.abs() > LARGEST_COORDINATE) {
             let why = format!(
-                "link \"{name}\": the centre of mass has a component {value:e}; expected finite numbers"
+                "link \"{name}\": the centre of mass has a component {value:e}; expected finite numbers of at most {LARGEST_COORDINATE:e}"
             );
             return Err(StudyError::input(Field::LinkCom, why));
         }

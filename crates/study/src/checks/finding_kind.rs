@@ -85,7 +85,7 @@ finding_kinds! {
     ObliqueStop = "oblique-stop", Note, Report;
     OffTarget = "off-target", Warning, Branch;
     OpenComponents = "open-components", Warning, Report;
-    OpenGap = "open-gap", Warning, Pose;
+    OpenGap = "open-gap", Warning, Positions;
     OpenLoops = "open-loops", Warning, Pose;
     OtherAssembly = "other-assembly", Warning, Pose;
     OutsideLimits = "outside-limits", Warning, Positions;

@@ -371,18 +371,26 @@ fn remark(remark: &Remark) -> Option<Finding> {
                  where the mobility differs"
             ),
         ),
+        Remark::OpenGap { gap } => return Some(open_gap_finding(*gap)),
         Remark::OtherAssembly { .. }
         | Remark::DrawnOpen { .. }
         | Remark::InexactLoops { .. }
         | Remark::DriverOffZero { .. }
         | Remark::OffTarget { .. }
         | Remark::OutsideLimits { .. }
-        // The report of a named contact has its gap.
-        | Remark::OpenGap { .. }
         | Remark::WeaklyConstrained { .. }
         | Remark::UnclearMobility { .. }
         // The world of a question is the frame of its root link.
         | Remark::BaseNotGiven => return None,
     };
     Some(Finding::about_result(kind, message))
+}
+
+/// Finding for a stop that does not touch at the pose; `gap` in m.
+pub(crate) fn open_gap_finding(gap: f64) -> Finding {
+    let message = format!(
+        "the contact is {} open at this pose: an impact occurs at the touch, where the effective mass may differ",
+        format_length(gap)
+    );
+    Finding::about_result(FindingKind::OpenGap, message)
 }

@@ -6,7 +6,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::{collect_pose_findings, collect_response_findings, singular_pose_finding};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
-use percuss_dynamics::{Contact, ContactResponse, Pose, Remark, RemarkFlags, System};
+use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
@@ -23,8 +23,6 @@ pub fn response_findings(
 ) -> Vec<DiagnosticRecord> {
     let mut findings = collect_pose_findings(system, pose, Names::Fields);
     findings.extend(collect_response_findings(system, contact, response, Names::Fields));
-    let open = response.remarks.iter().filter(|remark| matches!(remark, Remark::OpenGap { .. }));
-    findings.extend(open.map(|remark| Finding::about_result(FindingKind::OpenGap, remark.to_string())));
     if response.singular_pose {
         findings.extend(singular_pose_finding(pose, response, &pose.branch_limits(contact)));
     }

@@ -279,7 +279,12 @@ impl<'a> PreparedQuestion<'a> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact)?;
         let mut findings = collect_pose_findings(system, pose, names);
-        findings.extend(collect_response_findings(system, contact, &response, names));
+        let of_response = collect_response_findings(system, contact, &response, names);
+        // A question about a stop states its gap as a result.
+        let is_stated =
+            |finding: &Finding| finding.kind() == FindingKind::OpenGap && self.question.at.is_some();
+        let as_note = |finding| if is_stated(&finding) { finding.into_note() } else { finding };
+        findings.extend(of_response.into_iter().map(as_note));
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));

@@ -203,9 +203,19 @@ impl PointTravel {
             TravelError::Assembly(error) => return Err(error.clone().into()),
             _ => return Err(StudyError::input(self.field, Fault::Travel(error))),
         };
-        let why = match &error {
-            TravelError::Assembly(error) => assembly_error_message(error, names),
-            other => other.to_string(),
+        let why = match (&error, self.kept_joint(&[driver.joint])) {
+            (TravelError::Assembly(error), _) => assembly_error_message(error, names),
+            (TravelError::Unreachable { requested, nearest }, Some(kept)) => {
+                let name = |joint| last.mechanism().joint(joint).name();
+                format!(
+                    "a travel of {requested} m is not reached by a motion of joint \"{}\" alone; nearest reached: {nearest:.6} m; joint \
+                     \"{}\" moves the point too and keeps its position: set it{}",
+                    name(driver.joint),
+                    name(kept),
+                    Field::Set.hint(names)
+                )
+            }
+            (other, _) => other.to_string(),
         };
         Ok(Err(UnreachedRow { reason: why, extent }))
     }
@@ -307,6 +317,12 @@ impl PointTravel {
     /// Travel of the point.
     pub fn travel(&self) -> &percuss_dynamics::Travel {
         &self.travel
+    }
+
+    /// Joint besides the `drivers` that moves the point, and that a search along these drivers keeps in place.
+    pub fn kept_joint(&self, drivers: &[JointId]) -> Option<JointId> {
+        let is_taken = |joint| drivers.contains(&joint) || self.set.contains(&joint);
+        self.travel.driver(&self.start, &is_taken).ok()
     }
 
     /// Joints that cannot drive the travel.

@@ -182,14 +182,6 @@ fn touch_pose(
     start: Pose,
 ) -> Result<Pose, StudyError> {
     let gap = stops[0].gap(&start);
-    let not_reached = |nearest, is_smallest, why| StudyError::StopNotReached {
-        name: name.to_owned(),
-        gap,
-        nearest,
-        is_smallest,
-        unit: LengthUnit::Millimetre,
-        why,
-    };
     let toward = |stop: &Stop, driven: &[JointId]| match DrivenTravel::toward_stop(
         system,
         configuration,
@@ -213,11 +205,29 @@ fn touch_pose(
             // All joints that move the stop are set: the question is about this pose.
             None if toward(stop, &[])?.is_some() => return Ok(start),
             None => {
-                let why = "no joint with a single position moves it (in a suspension, give one of the massless rods a mass)";
-                return Err(not_reached(None, true, why.to_owned()));
+                return Err(StudyError::StopNotReached {
+                    name: name.to_owned(),
+                    gap,
+                    nearest: None,
+                    is_smallest: true,
+                    alone: None,
+                    unit: LengthUnit::Millimetre,
+                    why: "no joint with a single position moves it (in a suspension, give one of the massless rods a mass)".into(),
+                });
             }
         }
     }
+    let drivers: Vec<JointId> = travels.iter().map(|travel| travel.driver.joint).collect();
+    let kept = travels[0].travel.kept_joint(&drivers);
+    let not_reached = |nearest, is_smallest, why| StudyError::StopNotReached {
+        name: name.to_owned(),
+        gap,
+        nearest,
+        is_smallest,
+        alone: kept.map(|kept| [drivers[0], kept].map(|joint| system.mechanism().joint(joint).name().into())),
+        unit: LengthUnit::Millimetre,
+        why,
+    };
     let full = Search::Full { least_part: LEAST_PART };
     // Pose with a part of the gaps closed, on the branch of the start: the path back ends at the start.
     let with_part = |part: f64, from: &Pose, search: Search| -> Result<Pose, StudyError> {

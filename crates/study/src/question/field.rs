@@ -140,6 +140,12 @@ fields! {
     Edge = "--edge", "map.edge";
     /// Number of directions of a map at a point.
     Directions = "--directions", "map.directions";
+    /// Link of a map.
+    MapLink = "--link", "map.link";
+    /// Point of a map of directions.
+    MapPoint = "--point", "map.point";
+    /// Direction of a safe speed.
+    Direction = "--direction", "safe_speed.direction";
     /// Coefficient of restitution of an impact.
     Restitution = "--restitution", "impact.restitution";
     /// Closing speed of an impact.

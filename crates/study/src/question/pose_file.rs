@@ -196,11 +196,12 @@ fn is_free(joint: &Joint) -> bool {
 }
 
 impl GivenPose {
-    /// Positions of a pose of the model, without a file.
+    /// Positions of a pose, without a file. `source_model`: file of the model of the pose, if known; another file than that of the question is a
+    /// finding.
     ///
     /// # Errors
     /// A position that is no finite number.
-    pub fn from_pose(pose: &Pose) -> Result<Self, QuantityError> {
+    pub fn from_pose(pose: &Pose, source_model: Option<Input>) -> Result<Self, QuantityError> {
         let mechanism = pose.mechanism();
         let free = |id: &JointId| is_free(mechanism.joint(*id));
         let position = |id: JointId| {
@@ -209,7 +210,7 @@ impl GivenPose {
         };
         let positions = mechanism.joint_ids().filter(free).map(position).collect::<Result<_, _>>()?;
         let input = Input { path: "the pose".to_owned(), sha256: String::new() };
-        Ok(Self { input, positions, source_model: None, name: None })
+        Ok(Self { input, positions, source_model, name: None })
     }
 
     /// Reads a file of at most `max_size` bytes: the `pose` of a JSON result, or an object with a position (a number, a
@@ -347,10 +348,12 @@ impl GivenPose {
             return None;
         }
         let given = crate::question::field::Field::Pose.hint(names);
+        let file =
+            if self.input.sha256.is_empty() { String::new() } else { format!(" in {}", self.input.path) };
         Some(format!(
-            "the pose{given} in {} was computed for {}, not for the present {}: the joints have the same names, \
+            "the pose{given}{file} was computed for {}, not for the present {}: the joints have the same names, \
              and the loops were closed again",
-            self.input.path, of.path, own.path
+            of.path, own.path
         ))
     }
 }

@@ -244,7 +244,9 @@ pub fn safe_speeds(
     }
     let of_direction = |direction: &[f64; 3]| {
         let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
-        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, asked)
+        let question = MassQuestion { normal, normal_frame, ..question.clone() };
+        let of_field = |field| if field == Field::Normal { Field::Direction } else { field };
+        safe_speed(model, &question, asked).map_err(|error| error.with_field(of_field))
     };
     all.iter().map(of_direction).collect()
 }

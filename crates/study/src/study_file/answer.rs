@@ -11,12 +11,12 @@ use crate::model::conversion::ConversionReport;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Names;
+use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
-use crate::reports::compare::{CompareError, ComparisonReport, compare};
+use crate::reports::compare::{CompareError, ComparisonReport, Design, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
@@ -351,7 +351,25 @@ impl StudyFile {
         if self.variants.is_empty() && self.contacts.is_empty() {
             return Ok(None);
         }
-        compare(&self.designs(name)).map(Some)
+        self.compare(&self.designs(name)).map(Some)
+    }
+
+    /// Comparison of the [designs](Self::designs). An error has the key at fault, such as `variant[0].set`.
+    ///
+    /// # Errors
+    /// As for [`compare`].
+    pub fn compare(&self, designs: &[Design]) -> Result<ComparisonReport, CompareError> {
+        compare(designs).map_err(|error| match error {
+            CompareError::Question { design, source, .. } => {
+                let is_of = |name: &str| {
+                    design.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
+                };
+                let number = self.variants.iter().position(|variant| is_of(&variant.name));
+                let key = source.key().map(|key| self.keys.of_variant(number, &key));
+                CompareError::Question { design, source, key }
+            }
+            other => other,
+        })
     }
 
     /// Kinematics of `[kinematics]`.
@@ -367,7 +385,16 @@ impl StudyFile {
     /// # Errors
     /// As for [`map`] and [`map_point`].
     pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
-        of_table("map", self.map.as_ref(), |asked| requested_map(&self.model, &self.conditions, asked))
+        // The contact gives the link and the point that the table does not have.
+        let is_of_map = |keys: [&str; 2]| keys.iter().any(|key| self.keys.contains(key));
+        let of_map = |field| match field {
+            Field::Link if is_of_map(["map.link", "map.all"]) => Field::MapLink,
+            Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
+            other => other,
+        };
+        of_table("map", self.map.as_ref(), |asked| {
+            requested_map(&self.model, &self.conditions, asked).map_err(|error| error.with_field(of_map))
+        })
     }
 
     /// Safe speeds of `[safe_speed]`.

@@ -1,10 +1,7 @@
 //! Study file: a model with queries in TOML, equivalent to flags of the commands.
 
 use crate::checks::design_variant::DesignError;
-use crate::checks::finding::Finding;
-use crate::checks::finding_kind::FindingKind;
-use crate::model::loading::{Input, Model, Origin, refuse_pipe};
-use crate::model::record::DiagnosticRecord;
+use crate::model::loading::{Input, Model, refuse_pipe};
 use crate::model::sheet::is_study;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
@@ -22,7 +19,7 @@ use crate::question::tables::report::StudyReport;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::compare::Design;
-use crate::study_file::closure::ClosureText;
+use crate::study_file::closure::{ClosureText, closure_fault, with_closures};
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::tables_of_page::StudyTables;
@@ -34,7 +31,7 @@ use crate::thresholds::{
 use crate::values::message_text::truncate_for_message;
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
-use percuss_mechanism::{BuildError, ClosureDescription, ClosureKind, Subject};
+use percuss_mechanism::BuildError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -290,24 +287,29 @@ impl StudyReader<'_> {
 
     /// Error of an invalid query, with the key of the invalid field.
     fn study_error(&self, error: &StudyError) -> StudyFileError {
+        let (key, why) = self.key_and_reason(error);
+        self.value(&key, &key, why)
+    }
+
+    /// Key of the invalid field, and the message without it.
+    fn key_and_reason(&self, error: &StudyError) -> (String, String) {
         let key = error.key().unwrap_or_else(|| "model".to_owned());
         let why = error.message(Names::KEYS);
         let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
-        self.value(&key, &key, why)
+        (key, why)
     }
 
     /// Error of an invalid design; `variant`: index and name of the variant, `None` for the model of the study.
     fn design(&self, variant: Option<(usize, &str)>, error: DesignError) -> StudyFileError {
-        let (key, place, of) = match variant {
-            None => ("model", "model".to_owned(), String::new()),
-            Some((i, name)) => ("variant", format!("variant[{i}]"), format!("\"{name}\": ")),
-        };
-        let why = match error {
+        let (number, of) =
+            variant.map_or((None, String::new()), |(i, name)| (Some(i), format!("\"{name}\": ")));
+        let (key, why) = match error {
             // One message for all findings about the model.
-            DesignError::Load(error) => error.to_string().replace('\n', "; "),
-            DesignError::Change(error) => error.message(Names::KEYS).replace("model.", ""),
+            DesignError::Load(error) => ("model".to_owned(), error.to_string().replace('\n', "; ")),
+            DesignError::Change(error) => self.key_and_reason(&error),
         };
-        self.value(key, &place, format!("{of}{why}"))
+        let key = self.keys.of_variant(number, &key);
+        self.value(&key, &key, format!("{of}{why}"))
     }
 
     /// Converts the parsed text to a study: loads the model and checks every part.
@@ -327,6 +329,9 @@ impl StudyReader<'_> {
             ..LoadOptions::default()
         };
         let model = self.model(study, source, folder, &options)?;
+        if let Some((key, why)) = study.hold_fault(&model.mechanism) {
+            return Err(self.value(&key, &key, why));
+        }
         let contacts = expand(&study.contact, &model.mechanism).map_err(refused)?;
         let contact = &contacts.first().cloned().unwrap_or_default();
         let question = study.question(contact, folder, max_size).map_err(refused)?;
@@ -448,13 +453,15 @@ impl StudyReader<'_> {
             }
             let mut question = question.clone();
             if let Some(contact) = &text.contact {
-                let place = format!("variant[{i}].contact");
+                let of_variant = |key: &str| format!("variant[{i}].{key}");
                 if let Some(part) = contact.missing() {
-                    return Err(self.value("contact", &place, format!("{part} is missing")));
+                    let key = of_variant("contact");
+                    return Err(self.value(&key, &key, format!("{part} is missing")));
                 }
-                contact
-                    .apply_to(&mut question)
-                    .map_err(|refusal| self.value(refusal.key, &place, refusal.reason(Names::KEYS)))?;
+                contact.apply_to(&mut question).map_err(|refusal| {
+                    let key = of_variant(refusal.key);
+                    self.value(&key, &key, refusal.reason(Names::KEYS))
+                })?;
             }
             let variant = text
                 .apply(model, &question, folder, &mut loaded)
@@ -501,8 +508,13 @@ impl StudyReader<'_> {
         let closures = study.closure.iter().map(ClosureText::closure_description);
         let closures =
             closures.collect::<Result<Vec<_>, _>>().map_err(|refusal| self.invalid_key_error(refusal))?;
-        with_closures(model, self.path, closures)
-            .map_err(|source| StudyFileError::Build { path: self.path.to_owned(), source })
+        let of_file = model.mechanism.closures().len();
+        with_closures(model, self.path, closures).map_err(|source| {
+            match closure_fault(&study.closure, of_file, &source) {
+                Some((key, why)) => self.value(&key, &key, why),
+                None => StudyFileError::Build { path: self.path.to_owned(), source },
+            }
+        })
     }
 
     /// Damper of a study; `None` without a `damping` table.
@@ -524,37 +536,4 @@ impl StudyReader<'_> {
         let output = given.output.as_ref().map(|output| path_in(folder, output));
         Ok(Some(DampingQuestion { output, ..given.clone() }))
     }
-}
-
-/// Model with additional closures, and with the findings about them.
-fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
-    let of_file = model.mechanism.closures().len();
-    let mut diagnostics = model.diagnostics;
-    for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
-        let message =
-            format!("loop \"{}\" has no distance: the distance with all joints at 0 is used", closure.name);
-        let record = DiagnosticRecord::from(Finding::about_result(FindingKind::DefaultDistance, message));
-        diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
-    }
-    // The findings about unbound joints concern the model file alone; the added closures may bind these joints.
-    diagnostics.retain(|d| d.code != "unbound-joint");
-    let added = closures.clone();
-    let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
-    let built = builder.build()?;
-    // Other findings of the builder were reported, with positions, when the model file was read.
-    for (subject, problem) in built.findings {
-        if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
-            diagnostics.push(DiagnosticRecord {
-                severity: problem.severity(),
-                code: problem.code(),
-                path: Some(path.to_owned()),
-                line: None,
-                column: None,
-                element: None,
-                message: format!("{subject}: {problem}"),
-            });
-        }
-    }
-    let origin = Origin { closures: added, ..model.origin };
-    Ok(Model { mechanism: Arc::new(built.mechanism), diagnostics, origin, ..model })
 }

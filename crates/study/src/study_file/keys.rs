@@ -96,6 +96,19 @@ impl StudyKeys {
         }
     }
 
+    /// True if the file has the key or list element.
+    pub(crate) fn contains(&self, key: &str) -> bool {
+        (0..self.nodes.len()).any(|place| self.is_path_of(place, key))
+    }
+
+    /// Key of a variant that replaces a key of the study, such as `variant[0].set` for `pose.set`; `key` if the variant does not have it.
+    pub(crate) fn of_variant(&self, number: Option<usize>, key: &str) -> String {
+        let last = key.rsplit('.').next().unwrap_or(key);
+        let own = |number: usize| [last, key].map(|part| format!("variant[{number}].{part}"));
+        let known = number.and_then(|number| own(number).into_iter().find(|own| self.contains(own)));
+        known.unwrap_or_else(|| key.to_owned())
+    }
+
     /// Path of the innermost key or list element with a value that contains a byte range. A long path is cut.
     pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
         let holds = |place: &usize| {

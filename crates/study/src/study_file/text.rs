@@ -17,6 +17,9 @@ use crate::question::tables::sweep::SweepQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{ContactsSchema, contacts};
 use crate::study_file::variant::VariantText;
+use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
+use nalgebra::Vector3;
+use percuss_mechanism::Mechanism;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
@@ -83,6 +86,34 @@ impl StudyText {
         ];
         let has_contact = self.contact.iter().any(|contact| !contact.is_empty());
         self.kinematics.is_some() && !of_masses.contains(&true) && !has_contact && self.variant.is_empty()
+    }
+
+    /// Key and reason of the first invalid held point.
+    pub fn hold_fault(&self, mechanism: &Mechanism) -> Option<(String, String)> {
+        self.hold.iter().enumerate().find_map(|(number, hold)| {
+            let is_large = |x: &f64| x.abs() > LARGEST_COORDINATE;
+            let large = |numbers: [f64; 3]| numbers.into_iter().find(is_large);
+            let too_large = |x| format!("{x:e} is no coordinate; at most {LARGEST_COORDINATE:e} is expected");
+            let length = hold.normal.map(|normal| Vector3::from(normal).norm());
+            let fault = match (
+                mechanism.find_link(&hold.link),
+                large(hold.point),
+                hold.normal.and_then(large),
+                length,
+            ) {
+                (Err(error), ..) => ("link", error.to_string()),
+                (_, Some(x), ..) => ("point", too_large(x)),
+                (_, _, Some(x), _) => ("normal", too_large(x)),
+                (.., Some(length)) if length < SHORTEST_DIRECTION => {
+                    let why = format!(
+                        "its length is {length:e}; expected at least {SHORTEST_DIRECTION:e}, for a direction"
+                    );
+                    ("normal", why)
+                }
+                _ => return None,
+            };
+            Some((format!("hold[{number}].{}", fault.0), fault.1))
+        })
     }
 
     /// Converts the study to a question at a contact, which may be incomplete. Paths are relative to the study's

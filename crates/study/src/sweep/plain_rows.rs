@@ -43,8 +43,9 @@ pub(crate) struct PlainFindings {
 impl PlainFindings {
     /// Findings of the rows near a pose; `None` if m̄ is not finite there, or if findings depend on the response of a pose.
     fn near(prepared: &PreparedQuestion, contact: &Contact, pose: &Pose) -> Option<Self> {
-        let shared = prepared.evaluate(pose, contact).ok()?.into_branch_findings()?.into();
-        Some(Self { shared, limits: LimitedJoints::of(prepared.system.mechanism()) })
+        let mut shared = prepared.evaluate(pose, contact).ok()?.into_branch_findings()?;
+        shared.extend(prepared.guess_findings(pose));
+        Some(Self { shared: shared.into(), limits: LimitedJoints::of(prepared.system.mechanism()) })
     }
 
     /// Path from a pose, and the findings of its rows; `None` if the rows require separate poses.

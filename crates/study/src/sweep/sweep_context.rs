@@ -1,6 +1,7 @@
 //! Evaluation of the rows of a sweep: pose of a row, and result of the contact.
 
 use crate::checks::finding::{Finding, FindingTally};
+use crate::checks::findings::open_gap_finding;
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::{ContactResult, PreparedQuestion};
 use crate::evaluation::status::Status;
@@ -237,6 +238,11 @@ impl SweepContext<'_> {
                 let all = if needs_list { positions.in_joint_order() } else { Vec::new() };
                 if let Some(stops) = &self.passed_stops {
                     portion.tally.add(row, stops.findings_at(&all));
+                }
+                if let Some((gap, drawn)) = &self.gap {
+                    let gap = gap.at_positions(drawn, &all);
+                    let is_open = Gap::is_open(gap, self.prepared.system.mechanism());
+                    portion.tally.add(row, is_open.then(|| open_gap_finding(gap).into_note()));
                 }
                 SweepRow {
                     effective_mass: Some(mass.0),

@@ -47,7 +47,7 @@ pub enum StudyError {
         motion: Option<&'static str>,
     },
     /// Stop that the mechanism cannot reach.
-    #[error("{}", stop_not_reached(name, (*gap, *nearest, *is_smallest), *unit, why, Names::Fields))]
+    #[error("{}", stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_ref(), *unit, why, Names::Fields))]
     StopNotReached {
         /// Name of the stop.
         name: String,
@@ -57,6 +57,8 @@ pub enum StudyError {
         nearest: Option<f64>,
         /// True if the gap increases again behind this pose; false if the search ended there.
         is_smallest: bool,
+        /// The only joint that the search moves, and another joint that moves the stop; `None` if there is no other.
+        alone: Option<[Box<str>; 2]>,
         /// Unit of lengths in the message.
         unit: LengthUnit,
         /// Reason.
@@ -118,6 +120,14 @@ impl StudyError {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
+    /// Same error about another part of the question.
+    pub(crate) fn with_field(self, replace: impl Fn(Field) -> Field) -> Self {
+        match self {
+            StudyError::Input { field, fault } => StudyError::Input { field: replace(field), fault },
+            other => other,
+        }
+    }
+
     /// Same error in the evaluation of a table of a study.
     pub(crate) fn in_table(self, table: &'static TableKeys) -> Self {
         match self {
@@ -140,6 +150,9 @@ impl StudyError {
         match self.without_table() {
             StudyError::Input { field, .. } => Some(field.name_in(Names::Keys(table)).to_owned()),
             StudyError::Key(error) => Some(error.key.to_owned()),
+            StudyError::Assembly(AssemblyError::Dependent { .. }) => {
+                Some(Field::Set.name_in(Names::Keys(table)).to_owned())
+            }
             error => error.parameter().and_then(|parameter| parameter_key(parameter, table)),
         }
     }
@@ -170,8 +183,8 @@ impl StudyError {
     /// Same error with lengths in this unit, for errors that have one.
     pub(crate) fn in_unit(self, unit: LengthUnit) -> Self {
         match self {
-            StudyError::StopNotReached { name, gap, nearest, is_smallest, why, .. } => {
-                StudyError::StopNotReached { name, gap, nearest, is_smallest, unit, why }
+            StudyError::StopNotReached { name, gap, nearest, is_smallest, alone, why, .. } => {
+                StudyError::StopNotReached { name, gap, nearest, is_smallest, alone, unit, why }
             }
             other => other,
         }
@@ -210,8 +223,8 @@ impl StudyError {
                 format!("--{motion}: {why}")
             }
             StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
-            StudyError::StopNotReached { name, gap, nearest, is_smallest, unit, why } => {
-                stop_not_reached(name, (*gap, *nearest, *is_smallest), *unit, why, names)
+            StudyError::StopNotReached { name, gap, nearest, is_smallest, alone, unit, why } => {
+                stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_ref(), *unit, why, names)
             }
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
@@ -244,6 +257,7 @@ fn parameter_key(parameter: LawParameter, table: Option<&'static TableKeys>) -> 
 fn stop_not_reached(
     name: &str,
     (gap, nearest, is_smallest): (f64, Option<f64>, bool),
+    alone: Option<&[Box<str>; 2]>,
     unit: LengthUnit,
     why: &str,
     names: Names,
@@ -261,12 +275,20 @@ fn stop_not_reached(
             } else {
                 format!("the search ends after {nearest}, and {remaining} remain there")
             };
-            format!("{found}; give a travel{travel} for the mass at another pose")
+            let set = alone.map_or_else(String::new, |[_, kept]| {
+                let hint = Field::Set.hint(names);
+                format!("joint \"{kept}\" moves the stop too and keeps its position: set it{hint}, or ")
+            });
+            format!("{found}; {set}give a travel{travel} for the mass at another pose")
         }
         None => why.to_owned(),
     };
-    let outcome = if is_smallest { "cannot be" } else { "was not" };
-    format!("the stop \"{name}\" with a gap of {} {outcome} reached: {why}", unit.text(gap))
+    let outcome = match alone {
+        Some([driver, _]) => format!("is not reached by a motion of joint \"{driver}\" alone"),
+        None if is_smallest => "cannot be reached".to_owned(),
+        None => "was not reached".to_owned(),
+    };
+    format!("the stop \"{name}\" with a gap of {} {outcome}: {why}", unit.text(gap))
 }
 
 /// Message: a joint cannot reach its stop.

@@ -141,6 +141,8 @@ pub enum CompareError {
         design: String,
         /// Cause.
         source: StudyError,
+        /// Key at fault in a study; `None` without a study.
+        key: Option<String>,
     },
 }
 
@@ -148,7 +150,16 @@ impl CompareError {
     /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
-            CompareError::Question { design, source } => format!("\"{design}\": {}", source.message(names)),
+            CompareError::Question { design, source, key } => {
+                let message = source.message(names);
+                match (key, source.key()) {
+                    (Some(key), Some(own)) if matches!(names, Names::Keys(_)) => {
+                        let why = message.strip_prefix(&format!("{own}: ")).unwrap_or(&message);
+                        format!("{key}: \"{design}\": {why}")
+                    }
+                    _ => format!("\"{design}\": {message}"),
+                }
+            }
             other => other.to_string(),
         }
     }
@@ -245,7 +256,7 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         Err(error) if error.has_no_result() => {
             record.error = Some(error.message(design.question.names));
         }
-        Err(source) => return Err(CompareError::Question { design: design.name.clone(), source }),
+        Err(source) => return Err(CompareError::Question { design: design.name.clone(), source, key: None }),
     }
     Ok(record)
 }
@@ -310,7 +321,7 @@ fn rows(
             return Err(other(design, "the first has no range"));
         }
         let report = sweep_report(&design.model, &source.question_of_rows(&design.question), source)
-            .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
+            .map_err(|source| CompareError::Question { design: design.name.clone(), source, key: None })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
         diagnostics.add(of_rows, &design.name);
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));

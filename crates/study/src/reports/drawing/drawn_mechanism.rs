@@ -125,7 +125,8 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         }
     };
     // A fixed root link is the ground.
-    let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
+    let share = |id: &LinkId| shares.and_then(|shares| shares.links.get(id.index()));
+    let is_drawn = |id: &LinkId| *id != mechanism.root() || share(id).is_some_and(|share| *share > 0.0);
     let mut shapes = ShapeReader::new(model);
     let mut drawing = DrawnMechanism {
         wheels: mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect(),
