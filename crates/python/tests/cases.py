@@ -31,7 +31,7 @@ class Case:
         """Response through the library's steps, not through the report."""
         given = self.conditions
         system = percuss.load(self.path).system(
-            base=given.base, lock=list(given.lock), armature=dict(given.armature)
+            base=given.base or "fixed", lock=list(given.lock), armature=dict(given.armature)
         )
         return system.pose({joint: degrees(value) for joint, value in given.set.items()})
 

@@ -54,7 +54,7 @@ def test_the_matrices_of_a_pose_have_its_mass(case: Case) -> None:
     response = pose.respond(case.contact)
     mass, rows, row = pose.mass_matrix(), pose.constraint_matrix(), pose.contact_row(case.contact)
     n = pose.model.system(
-        base=case.conditions.base, lock=list(case.conditions.lock)
+        base=case.conditions.base or "fixed", lock=list(case.conditions.lock)
     ).coordinates
     assert mass.shape == (n, n) and rows.shape[1] == n and row.shape == (n,)
     assert mass.dtype == rows.dtype == row.dtype == np.float64
