@@ -28,7 +28,8 @@ warnings.simplefilter("ignore", percuss.ModelWarning)
 STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
 #: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
-    "ask": "ask", "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp", "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
+    "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
+    "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
     "kinematics": "kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
     "matrix_findings": "MatrixBatch", "run_study": "run_study", "reflected_inertias": "reflected_inertias", "safe_speed": "safe_speed",
     "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
@@ -110,6 +111,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "safe_speed": lambda: percuss.safe_speed(ARM, TOOL, "chest", force=140.0).reflected,
     "safe_speed_directions": lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0),
     "kinematics": lambda: percuss.kinematics(CORNER, wheel_travel=[0.0, 0.01]).values["camber"].tolist(),
+    "ask": lambda: percuss.ask(ARM, {"contact": {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0]}}).mass,
     "run_study": lambda: percuss.run_study(STUDY).schema,
     "starting_study": lambda: percuss.starting_study(BAR, "four_bar.urdf"),
     "study_schema": percuss.study_schema,

@@ -24,7 +24,7 @@ CALLS = {
     "safe_speed": 'percuss.safe_speed(arm, tool, "chest", force=140.0, random=30_000_000)',
     "sweep_report": "percuss.sweep_report(arm, tool, random=10_000_000)",
     "sweep_report of loops": 'percuss.sweep_report(corner, "bump_stop", vary="wheel-travel=-60mm:60mm:1000000")',
-    "extremes": 'percuss.extremes(arm, tool, ranges={"yaw": (-3, 3), "shoulder": (-2, 2), "elbow": (-2, 2)}, starts=1_000_000)',
+    "extremes": '[percuss.extremes(arm, tool, ranges={"yaw": (-3, 3), "shoulder": (-2, 2), "elbow": (-2, 2)}, starts=2000) for _ in range(100)]',
     "impact in time": "[percuss.impact(chain, percuss.Contact('link_59', [0.1, 0, 0], [0, 0, 1]), 0.5, speed=1.0, stiffness=1e5, "
     "in_time=True, gravity=[0, 0, -9.81]) for _ in range(100)]",
     "impact_history": "[percuss.impact_history(2.0, percuss.Damping(0.5, 1e5, speed=1.0), 1_000_000) for _ in range(1000)]",

@@ -38,7 +38,7 @@ pub use damper::exported_impact::{
 };
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
-pub use evaluation::friction_thresholds::{FrictionThresholdsRecord, friction_thresholds};
+pub use evaluation::friction_thresholds::FrictionThresholdsRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use evaluation::status::Status;
 pub use map::given_contacts::{GivenContact, given_contact_masses};

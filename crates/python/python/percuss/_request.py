@@ -95,7 +95,7 @@ class Damping:
         return {"damping": {**keys, "for": self.tools, "limit": stop}, "closed_loops": self.closed_loops}
 
 
-def plain(value: object) -> Any:
+def plain(value: Any) -> Any:
     """Value of another type as numbers, lists and dicts."""
     if isinstance(value, (np.generic, np.ndarray)):
         return value.tolist()
@@ -104,7 +104,7 @@ def plain(value: object) -> Any:
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
         return list(value)
     if hasattr(value, "__index__"):
-        return value.__index__()
+        return int(value)
     if hasattr(value, "__float__"):
         return float(value)
     raise TypeError(f"{type(value).__name__} is given")

@@ -2,10 +2,8 @@
 
 use crate::evaluation::contact_point::require_contact_point;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::question::mass_question::MassQuestion;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::FrictionThresholds;
 use schemars::JsonSchema;
@@ -27,17 +25,6 @@ impl From<FrictionThresholds> for FrictionThresholdsRecord {
     fn from(found: FrictionThresholds) -> Self {
         Self { slope: found.slope, sticking: found.sticking, jamming: found.jamming }
     }
-}
-
-/// Thresholds of friction at a contact of a model. `None` if the contact is immovable or massless, or if the pose is singular.
-///
-/// # Errors
-/// [`StudyError`], as for [`mass`](crate::mass()), and for a moment, a cable, a spring, a rod or the stop of a joint.
-pub fn friction_thresholds(
-    model: &Model,
-    question: &MassQuestion,
-) -> Result<Option<FrictionThresholdsRecord>, StudyError> {
-    thresholds_of(&EvaluatedQuestion::new(model, question)?)
 }
 
 /// Thresholds of friction at an evaluated contact.

@@ -67,7 +67,7 @@ pub fn mass_with_damper(
 /// effects of tolerances. The contact is evaluated once.
 ///
 /// # Errors
-/// As for [`mass_with_damper`], [`friction_thresholds`](crate::friction_thresholds) and [`tolerance_report`](crate::tolerance_report).
+/// As for [`mass_with_damper`] and [`tolerance_report`](crate::tolerance_report); thresholds of friction for a moment.
 pub fn requested_mass(
     model: &Model,
     question: &MassQuestion,
