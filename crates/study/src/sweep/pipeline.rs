@@ -12,7 +12,7 @@ use crate::pose::unreachable_range::SkippedRows;
 use crate::question::errors::question_error::StudyError;
 use crate::sweep::continuation::{LineContinuation, StepLimit, min_limit};
 use crate::sweep::row_blocks::{RowBlock, RowReader};
-use crate::sweep::sweep_context::{RowConversion, RowOutcome, RowPose, RowResults, SweepContext};
+use crate::sweep::sweep_context::{PortionResults, RowConversion, RowOutcome, RowPose, SweepContext};
 use crate::sweep::sweep_report::SweepEnd;
 use crate::thresholds::{
     BATCH_BLOCK_ROWS, BATCH_ROWS_PER_TASK, FIRST_BLOCK, MOST_UNREACHED_ROWS, POSED_BLOCK_LINKS,
@@ -65,7 +65,7 @@ pub(crate) fn run<T: Send>(
         }
         (posed, evaluated) = (next_posed?, next_answered);
         posing.abandoned_after = out.abandoned_after();
-        let found = evaluated.iter().flatten().map(|portion: &RowResults<T>| portion.step_limit);
+        let found = evaluated.iter().flatten().map(|portion: &PortionResults<T>| portion.step_limit);
         posing.step_limit = found.fold(posing.step_limit, min_limit);
         if posed.is_none() && evaluated.is_none() {
             break;
@@ -195,8 +195,8 @@ fn evaluate_portion<T>(
     Portion { rows, work }: Portion,
     convert: RowConversion<'_, T>,
     too_far: StepLimit,
-) -> RowResults<T> {
-    let mut results = RowResults::new(rows.len());
+) -> PortionResults<T> {
+    let mut results = PortionResults::new(rows.len());
     let mut line = context.new_line(too_far);
     let mut evaluate = |travel: Option<&PointTravel>, row_poses: &mut dyn Iterator<Item = RowPose>| {
         for (i, row_pose) in rows.clone().zip(row_poses) {
@@ -249,7 +249,7 @@ impl<'o, T> OutputStage<'o, T> {
     }
 
     /// Passes the rows of a block on in order, and merges their findings.
-    fn output_results(&mut self, portions: Vec<RowResults<T>>) -> Result<ControlFlow<()>, StudyError> {
+    fn output_results(&mut self, portions: Vec<PortionResults<T>>) -> Result<ControlFlow<()>, StudyError> {
         for mut portion in portions {
             self.result.tally.append(portion.drain_findings());
             if let Some(untried) = portion.skipped {

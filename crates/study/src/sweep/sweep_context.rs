@@ -69,7 +69,7 @@ pub(crate) struct RowOutcome<T> {
 
 /// Consecutive rows evaluated together.
 #[derive(Debug)]
-pub(crate) struct RowResults<T> {
+pub(crate) struct PortionResults<T> {
     pub rows: Vec<RowOutcome<T>>,
     pub tally: FindingTally,
     pub skipped: Option<SkippedRows>,
@@ -78,7 +78,7 @@ pub(crate) struct RowResults<T> {
     shared_findings: Option<(Arc<[Finding]>, usize, usize)>,
 }
 
-impl<T> RowResults<T> {
+impl<T> PortionResults<T> {
     pub fn new(rows: usize) -> Self {
         let tally = FindingTally::default();
         Self { rows: Vec::with_capacity(rows), tally, skipped: None, step_limit: None, shared_findings: None }
@@ -218,7 +218,7 @@ impl SweepContext<'_> {
     /// Evaluates a row and appends the outcome to the portion.
     pub fn evaluate_row<T>(
         &self,
-        portion: &mut RowResults<T>,
+        portion: &mut PortionResults<T>,
         block: &RowBlock,
         i: usize,
         row_pose: RowPose,
