@@ -85,7 +85,7 @@ impl Impact<'_> {
         if self.restitution_law.is_some() && self.friction.is_none() {
             return Err(input("restitution_law: without friction it has no effect; give friction too"));
         }
-        let law = self.law.as_ref().map(Damping::question).transpose()?.unwrap_or_default();
+        let damping = self.law.as_ref().map(Damping::question).transpose()?.unwrap_or_default();
         Ok(ImpactQuestion {
             restitution: Some(self.restitution.into()),
             speed: self.speed.map(Into::into),
@@ -98,10 +98,10 @@ impl Impact<'_> {
             contact_exponent: self.contact_exponent.map(Into::into),
             rates: by_joint(&self.rates, "rates", GivenRates::from_numbers)?,
             base_twist: self.base_twist.map(Vec::from).unwrap_or_default(),
-            stiffness: law.stiffness,
-            exponent: law.exponent,
-            law: law.law,
-            separation: law.separation,
+            stiffness: damping.stiffness,
+            exponent: damping.exponent,
+            law: damping.law,
+            separation: damping.separation,
             in_time: self.in_time,
             gravity: self.gravity.map(Vec::from).unwrap_or_default(),
             joint_spring: by_joint(&self.joint_springs, "joint_spring", GivenSpring::from_numbers)?,
