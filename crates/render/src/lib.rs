@@ -20,7 +20,7 @@ mod backend;
 #[cfg(feature = "convert")]
 mod convert;
 #[cfg(not(feature = "convert"))]
-#[path = "no_convert.rs"]
+#[path = "convert/not_built.rs"]
 mod convert;
 mod drawing;
 mod figure;

@@ -1,7 +1,7 @@
 //! Command `percuss compare`, and the variants of a study.
 
 use crate::args::{CompareArgs, MassFormat};
-use crate::commands::contact_list::NO_MOTION_RATIO;
+use crate::commands::mass::contact_list::NO_MOTION_RATIO;
 use crate::document::Document;
 use crate::files::contents::Contents;
 use crate::files::csv::{self, Cell};

@@ -2,7 +2,6 @@
 
 pub(crate) mod check;
 pub(crate) mod compare;
-pub(crate) mod contact_list;
 pub(crate) mod damp;
 pub(crate) mod exports;
 pub(crate) mod impacts;
@@ -11,6 +10,5 @@ pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod report;
 pub(crate) mod run;
-pub(crate) mod sensitivity;
 pub(crate) mod suspension;
 pub(crate) mod sweep;

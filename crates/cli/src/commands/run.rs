@@ -2,11 +2,10 @@
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::commands::compare::{self, ComparisonOutput};
-use crate::commands::contact_list;
 use crate::commands::damp;
 use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
 use crate::commands::map;
-use crate::commands::mass;
+use crate::commands::mass::{self, contact_list};
 use crate::commands::report;
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep;

@@ -8,7 +8,6 @@ pub(crate) mod explanation;
 pub(crate) mod failure;
 pub(crate) mod import_text;
 pub(crate) mod limits;
-pub(crate) mod part_names;
 pub(crate) mod report;
 pub(crate) mod text;
 pub(crate) mod units;

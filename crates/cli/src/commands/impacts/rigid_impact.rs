@@ -2,7 +2,7 @@
 
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::impacts::{in_time, reflected, simultaneous};
-use crate::commands::mass::facts as mass_facts;
+use crate::commands::mass::conditions::facts as mass_facts;
 use crate::document::{self, Document};
 use crate::pictures::impulses;
 use crate::terminal::explanation::friction_thresholds;

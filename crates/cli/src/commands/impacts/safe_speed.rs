@@ -1,7 +1,7 @@
 //! Command `percuss safe-speed`.
 
 use crate::args::{CheckFormat, SafeSpeedArgs};
-use crate::commands::mass::NO_ROTORS;
+use crate::commands::mass::conditions::NO_ROTORS;
 use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};

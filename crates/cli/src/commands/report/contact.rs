@@ -2,9 +2,9 @@
 
 use super::findings::add_warnings;
 use super::results::first_with_result;
-use crate::commands::contact_list;
+use crate::commands::mass::contact_list;
 use crate::commands::mass::headline;
-use crate::commands::sensitivity::effect_text;
+use crate::commands::mass::sensitivity::effect_text;
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::text::{number, upper_bound, within_uncertainty};

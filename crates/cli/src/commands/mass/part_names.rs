@@ -1,6 +1,6 @@
 //! Contact and conditions of a suspension, by the names of the parts in its sheet.
 
-use crate::commands::mass::{held_points, loop_facts, method, other_side, point_in_sheet_text};
+use crate::commands::mass::conditions::{held_points, loop_facts, method, other_side, point_in_sheet_text};
 use crate::terminal::text::number;
 use percuss_study::{JointDisplacement, MassReport, SheetPoint};
 
