@@ -179,7 +179,7 @@ pub fn document(report: &MassReport) -> Document<'_> {
 /// Adds the sensitivities and the effects of the tolerances.
 fn add_explanation<'a>(report: &'a MassReport, out: &mut Document<'a>) {
     if let Some(explained) = &report.explanation {
-        sensitivity::add_sensitivities(explained, report.unit, out);
+        sensitivity::add_sensitivities(explained, report.unit, report.point_in_sheet.is_some(), out);
     }
     if let Some(tolerances) = &report.tolerance {
         sensitivity::add_tolerances(tolerances, report.unit, out);

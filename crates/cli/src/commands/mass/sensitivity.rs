@@ -19,8 +19,13 @@ fn per_millimetre(rate: f64) -> String {
     number(format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3))
 }
 
-/// Adds the changes that lower m̄ most, and its rates. `unit`: unit of m̄.
-pub fn add_sensitivities<'a>(explained: &'a Explanation, unit: &'static str, out: &mut Document<'a>) {
+/// Adds the changes that lower m̄ most, and its rates. `unit`: unit of m̄. The joints of a suspension (`has_sheet`) have no rotors.
+pub fn add_sensitivities<'a>(
+    explained: &'a Explanation,
+    unit: &'static str,
+    has_sheet: bool,
+    out: &mut Document<'a>,
+) {
     out.section("Sensitivities");
     out.note("To first order: an opposite change has the opposite effect.");
     let masses = explained.most_per_kilogram.iter();
@@ -40,7 +45,7 @@ pub fn add_sensitivities<'a>(explained: &'a Explanation, unit: &'static str, out
         named.map(|(axis, rate)| bar(format!("{}, {axis}", point.point), 1e-3 * rate))
     });
     add_tornado("Effect of 1 mm of each hardpoint", ["1 mm", unit], points, out);
-    add_rates(explained, unit, out);
+    add_rates(explained, unit, has_sheet, out);
 }
 
 /// Bar of a tornado chart; `effect` is the change of m̄, kg.
@@ -77,7 +82,7 @@ fn add_tornado(
 }
 
 /// Adds tables of all rates; `unit`: unit of m̄.
-fn add_rates(explained: &Explanation, unit: &str, out: &mut Document<'_>) {
+fn add_rates(explained: &Explanation, unit: &str, has_sheet: bool, out: &mut Document<'_>) {
     let (per_kg, per_mm) = (format!("{unit} per kg"), format!("{unit} per mm: x"));
     let rates = |rates: Option<[f64; 3]>| {
         rates.map_or_else(|| [(); 3].map(|()| "–".to_owned()), |rates| rates.map(per_millimetre))
@@ -99,7 +104,7 @@ fn add_rates(explained: &Explanation, unit: &str, out: &mut Document<'_>) {
     out.table(links);
     out.note("The last columns are for a displacement of the centre of mass in the axes of the link.");
     let mut rotors = Table::new(["joint", &format!("{unit} per kg·m² (or kg) of armature")]);
-    for rotor in &explained.rotors {
+    for rotor in explained.rotors.iter().filter(|_| !has_sheet) {
         let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short_number(*rate)).collect();
         rotors.row([rotor.joint.clone(), rates.join(", ")]);
     }
