@@ -103,7 +103,7 @@ pub use reports::explain::{
 pub use reports::generated_code::{CodeError, generate_code};
 pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, PathRecord, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};

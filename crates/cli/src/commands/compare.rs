@@ -395,14 +395,19 @@ fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
 fn touches(report: &ComparisonReport, designs: &[usize]) -> Vec<Mark> {
     let motions = [WheelMotion::WheelTravel, WheelMotion::Heave].map(WheelMotion::name);
     let is_travel = report.varied.first().is_some_and(|varied| motions.contains(&varied.name.as_str()));
-    let travels = designs.iter().filter_map(|i| report.designs[*i].travel_at_touch);
+    let touching = |i: &&usize| is_travel && report.designs[**i].travel_at_touch.is_some();
+    let same = length_unit(report).of_metres(limits::SAME_TRAVEL);
     let mut marks: Vec<Mark> = Vec::new();
-    for travel in travels.filter(|_| is_travel) {
-        let x = length_unit(report).of_metres(travel);
-        let same = length_unit(report).of_metres(limits::SAME_TRAVEL);
-        if !marks.iter().any(|mark| (mark.x - x).abs() <= same) {
-            marks.push(Mark { x, label: "touch".into() });
+    for design in designs.iter().filter(touching).map(|i| &report.designs[*i]) {
+        let x = length_unit(report).of_metres(design.travel_at_touch.unwrap_or_default());
+        match marks.iter_mut().find(|mark| (mark.x - x).abs() <= same) {
+            Some(mark) => mark.label += &format!(", {}", design.name),
+            None => marks.push(Mark { x, label: format!("touch: {}", design.name) }),
         }
+    }
+    // One mark concerns all designs.
+    if let [mark] = &mut marks[..] {
+        mark.label = "touch".into();
     }
     marks
 }

@@ -53,8 +53,8 @@ struct Worker {
     given: Vec<f64>,
     workspace: Workspace,
     /// Findings that hold at every configuration, and those of each result of the kernel.
+    row_remarks: RemarkFlags,
     remarks: RemarkFlags,
-    lane_remarks: RemarkFlags,
     limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
@@ -100,8 +100,8 @@ impl Workspace {
             given: Vec::new(),
             workspace,
             kernel: in_lanes,
-            remarks,
-            lane_remarks: remarks | own,
+            row_remarks: remarks,
+            remarks: remarks | own,
             limits: PositionLimits::of(model, false),
             gap,
         };
@@ -141,7 +141,7 @@ impl Batch {
 
     /// Findings about each result of the kernel.
     pub fn remarks(&self) -> RemarkFlags {
-        self.worker.lane_remarks
+        self.worker.remarks
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
@@ -151,11 +151,11 @@ impl Batch {
     /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        let Worker { remarks, lane_remarks, .. } = self.worker;
+        let Worker { row_remarks, remarks, .. } = self.worker;
         let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
         let mut answer = match clear {
-            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, lane_remarks),
-            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, remarks),
+            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
+            None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, row_remarks),
         };
         answer.remarks |= self.worker.limits.flags(|q| positions[q]);
         if let Some(gap) = &mut self.worker.gap {
@@ -279,11 +279,11 @@ impl Worker {
         results: &mut RowColumns<'_, S>,
     ) {
         let Worker { kernel: in_lanes, read, columns, row, workspace, limits, gap, .. } = self;
-        let (remarks, lane_remarks) = (self.remarks, self.lane_remarks);
+        let (row_remarks, remarks) = (self.row_remarks, self.remarks);
         let (count, positions, of_rows) = (results.masses.len(), rows.positions, rows.contacts);
         results.statuses.fill(ContactStatus::Finite.into());
         if let Some(bits) = &mut results.remarks {
-            bits.fill(lane_remarks.bits());
+            bits.fill(remarks.bits());
         }
         let (mut conversion, mut limit) = (None, 0.0);
         if let Some(lanes) = in_lanes {
@@ -333,11 +333,11 @@ impl Worker {
             for (lane, own) in own[..here].iter().enumerate() {
                 let mut answer = match clear(lane) {
                     true if own.is_empty() => continue,
-                    true => BatchAnswer::finite(masses[lane], errors[lane], lane_remarks),
+                    true => BatchAnswer::finite(masses[lane], errors[lane], remarks),
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = rows.contact_at(start + lane);
-                        evaluate_row(workspace, &contact, row, remarks)
+                        evaluate_row(workspace, &contact, row, row_remarks)
                     }
                 };
                 answer.remarks |= *own;

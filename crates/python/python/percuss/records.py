@@ -533,6 +533,8 @@ class ExtremeRecord(Record):
     contacts."""
     row: float | None
     """Fractional row number on the path, from 0: 2.25 is a quarter of the way from row 2 to row 3; None without a path."""
+    place: PathPlace | None
+    """Value of the varied number of the path at the extreme; None without a path, and for a path with several varied numbers."""
     kept_error: float | None
     """Largest error of a coordinate of a kept point, m; None without kept points."""
     normal_world: list[float] | None
@@ -1249,6 +1251,17 @@ class OtherBodyRecord(Record):
     """Mass, kg."""
     speed_change: float
     """Change of its velocity along the normal, m/s."""
+
+
+class PathPlace(Record):
+    """Value of the varied number of a path, linear between two rows."""
+
+    name: str
+    """Name of the column: the joint, or the travel."""
+    value: float
+    """Value in the unit."""
+    unit: str
+    """"rad" or "m"; empty for the components of a quaternion."""
 
 
 class PathRecord(Record):

@@ -118,7 +118,7 @@ fn dependent_stop_pose(
                 turns: mechanism.joint(stop.joint).kind() != JointKind::Prismatic,
                 is_smallest,
                 driver: mechanism.joint(moving[0]).name().into(),
-                why: why.into(),
+                why,
             }
         }
         other => other,
@@ -206,7 +206,7 @@ fn touch_pose(
             None if toward(stop, &[])?.is_some() => return Ok(start),
             None => {
                 return Err(StudyError::StopNotReached {
-                    name: name.to_owned(),
+                    name: name.into(),
                     gap,
                     nearest: None,
                     is_smallest: true,
@@ -219,14 +219,16 @@ fn touch_pose(
     }
     let drivers: Vec<JointId> = travels.iter().map(|travel| travel.driver.joint).collect();
     let kept = travels[0].travel.kept_joint(&drivers);
-    let not_reached = |nearest, is_smallest, why| StudyError::StopNotReached {
-        name: name.to_owned(),
+    let not_reached = |nearest, is_smallest, why: String| StudyError::StopNotReached {
+        name: name.into(),
         gap,
         nearest,
         is_smallest,
-        alone: kept.map(|kept| [drivers[0], kept].map(|joint| system.mechanism().joint(joint).name().into())),
+        alone: kept.map(|kept| {
+            Box::new([drivers[0], kept].map(|joint| system.mechanism().joint(joint).name().to_owned()))
+        }),
         unit: LengthUnit::Millimetre,
-        why,
+        why: why.into(),
     };
     let full = Search::Full { least_part: LEAST_PART };
     // Pose with a part of the gaps closed, on the branch of the start: the path back ends at the start.

@@ -365,7 +365,7 @@ impl StudyFile {
                     design.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
                 };
                 let number = self.variants.iter().position(|variant| is_of(&variant.name));
-                let key = source.key().map(|key| self.keys.of_variant(number, &key));
+                let key = source.key().map(|key| self.keys.of_variant(number, &key).into());
                 CompareError::Question { design, source, key }
             }
             other => other,
@@ -430,9 +430,8 @@ impl AskError {
     /// True if the question is valid but has no result.
     pub fn has_no_result(&self) -> bool {
         match self {
-            Self::Question(error)
-            | Self::Comparison(CompareError::Question { source: error, .. })
-            | Self::Kinematics(KinematicsError::Study(error)) => error.has_no_result(),
+            Self::Question(error) | Self::Kinematics(KinematicsError::Study(error)) => error.has_no_result(),
+            Self::Comparison(CompareError::Question { source, .. }) => source.has_no_result(),
             _ => false,
         }
     }

@@ -7,7 +7,9 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::units::ContactUnits;
-use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, RowSource, Status, extremes};
+use percuss_study::{
+    Dimension, ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status, extremes,
+};
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
 const RESTING_GAP: f64 = 1e-6;
@@ -62,11 +64,11 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         facts.push((name, value(report, record)));
         facts.push(("  at", positions(record)));
         if let Some(row) = record.row {
-            let place = match row.fract() {
-                0.0 => format!("row {row} of the path (from 0)"),
-                _ => format!("row {} of the path (from 0)", number(row)),
-            };
-            facts.push(("  place", place));
+            let row = format!("row {} of the path (from 0)", short_number(row));
+            facts.push((
+                "  place",
+                record.place.as_ref().map_or(row.clone(), |place| format!("{}, {row}", on_path(place))),
+            ));
         }
         if let Some(gap) = record.gap.filter(|gap| gap.abs() > RESTING_GAP) {
             let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
@@ -122,6 +124,18 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         facts.push(("held", format!("{} (rad or m; give a range to vary it)", held.join(", "))));
     }
     facts
+}
+
+/// Name and value of the varied number of a path, in degrees or millimetres.
+fn on_path(place: &PathPlace) -> String {
+    let dimension = match place.unit {
+        "rad" => Some(Dimension::Angle),
+        "m" => Some(Dimension::Length),
+        _ => None,
+    };
+    let shown = dimension.and_then(Dimension::display_unit);
+    let (scale, unit) = shown.map_or((1.0, place.unit), |unit| (unit.per_si, unit.name));
+    format!("{} {} {unit}", place.name, short_number(scale * place.value)).trim_end().to_owned()
 }
 
 /// Kept link or point as text.

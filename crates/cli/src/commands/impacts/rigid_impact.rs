@@ -59,6 +59,19 @@ pub fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> 
     })
 }
 
+/// Name and value of the main result, and the results beside it, for the head of a page.
+pub fn head(report: &ImpactReport) -> (String, Vec<(&'static str, String)>) {
+    let ContactUnits { impulse, force, .. } = ContactUnits::new(report.mass.contact.is_moment);
+    let what = if report.mass.contact.is_moment { "Peak moment" } else { "Peak force" };
+    let peak = report.in_time.as_ref().map(|found| found.peak_force);
+    let main = match peak.or(report.contact_law.as_ref().map(|law| law.peak_force)) {
+        Some(peak) => format!("{what} {} {force}", short_number(peak)),
+        None => format!("Impulse {} {impulse}", short_number(report.impulse)),
+    };
+    let shown = ["impulse", "energy loss", "closing speed", "in time", "penetration"];
+    (main, results(report).into_iter().filter(|(name, _)| shown.contains(name)).collect())
+}
+
 /// Impact: several contacts, results, masses, laws, bearings, rates, impact in time. A page has pictures with the mechanism.
 pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechanism>) -> Document<'a> {
     let mut out = Document::default();

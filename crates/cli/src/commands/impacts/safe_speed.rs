@@ -74,11 +74,11 @@ const DISCLAIMER: &str = "An engineering aid, not a certification. v = F/√(μ 
 
 /// Table of all directions; empty for a single direction.
 fn direction_table(reports: &[SafeSpeedReport]) -> Table {
-    let mut table = Table::new(["direction", "by the standard m/s", "m/s", "kg"]);
+    let mut table = Table::new(["direction", "greatest m/s", "kg", "by the standard m/s"]);
     for report in reports.iter().filter(|_| reports.len() > 1) {
         let mass = report.reflected.robot_mass.map_or_else(|| "immovable".to_owned(), number);
         let (by_standard, speed) = (number(report.standard.speed), number(report.reflected.speed));
-        table.row([triple(&report.normal_world), by_standard, speed, mass]);
+        table.row([triple(&report.normal_world), speed, mass, by_standard]);
     }
     table
 }
@@ -94,11 +94,14 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
         format!("{} m/s   with {robot} ({mass}){both}", number(record.speed))
     };
     let load = if report.load > 0.0 { " and the load" } else { "" };
-    match report.region {
-        Some(_) => fact("by the standard", speed(&report.standard, "M/2 + m_L")),
-        None => fact("with all that moves", speed(&report.standard, "M + m_L, all at the contact's speed")),
-    }
     fact("greatest speed", speed(&report.reflected, &format!("effective mass at the contact{load}")));
+    let is_too_high = report.standard.speed > report.reflected.speed;
+    let compared = if is_too_high { "; too high here" } else { "" };
+    let (name, mass) = match report.region {
+        Some(_) => ("by the standard", "M/2 + m_L"),
+        None => ("with all that moves", "M + m_L, all at the contact's speed"),
+    };
+    fact(name, speed(&report.standard, mass) + compared);
     if let Some(along) = &report.along {
         fact("slowest of the rows", speed(&along.slowest, &format!("row {} of {}", along.row, along.rows)));
     }

@@ -31,6 +31,14 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         return show_all_contacts(args, &model, damping);
     }
     refuse_several_contacts(&model, args.contact.contact.at.as_deref(), "this command")?;
+    if let (Some("link"), Ok(names)) =
+        (args.contact.contact.missing(), contact_names(ALL_CONTACTS, &model.mechanism))
+    {
+        return Err(Failure::bad_input(format!(
+            "--at: a contact of the model is required, one of {}; or --at all; or --link LINK, --point X,Y,Z and a normal",
+            names.join(", ")
+        )));
+    }
     let contact = args.contact.question()?;
     damping.map_or(Ok(()), |damping| damping.check_units(contact.is_moment(&model.mechanism)))?;
     show(&model, &contact, damping, args.format, &args.requests, args.model.reading.strict)

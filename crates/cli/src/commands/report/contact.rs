@@ -2,13 +2,14 @@
 
 use super::findings::add_warnings;
 use super::results::first_with_result;
+use crate::commands::impacts::rigid_impact;
 use crate::commands::mass::contact_list;
 use crate::commands::mass::headline;
 use crate::commands::mass::sensitivity::effect_text;
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::text::{number, upper_bound, within_uncertainty};
-use percuss_study::{ContactListReport, DiagnosticRecord, MassOptions, MassReport};
+use percuss_study::{ContactListReport, DiagnosticRecord, ImpactReport, MassOptions, MassReport};
 
 /// Adds the results of all contacts of a study with several, before all sections.
 pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
@@ -24,14 +25,22 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
     }
 }
 
-/// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
+/// Adds the result before all sections: the main numbers of an impact, the mass, its uncertainty, the contact, and the findings.
 pub(super) fn add_result(
     report: &MassReport,
     requested: &MassOptions,
+    impact: Option<&ImpactReport>,
     findings: &[&DiagnosticRecord],
     page: &mut Page,
 ) {
-    page.open_result(&format!("m̄ = {}", headline(report)));
+    let mass = format!("m̄ = {}", headline(report));
+    match impact.map(rigid_impact::head) {
+        Some((main, facts)) => {
+            page.open_result(&main);
+            page.facts(facts.into_iter().chain([("effective mass", mass)]));
+        }
+        None => page.open_result(&mass),
+    }
     let mut facts = uncertainty(report);
     if let (Some(expected), Some(mass)) = (requested.expected(), report.effective_mass) {
         let off = 100.0 * (mass / expected - 1.0);

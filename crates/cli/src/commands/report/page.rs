@@ -26,7 +26,8 @@ pub(super) fn text(
         contact::add_contact_list(listed, &mut page);
     }
     if let Some(report) = &results.report.mass {
-        contact::add_result(report, &study.mass, &results.unlisted(report), &mut page);
+        let impact = results.report.impact.as_ref();
+        contact::add_result(report, &study.mass, impact, &results.unlisted(report), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {

@@ -11,7 +11,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number};
 use percuss_render::Picture;
-use percuss_study::{Input, StudyFile, SweepEnd, SweepQuestion};
+use percuss_study::{Input, Status, StudyFile, SweepEnd, SweepQuestion};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -24,6 +24,9 @@ pub(super) struct SweepSection {
     picture: Result<(String, String), String>,
     least: Option<f64>,
     greatest: Option<f64>,
+    /// Numbers of rows whose contact is immovable or massless.
+    immovable: usize,
+    massless: usize,
     /// Unit of m̄.
     unit: &'static str,
     /// Name of the motion ratio.
@@ -47,6 +50,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
     };
     let mut csv = table.header().to_owned();
     let (mut least, mut greatest) = (None::<f64>, None::<f64>);
+    let (mut immovable, mut massless) = (0, 0);
     let mut rows: Vec<[String; 3]> = Vec::new();
     let mut values = Vec::new();
     let mut curves = SweepCurves::new(sweep.heading()).ok();
@@ -56,6 +60,8 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
         if curves.as_mut().is_some_and(|curves| !curves.add(&row)) {
             curves = None;
         }
+        immovable += usize::from(row.status == Status::Immovable.name());
+        massless += usize::from(row.status == Status::Massless.name());
         if let Some(m) = row.effective_mass {
             least = Some(least.map_or(m, |l| l.min(m)));
             greatest = Some(greatest.map_or(m, |g| g.max(m)));
@@ -101,7 +107,20 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
         "" => name,
         unit => format!("{name} ({unit})"),
     });
-    Ok(SweepSection { csv, end, inputs, picture, least, greatest, unit, ratio, column, rows })
+    Ok(SweepSection {
+        csv,
+        end,
+        inputs,
+        picture,
+        least,
+        greatest,
+        immovable,
+        massless,
+        unit,
+        ratio,
+        column,
+        rows,
+    })
 }
 
 impl SweepSection {
@@ -129,8 +148,15 @@ impl SweepSection {
             ));
         }
         let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} {}", number(m), self.unit));
+        let counts = [
+            (self.immovable, "immovable"),
+            (self.massless, "massless"),
+            (self.end.rows_without_result, "without a result"),
+        ];
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        let rows: String = counts.map(|(count, what)| format!(", {count} {what}")).collect();
         page.facts([
-            ("rows", format!("{}, {} without a result", self.end.rows, self.end.rows_without_result)),
+            ("rows", format!("{}{rows}", self.end.rows)),
             ("smallest", mass(self.least)),
             ("largest", mass(self.greatest)),
             ("all rows", table.to_owned()),

@@ -47,10 +47,10 @@ pub enum StudyError {
         motion: Option<&'static str>,
     },
     /// Stop that the mechanism cannot reach.
-    #[error("{}", stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_ref(), *unit, why, Names::Fields))]
+    #[error("{}", stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_deref(), *unit, why, Names::Fields))]
     StopNotReached {
         /// Name of the stop.
-        name: String,
+        name: Box<str>,
         /// Gap as drawn, m.
         gap: f64,
         /// Largest closing of the gap, m, if known.
@@ -58,11 +58,11 @@ pub enum StudyError {
         /// True if the gap increases again behind this pose; false if the search ended there.
         is_smallest: bool,
         /// The only joint that the search moves, and another joint that moves the stop; `None` if there is no other.
-        alone: Option<[Box<str>; 2]>,
+        alone: Option<Box<[String; 2]>>,
         /// Unit of lengths in the message.
         unit: LengthUnit,
         /// Reason.
-        why: String,
+        why: Box<str>,
     },
     /// Stop of a dependent joint that the mechanism cannot reach.
     #[error("{}", joint_stop_not_reached(joint, *limit, *nearest, (*turns, *is_smallest), driver, why))]
@@ -224,7 +224,7 @@ impl StudyError {
             }
             StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
             StudyError::StopNotReached { name, gap, nearest, is_smallest, alone, unit, why } => {
-                stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_ref(), *unit, why, names)
+                stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_deref(), *unit, why, names)
             }
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
@@ -257,7 +257,7 @@ fn parameter_key(parameter: LawParameter, table: Option<&'static TableKeys>) -> 
 fn stop_not_reached(
     name: &str,
     (gap, nearest, is_smallest): (f64, Option<f64>, bool),
-    alone: Option<&[Box<str>; 2]>,
+    alone: Option<&[String; 2]>,
     unit: LengthUnit,
     why: &str,
     names: Names,

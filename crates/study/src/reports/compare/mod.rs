@@ -140,9 +140,9 @@ pub enum CompareError {
         /// The design.
         design: String,
         /// Cause.
-        source: StudyError,
+        source: Box<StudyError>,
         /// Key at fault in a study; `None` without a study.
-        key: Option<String>,
+        key: Option<Box<str>>,
     },
 }
 
@@ -256,7 +256,10 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         Err(error) if error.has_no_result() => {
             record.error = Some(error.message(design.question.names));
         }
-        Err(source) => return Err(CompareError::Question { design: design.name.clone(), source, key: None }),
+        Err(source) => {
+            let source = Box::new(source);
+            return Err(CompareError::Question { design: design.name.clone(), source, key: None });
+        }
     }
     Ok(record)
 }
@@ -321,7 +324,11 @@ fn rows(
             return Err(other(design, "the first has no range"));
         }
         let report = sweep_report(&design.model, &source.question_of_rows(&design.question), source)
-            .map_err(|source| CompareError::Question { design: design.name.clone(), source, key: None })?;
+            .map_err(|error| CompareError::Question {
+                design: design.name.clone(),
+                source: Box::new(error),
+                key: None,
+            })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
         diagnostics.add(of_rows, &design.name);
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));

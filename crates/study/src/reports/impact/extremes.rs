@@ -61,6 +61,8 @@ pub struct ExtremeRecord {
     pub gap: Option<f64>,
     /// Fractional row number on the path, from 0: 2.25 is a quarter of the way from row 2 to row 3; null without a path.
     pub row: Option<f64>,
+    /// Value of the varied number of the path at the extreme; null without a path, and for a path with several varied numbers.
+    pub place: Option<PathPlace>,
     /// Largest error of a coordinate of a kept point, m; null without kept points.
     pub kept_error: Option<f64>,
     /// Normal (for a moment: axis) at the extreme, world axes, up to its sign; null if the search uses the normal of the contact.
@@ -74,6 +76,17 @@ pub struct ExtremeRecord {
     pub starts: usize,
     /// True if the limit of work ended the search before all starts were searched: the value is the best one found.
     pub is_stopped: bool,
+}
+
+/// Value of the varied number of a path, linear between two rows.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PathPlace {
+    /// Name of the column: the joint, or the travel.
+    pub name: String,
+    /// Value in the unit.
+    pub value: f64,
+    /// `rad` or `m`; empty for the components of a quaternion.
+    pub unit: &'static str,
 }
 
 /// Link or point that stays in place.
@@ -132,6 +145,9 @@ pub struct ExtremesReport {
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
+/// Extreme, with its row and its place on a path.
+type OnPath = (ExtremeMass, Option<(f64, Option<PathPlace>)>);
+
 /// Found extremes with the joints of their positions.
 struct Found {
     /// Ranges; empty for a path.
@@ -141,7 +157,7 @@ struct Found {
     /// Number of starts of a search over ranges.
     starts: Option<usize>,
     /// Smallest and largest value, with the place on the path.
-    extremes: [(ExtremeMass, Option<f64>); 2],
+    extremes: [OnPath; 2],
     diagnostics: Vec<DiagnosticRecord>,
 }
 
@@ -211,7 +227,7 @@ pub fn extremes(
         Some(gap.as_ref()?.at(&there))
     };
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
-    let record = |(extreme, row): &(ExtremeMass, Option<f64>)| {
+    let record = |(extreme, at): &OnPath| {
         let (status, value) = Status::classify(extreme.effective_mass);
         let position = |(joint, position): (&JointId, &f64)| {
             let limit = extreme.active_limits.iter().find(|(limited, _)| limited == joint);
@@ -227,7 +243,8 @@ pub fn extremes(
             status,
             positions: found.joints.iter().zip(&extreme.positions).map(position).collect(),
             gap: gap_at(extreme),
-            row: *row,
+            row: at.as_ref().map(|(row, _)| *row),
+            place: at.as_ref().and_then(|(_, place)| place.clone()),
             kept_error: (!extremes.keep.is_empty()).then_some(extreme.kept_error),
             normal_world: extreme.normal_world.map(Into::into),
             residual: extreme.residual,
@@ -397,12 +414,17 @@ impl ExtremesSearch<'_> {
         }
         let names: Vec<String> =
             joints.iter().map(|joint| mechanism.joint(*joint).name().to_owned()).collect();
-        let (mut rows, mut numbers) = (Vec::new(), Vec::new());
+        let column = match &sweep.heading().varied[..] {
+            [column] => Some(column.clone()),
+            _ => None,
+        };
+        let (mut rows, mut numbers, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let end = sweep.run(&mut |row| {
             let position = |name: &String| row.pose.get(name).and_then(|values| values.first()).copied();
             if let Some(positions) = names.iter().map(position).collect::<Option<Vec<f64>>>() {
                 rows.push(positions);
                 numbers.push(row.row as f64);
+                values.extend(row.varied.values().first().filter(|_| column.is_some()).copied());
             }
             ControlFlow::Continue(())
         })?;
@@ -414,14 +436,23 @@ impl ExtremesSearch<'_> {
             rows = rows.iter().map(|row| moving.iter().map(|&k| row[k]).collect()).collect();
         }
         let path = DriverPath { joints: &joints, rows: &rows };
-        let search = |extreme| -> Result<(ExtremeMass, Option<f64>), StudyError> {
+        let search = |extreme| -> Result<OnPath, StudyError> {
             let (system, start) = (&prepared.system, &prepared.configuration);
             let found = extreme_along_path(system, start, self.contact, self.quantity, &path, extreme);
             let ExtremeOnPath { extreme, row } = found.map_err(|error| search_error(error, Field::Path))?;
             // The search counts reachable rows only; `numbers` maps them to the rows of the input.
             let (first, part) = (row.floor(), row - row.floor());
-            let number = |row: f64| numbers.get(row as usize).copied().unwrap_or(row);
-            Ok((extreme, Some(number(first) + part * (number(first + 1.0) - number(first)))))
+            let between = |of: &dyn Fn(usize) -> f64| {
+                let from = of(first as usize);
+                if part > 0.0 { from + part * (of(first as usize + 1) - from) } else { from }
+            };
+            let row = between(&|at| numbers.get(at).copied().unwrap_or(at as f64));
+            let place = column.as_ref().map(|column| PathPlace {
+                name: column.name.clone(),
+                value: between(&|at| values.get(at).copied().unwrap_or(f64::NAN)),
+                unit: column.unit,
+            });
+            Ok((extreme, Some((row, place.filter(|place| place.value.is_finite())))))
         };
         let extremes = [search(ExtremeKind::Least)?, search(ExtremeKind::Most)?];
         let path = PathRecord {
