@@ -70,10 +70,7 @@ impl KinematicsArgs {
             (KinematicVariable::Wheels(WheelMotion::Heave), &self.heave),
             (KinematicVariable::Wheels(WheelMotion::Roll), &self.roll),
         ];
-        self.vehicle.check().map_err(|(key, why)| {
-            let name = key.rsplit('.').next().unwrap_or(key).replace('_', "-");
-            Failure::bad_input(format!("--{name} is {why}"))
-        })?;
+        self.vehicle.check()?;
         let (vehicle, columns) = (self.vehicle, self.columns.clone());
         let mut question = KinematicsQuestion { vehicle, columns, ..KinematicsQuestion::default() };
         for (variable, text) in given {

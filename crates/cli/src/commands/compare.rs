@@ -3,7 +3,7 @@
 use crate::args::{CompareArgs, MassFormat};
 use crate::commands::mass::contact_list::NO_MOTION_RATIO;
 use crate::document::Document;
-use crate::files::contents::Contents;
+use crate::files::contents::{self, Contents};
 use crate::files::csv::{self, Cell};
 use crate::files::output::record_input;
 use crate::files::table_style::{ColumnUnit, TableStyle};
@@ -26,6 +26,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &CompareArgs) -> Result<(), Failure> {
     args.writing.apply();
+    args.output.as_deref().map_or(Ok(()), |path| contents::check(path, &contents::ALL))?;
     let studies: Vec<bool> =
         args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
     let designs = if studies.iter().all(|is_study| *is_study) {
@@ -395,18 +396,20 @@ fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
 fn touches(report: &ComparisonReport, designs: &[usize]) -> Vec<Mark> {
     let motions = [WheelMotion::WheelTravel, WheelMotion::Heave].map(WheelMotion::name);
     let is_travel = report.varied.first().is_some_and(|varied| motions.contains(&varied.name.as_str()));
-    let touching = |i: &&usize| is_travel && report.designs[**i].travel_at_touch.is_some();
+    let at_touch =
+        |i: &usize| report.designs[*i].travel_at_touch.map(|travel| (&report.designs[*i].name, travel));
+    let touching: Vec<_> = designs.iter().filter(|_| is_travel).filter_map(at_touch).collect();
     let same = length_unit(report).of_metres(limits::SAME_TRAVEL);
     let mut marks: Vec<Mark> = Vec::new();
-    for design in designs.iter().filter(touching).map(|i| &report.designs[*i]) {
-        let x = length_unit(report).of_metres(design.travel_at_touch.unwrap_or_default());
+    for (name, travel) in &touching {
+        let x = length_unit(report).of_metres(*travel);
         match marks.iter_mut().find(|mark| (mark.x - x).abs() <= same) {
-            Some(mark) => mark.label += &format!(", {}", design.name),
-            None => marks.push(Mark { x, label: format!("touch: {}", design.name) }),
+            Some(mark) => mark.label += &format!(", {name}"),
+            None => marks.push(Mark { x, label: format!("touch: {name}") }),
         }
     }
     // One mark concerns all designs.
-    if let [mark] = &mut marks[..] {
+    if let ([mark], true) = (&mut marks[..], touching.len() == designs.len()) {
         mark.label = "touch".into();
     }
     marks

@@ -2,7 +2,7 @@
 
 use crate::args::{CheckFormat, DampArgs};
 use crate::document::{self, Document};
-use crate::files::contents::Contents;
+use crate::files::contents::{self, Contents, TABLES_AND_PICTURES};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
 use crate::terminal::explanation::named_contact;
@@ -34,6 +34,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
             "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
         ));
     };
+    args.output.as_deref().map_or(Ok(()), |path| contents::check(path, &TABLES_AND_PICTURES))?;
     let mut question = question.clone();
     if args.format == CheckFormat::Json && question.tools.is_empty() {
         question.tools = vec![Tools(Tool::ALL.to_vec())];

@@ -235,7 +235,7 @@ fn directions_document(report: &PointMapReport) -> Document<'_> {
     let mut out = Document::default();
     let point = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
     out.facts([("point", point), ("in the world", format!("{} m", triple(&report.point_world)))]);
-    out.heading("principal effective masses (the belted ellipsoid)");
+    out.heading("Principal effective masses (the belted ellipsoid)");
     if report.principal.is_empty() {
         out.note("  none: a direction has no result");
     }

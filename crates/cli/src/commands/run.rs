@@ -10,7 +10,7 @@ use crate::commands::report;
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
 use crate::commands::sweep::{ReadySweep, SweepOutput};
-use crate::files::contents::TABLES_AND_PICTURES;
+use crate::files::contents::{self, TABLES_AND_PICTURES};
 use crate::files::output::{check_writable, ending_of, record_input};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
@@ -39,6 +39,9 @@ fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String
     for (key, path) in outputs {
         match *key {
             "damping.output" => drop(ending_of(path, &TABLES_AND_PICTURES)?),
+            "sweep.output" if !(study.variants.is_empty() && study.contacts.is_empty()) => {
+                ending_of(path, &contents::ALL)?;
+            }
             "kinematics.output" => drop(kinematics::file_ending(path)?),
             "map.output" => drop(map::formats(std::slice::from_ref(path))?),
             _ => {}

@@ -1,7 +1,7 @@
 //! Output files with a table, a picture or JSON, in the format of their ending.
 
 use crate::files::csv::{Cell, styled_table};
-use crate::files::output::{ending_of, write_file};
+use crate::files::output::{check_writable, ending_of, write_file};
 use crate::files::table_style::TableStyle;
 use crate::files::{parquet_rows, xlsx_rows};
 use crate::terminal::failure::Failure;
@@ -13,6 +13,12 @@ pub const PICTURES: [&str; 3] = ["svg", "png", "pdf"];
 pub const TABLES_AND_PICTURES: [&str; 6] = ["csv", "xlsx", "parquet", "svg", "png", "pdf"];
 /// Endings of files with a table, a picture or JSON.
 pub const ALL: [&str; 7] = ["csv", "xlsx", "parquet", "json", "svg", "png", "pdf"];
+
+/// Checks the ending and the place of a file before the computation.
+pub fn check(path: &str, endings: &[&'static str]) -> Result<(), Failure> {
+    ending_of(path, endings)?;
+    check_writable(path)
+}
 
 /// Names of columns, and rows.
 pub type Cells = (Vec<String>, Vec<Vec<Cell>>);

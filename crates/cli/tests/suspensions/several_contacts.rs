@@ -66,7 +66,7 @@ fn figures_mark_the_touch_and_name_coinciding_curves() {
     };
     assert_eq!((marks("80mm"), marks("60mm")), (1, 0));
     let compared = drawn(&format!("compare {SHEET} --at bump_stop,spring --wheel-travel -20mm:80mm:5"));
-    assert_eq!(compared.matches(">touch<").count(), 1);
+    assert_eq!(compared.matches(">touch: bump_stop<").count(), 1);
     // A stop on the rod of the damper has the motion ratio of the damper.
     let sheet = percuss("template macpherson-strut").stdout;
     let is_kept = |line: &&str| !line.starts_with("bump_stop");

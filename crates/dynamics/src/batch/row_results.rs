@@ -41,8 +41,7 @@ pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`](crate::Workspace::effective_mass) at the
     /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// Error, kg; `None` unless m̄ is finite, if the error is above m̄, and for a mechanism with loops without SIMD lanes for the contact
-    /// ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
+    /// Error, kg; `None` unless m̄ is finite, and if the error is above m̄ or unknown ([`RemarkFlags::UNKNOWN_ERROR`]). For a massless contact: upper limit of m̄, if the contact is
     /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
     /// Findings about the result, or the reason for a missing result. Limits of mimics are not checked.

@@ -15,7 +15,7 @@ from . import _percuss, records
 from ._arguments import check_fields, checked
 from ._errors import InputError
 from ._percuss import Contact, Model
-from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, rows, tables
+from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, rows, tables
 
 
 @dataclass(frozen=True)
@@ -346,7 +346,7 @@ def extremes(
     model, request = asked(
         model, contact, conditions,
         extremes={
-            "range": [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()], "normals": normals,
+            "range": [f"{joint}={numbers(lower, 'ranges')}:{numbers(upper, 'ranges')}" for joint, (lower, upper) in (ranges or {}).items()], "normals": normals,
             "starts": starts, "quantity": quantity, "keep": keep, "ignore": ignore,
             "path": path.get("input") or next(iter(path.get("vary", ())), None),
         },
@@ -366,7 +366,7 @@ def _limit(
             f"one limit is required: force (N), pressure (Pa) with area (m²), energy (J) or momentum (N·s); given: {' and '.join(given) or 'none'}"
         )
     # Numbers without a unit are in N/cm² and cm².
-    units = {"pressure": f"{pressure!r}Pa", "area": f"{area!r}m²"} if "pressure" in given else {}
+    units = {"pressure": f"{numbers(pressure, 'pressure')}Pa", "area": f"{numbers(area, 'area')}m²"} if "pressure" in given else {}
     return {"region": region, **limits, **units, "load": load}
 
 

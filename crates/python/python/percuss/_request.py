@@ -142,7 +142,7 @@ def _parts(given: Any, name: str, keys: Sequence[str], least: int) -> dict[str, 
     return {key: value for key, value in zip(keys, given) if value is not None}
 
 
-def _numbers(value: Any, name: str) -> str:
+def numbers(value: Any, name: str) -> str:
     """Numbers as text, with all digits."""
     return ",".join(repr(float(number)) for number in array_of(value, name).ravel())
 
@@ -151,7 +151,7 @@ def _travel(given: Any) -> str:
     if isinstance(given, str):
         return given
     parts = _parts(given, "travel", ("link", "point", "direction", "distance"), 4)
-    point, direction, distance = (_numbers(parts.get(key), f"{key} of travel") for key in ("point", "direction", "distance"))
+    point, direction, distance = (numbers(parts.get(key), f"{key} of travel") for key in ("point", "direction", "distance"))
     return f"{parts.get('link')}:{point}:{direction}={distance}"
 
 
@@ -165,7 +165,7 @@ def _range(given: Any) -> str:
     if isinstance(given, str):
         return given
     joint, start, end, count = _parts(given, "vary", ("joint", "from", "to", "count"), 4).values()
-    return f"{joint}={_numbers(start, 'vary')}:{_numbers(end, 'vary')}:{count}"
+    return f"{joint}={numbers(start, 'vary')}:{numbers(end, 'vary')}:{count}"
 
 
 def rows(

@@ -17,15 +17,15 @@ const MANY_SAMPLES: usize = 10_000;
 /// Damper for an effective mass, kg.
 #[pyfunction]
 pub fn damp_mass(mass: f64, request: Request<'_>) -> PyResult<String> {
-    json(&study::damp(&request.damping()?.0, mass).map_err(errors::study)?)
+    json(&study::damp(&request.damping()?, mass).map_err(errors::study)?)
 }
 
 /// Damper for a contact of a model, or for the stop of a joint.
 #[pyfunction]
 pub fn damp(py: Python<'_>, model: &Model, request: Request<'_>) -> PyResult<String> {
-    let (damping, stop) = request.damping()?;
+    let damping = request.damping()?;
     let question = request.question(&model.read.mechanism)?;
-    let report = interruptible(py, || match &stop {
+    let report = interruptible(py, || match &damping.limit {
         Some(stop) => study::damp_stop(&model.read, stop, question, &damping),
         None => study::damp_contact(&model.read, &question, &damping),
     })?;
@@ -40,7 +40,7 @@ pub fn impact_history<'py>(
     request: Request<'_>,
     samples: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let (question, _) = request.damping()?;
+    let question = request.damping()?;
     let found =
         abandonable(py, samples >= MANY_SAMPLES, move || study::impact_history(&question, mass, samples))?
             .map_err(input)?;

@@ -1,9 +1,9 @@
 //! Kinematics of suspensions.
 
 use crate::analysis::model::Model;
-use crate::conversion::errors::{self, input};
+use crate::conversion::errors;
 use crate::conversion::threads::{abandonable, interruptible};
-use crate::questions::question::Request;
+use crate::questions::question::{Request, invalid};
 use crate::questions::reports::json;
 use percuss::study::{self, KinematicVariable, KinematicsQuestion, WheelMotion};
 use percuss::{DEFAULT_MAX_SIZE, LoadOptions};
@@ -27,10 +27,7 @@ pub fn kinematics(
     state: Vec<(String, f64)>,
     range: Option<(String, Vec<f64>)>,
 ) -> PyResult<String> {
-    let refuse = |(key, why): (&str, String)| {
-        input(format_args!("{}: {why}", key.rsplit('.').next().unwrap_or_default()))
-    };
-    request.tables.vehicle.check().map_err(refuse)?;
+    request.tables.vehicle.check().map_err(invalid)?;
     let variable =
         |name: &str| WheelMotion::from_name(name).map_or(KinematicVariable::Steer, KinematicVariable::Wheels);
     let question = KinematicsQuestion {

@@ -38,7 +38,9 @@ pub struct Tables {
 }
 
 /// Names of the arguments for keys with another name.
-const ARGUMENTS: [(&str, &str); 8] = [
+const ARGUMENTS: [(&str, &str); 10] = [
+    ("at", "contact"),
+    ("limit", "joint"),
     ("for", "tools"),
     ("file", "pose"),
     ("links", "estimate"),
@@ -152,10 +154,9 @@ impl Request<'_> {
         Ok(Some(question))
     }
 
-    /// Damper that must be given, and the stop of a joint.
-    pub fn damping(&self) -> PyResult<(DampingQuestion, Option<percuss::study::JointStop>)> {
-        let damper = self.damper()?.ok_or_else(|| input("damping: it is missing"))?;
-        Ok((damper, self.tables.damping.limit.clone()))
+    /// Damper that must be given.
+    pub fn damping(&self) -> PyResult<DampingQuestion> {
+        self.damper()?.ok_or_else(|| input("damping: it is missing"))
     }
 
     /// Source of the rows of a sweep; `None` if no source is given.

@@ -254,7 +254,7 @@ pub fn compare(
         })
     };
     let designs: Vec<study::Design> = designs.iter().map(design).collect::<PyResult<_>>()?;
-    comparison_json(py, &designs)
+    comparison_json(py, Names::Fields, || study::compare(&designs))
 }
 
 /// Compares the designs of a study file: its model under a name, then its variants.
@@ -264,13 +264,16 @@ pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<RowP
     let study =
         interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
-    comparison_json(py, &study.designs(name))
+    comparison_json(py, Names::KEYS, || study.compare(&study.designs(name)))
 }
 
-/// Compares designs and returns the report as JSON.
-fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<RowParts> {
-    let report = interruptible(py, || study::compare(designs))?;
-    let report = report.map_err(|error| input(error.message(Names::Fields)))?;
+/// Compares designs and returns the report as JSON; `names` in messages.
+fn comparison_json(
+    py: Python<'_>,
+    names: Names,
+    compare: impl FnOnce() -> Result<study::ComparisonReport, study::CompareError> + Send,
+) -> PyResult<RowParts> {
+    let report = interruptible(py, compare)?.map_err(|error| input(error.message(names)))?;
     row_parts(py, report, &StudyAdditions::default(), |report| std::mem::take(&mut report.rows))
 }
 

@@ -18,7 +18,7 @@ use crate::question::tables::map::{MapQuestion, MapShapes};
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
 use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
-use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface, SurfaceError};
+use percuss_formats::{DEFAULT_MAX_MESH_SIZE, Facet, MeshFolders, Purpose, Shape, Surface, SurfaceError};
 use percuss_mechanism::LinkId;
 use rayon::prelude::*;
 use std::cell::RefCell;
@@ -167,8 +167,9 @@ impl MapContext<'_> {
         }
         let shapes = self.model.shapes.get(link.index()).ok_or_else(no_shape)?;
         let (purpose, shapes) = select_shapes(shapes, question.shapes);
-        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
-            .map_err(|error| LinkMapError::NoSurface(format!("link \"{name}\": {error}")))?;
+        let surface =
+            Surface::read(shapes, &self.folders, question.max_mesh_size.unwrap_or(DEFAULT_MAX_MESH_SIZE))
+                .map_err(|error| LinkMapError::NoSurface(format!("link \"{name}\": {error}")))?;
         for file in surface.files() {
             let mut meshes = self.meshes.borrow_mut();
             let input = Input::from_file(&*self.folders.files, file).filter(|input| !meshes.contains(input));

@@ -64,7 +64,7 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         facts.push((name, value(report, record)));
         facts.push(("  at", positions(record)));
         if let Some(row) = record.row {
-            let row = format!("row {} of the path (from 0)", short_number(row));
+            let row = format!("row {} of the path (from 0)", number((1e4 * row).round() / 1e4));
             facts.push((
                 "  place",
                 record.place.as_ref().map_or(row.clone(), |place| format!("{}, {row}", on_path(place))),

@@ -4,6 +4,7 @@ use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::impacts::{in_time, reflected, simultaneous};
 use crate::commands::mass::conditions::facts as mass_facts;
 use crate::document::{self, Document};
+use crate::files::contents::{self, TABLES_AND_PICTURES};
 use crate::pictures::impulses;
 use crate::terminal::explanation::friction_thresholds;
 use crate::terminal::failure::Failure;
@@ -12,7 +13,8 @@ use crate::terminal::text::{Table, number, rounded, short_number, triple};
 use crate::terminal::units::ContactUnits;
 use percuss_render::Picture;
 use percuss_study::{
-    DrawnMechanism, FrictionRecord, ImpactReport, JointConstraintKind, ReactionRecord, Status, impact,
+    DrawnMechanism, FrictionRecord, ImpactReport, JointConstraintKind, JointRateRecord, ReactionRecord,
+    Status, impact,
 };
 
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
@@ -24,6 +26,7 @@ const SHOWN_IMPULSE: f64 = 1e-3;
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     args.writing.apply();
+    args.output.as_deref().map_or(Ok(()), |path| contents::check(path, &TABLES_AND_PICTURES))?;
     if args.needs_no_contact() {
         return reflected::run(args);
     }
@@ -52,11 +55,7 @@ fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
 
 /// Writes a report.
 pub fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
-    document::print(report, format, || {
-        let mut out = document(report, None);
-        out.facts(mass_facts(&report.mass));
-        out
-    })
+    document::print(report, format, || document(report, None))
 }
 
 /// Name and value of the main result, and the results beside it, for the head of a page.
@@ -69,7 +68,9 @@ pub fn head(report: &ImpactReport) -> (String, Vec<(&'static str, String)>) {
         None => format!("Impulse {} {impulse}", short_number(report.impulse)),
     };
     let shown = ["impulse", "energy loss", "closing speed", "in time", "penetration"];
-    (main, results(report).into_iter().filter(|(name, _)| shown.contains(name)).collect())
+    let beside = |(name, _): &(&str, String)| shown.contains(name) && !main.to_lowercase().starts_with(name);
+    let beside = results(report).into_iter().filter(beside).collect();
+    (main, beside)
 }
 
 /// Impact: several contacts, results, masses, laws, bearings, rates, impact in time. A page has pictures with the mechanism.
@@ -86,25 +87,44 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
         let svg = || impulses::of_contact(report, mechanism).to_svg();
         out.large_picture(svg, "Impulses in the mechanism", impulses::caption(report));
     }
+    let is_page = mechanism.is_some();
+    // Other sections of a page have the conditions.
+    if !is_page {
+        out.facts(mass_facts(&report.mass));
+    }
+    let title = |out: &mut Document<'a>, text: &str| {
+        if is_page {
+            out.heading(text);
+        }
+    };
+    if !report.mass_states.is_empty() {
+        title(&mut out, "Masses");
+    }
     out.table(mass_table(report));
     out.note(mass_note(report));
     if let Some(table) = law_table(report) {
         out.table(table);
         out.note(law_note(report));
     }
-    out.table(rate_table(report));
+    title(&mut out, "Rates of the joints");
+    let (rates, resting) = rate_table(report, is_page);
+    out.table(rates);
+    if resting > 0 {
+        out.note(format!("{resting} joints without motion are left out."));
+    }
     let reactions = reaction_table(report);
     // A free body has no joints.
     if !reactions.is_empty() {
-        if mechanism.is_some() {
+        if is_page {
             out.heading("Bearings");
             out.table(bearing_table(report));
-            out.heading("Reactions by components");
         }
+        title(&mut out, "Reactions by components");
         out.table(reactions);
         out.note(legend(report));
     }
     if let Some(found) = &report.in_time {
+        title(&mut out, "Impact in time");
         out.table(in_time::bearing_table(found));
         let figure = || in_time::sheet(report, found).to_svg();
         out.picture(figure, "Forces and penetration over time", "");
@@ -116,6 +136,7 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
         out.note(joint_constraint_note(report));
     }
     if !report.reflected_over.is_empty() {
+        title(&mut out, "Reflected inertia");
         let figure = || reflected::sheet(&report.reflected_over, "").to_svg();
         out.picture(figure, "Reflected inertia over the position of the joint", "");
     }
@@ -125,6 +146,9 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
         None => "Gravity, springs and dampers have no effect during an instantaneous impact.",
         Some(_) => "The impact in time includes the given gravity and joint springs.",
     };
+    if is_page {
+        return out;
+    }
     out.paragraph(format!(
         "Not included: {friction}compliance of the links{several}.\n{forces}\nSee docs/howto/IMPACT.md."
     ));
@@ -353,15 +377,18 @@ fn law_note(report: &ImpactReport) -> String {
     )
 }
 
-/// Rates of the joints and of a floating base.
-fn rate_table(report: &ImpactReport) -> Table {
+/// Rates of the joints and of a floating base, and the number of joints that are left out: with `only_moving` those without motion.
+fn rate_table(report: &ImpactReport, only_moving: bool) -> (Table, usize) {
     let mut table = Table::new(["rate, rad/s or m/s", "before", "after", ""]);
     let values = report.rates.iter().flat_map(|r| r.before.iter().chain(&r.after));
     let largest = values.fold(0.0, |most: f64, v| most.max(v.abs()));
     let list = |values: &[f64]| {
         values.iter().map(|v| short_number(rounded(*v, largest))).collect::<Vec<_>>().join(",")
     };
-    for rate in &report.rates {
+    let is_at_rest =
+        |rate: &&JointRateRecord| rate.before.iter().chain(&rate.after).all(|v| rounded(*v, largest) == 0.0);
+    let resting = report.rates.iter().filter(|_| only_moving).filter(is_at_rest).count();
+    for rate in report.rates.iter().filter(|rate| !only_moving || !is_at_rest(rate)) {
         let note = if rate.undetermined { "undetermined: a motion without mass" } else { "" };
         table.row([rate.joint.clone(), list(&rate.before), list(&rate.after), note.to_owned()]);
     }
@@ -370,7 +397,7 @@ fn rate_table(report: &ImpactReport) -> Table {
         table.row([name("angular"), list(&base.angular_before), list(&base.angular_after), String::new()]);
         table.row([name("linear"), list(&base.linear_before), list(&base.linear_after), String::new()]);
     }
-    table
+    (table, resting)
 }
 
 /// Table of the loaded bearings by magnitude: impulse and moment, and with a contact law their peaks. Open components make a magnitude a

@@ -9,6 +9,7 @@ use crate::commands::mass::sensitivity::effect_text;
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::text::{number, upper_bound, within_uncertainty};
+use crate::terminal::units::ContactUnits;
 use percuss_study::{ContactListReport, DiagnosticRecord, ImpactReport, MassOptions, MassReport};
 
 /// Adds the results of all contacts of a study with several, before all sections.
@@ -37,7 +38,8 @@ pub(super) fn add_result(
     match impact.map(rigid_impact::head) {
         Some((main, facts)) => {
             page.open_result(&main);
-            page.facts(facts.into_iter().chain([("effective mass", mass)]));
+            let name = ContactUnits::new(report.contact.is_moment).name;
+            page.facts(facts.into_iter().chain([(name, headline(report))]));
         }
         None => page.open_result(&mass),
     }

@@ -19,15 +19,21 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     if args.output != "-" {
         check_writable(&args.output)?;
     }
+    let picture_ending = args.picture.as_deref().map(|path| {
+        ending_of(path, &PICTURES).map_err(|_| {
+            Failure::bad_input(format!("--picture {path}: its name must end in .svg, .png or .pdf"))
+        })
+    });
+    let picture_ending = picture_ending.transpose()?;
     let source = Source::read(&args.hardpoints, args.max_size)?;
     let imported = import(&source, &options(args))?;
     imported.inputs.iter().for_each(|path| record_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
     let text = append_hash(write_urdf_with(&imported.mechanism, &imported.comments));
-    if let Some(path) = &args.picture {
+    if let (Some(path), Some(ending)) = (&args.picture, picture_ending) {
         let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
-        write_file(path, &picture_bytes(&drawing, ending_of(path, &PICTURES)?)?)?;
+        write_file(path, &picture_bytes(&drawing, ending)?)?;
     }
     if args.output == "-" {
         return write_unescaped(text.as_bytes());

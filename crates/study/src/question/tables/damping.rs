@@ -183,7 +183,7 @@ pub struct DampingQuestion {
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub limit: Option<JointStop>,
-    /// The figure (.svg, .png, .pdf) or the table (.csv) of the force over time; with speed.
+    /// The figure (.svg, .png, .pdf) or the table (.csv, .xlsx, .parquet) of the force over time; with speed.
     #[cfg_attr(feature = "flags", arg(skip))]
     pub output: Option<String>,
     /// Further data for simulators; the values of the keys replace its accuracy, time step, masses and ratio.

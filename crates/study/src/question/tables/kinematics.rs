@@ -113,7 +113,7 @@ pub struct KinematicsQuestion {
     pub range: Option<(KinematicVariable, Vec<f64>)>,
     /// Quantities, such as camber, toe, bump_stop.motion_ratio; default: all in a table, the usual ones in a figure.
     pub columns: Vec<String>,
-    /// Output file: .csv, .json, .txt, .svg, .png or .pdf.
+    /// Output file: .csv, .xlsx, .parquet, .json, .txt, .svg, .png or .pdf.
     pub output: Option<String>,
     /// Data of the vehicle, for anti-dive, rates and frequencies: axle, brake_bias, drive_share, cg_height, wheelbase, sprung_mass, tyre_rate,
     /// inboard_brakes, inboard_drive.
@@ -127,15 +127,15 @@ impl VehicleData {
     /// Checks the numbers.
     ///
     /// # Errors
-    /// Key of a study and the reason: a length or a rate of at most 0, a share outside 0 to 1.
-    pub fn check(&self) -> Result<(), (&'static str, String)> {
+    /// [`InvalidKey`]: a length or a rate of at most 0, a share outside 0 to 1.
+    pub fn check(&self) -> Result<(), InvalidKey> {
         let shares = [
             ("kinematics.vehicle.brake_bias", self.brake_bias),
             ("kinematics.vehicle.drive_share", self.drive_share),
         ];
         for (key, share) in shares {
             if let Some(Ratio(x)) = share.filter(|Ratio(x)| !(0.0..=1.0).contains(x)) {
-                return Err((key, format!("{x}; a share between 0 and 1 is expected")));
+                return Err(InvalidKey::new(key, format!("{x}; a share between 0 and 1 is expected")));
             }
         }
         let positive = [
@@ -145,7 +145,7 @@ impl VehicleData {
         ];
         for (key, value) in positive {
             if let Some(x) = value.filter(|x| !(x.is_finite() && *x > 0.0)) {
-                return Err((key, format!("{x}; more than 0 is expected")));
+                return Err(InvalidKey::new(key, format!("{x}; more than 0 is expected")));
             }
         }
         Ok(())
@@ -175,7 +175,7 @@ impl KinematicsQuestion {
     /// [`InvalidKey`]: no range, or invalid data of the vehicle.
     pub(crate) fn checked(&self, pose: &MassQuestion, folder: &Path) -> Result<Self, InvalidKey> {
         let Some((varied, _)) = self.range else { return Err(InvalidKey::new("kinematics.vary", RANGES)) };
-        self.vehicle.check().map_err(|(key, why)| InvalidKey::new(key, why))?;
+        self.vehicle.check()?;
         let mut question = self.clone();
         question.output = self.output.as_ref().map(|output| path_in(folder, output));
         for travel in &pose.travel {

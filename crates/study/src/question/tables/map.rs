@@ -10,7 +10,6 @@ use crate::question::tables::sweep::{DecimalSign, StudyTable, TableUnit};
 use crate::values::named;
 use crate::values::quantities::{Length, Point};
 use crate::values::value::{self, Words};
-use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -79,13 +78,12 @@ pub struct MapQuestion {
     #[serde(deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, String>")]
     pub package: Vec<(String, PathBuf)>,
-    /// Refuse mesh files larger than this many bytes.
+    /// Refuse mesh files larger than this many bytes; default: 268435456.
     #[cfg_attr(
         feature = "flags",
-        arg(long, default_value_t = DEFAULT_MAX_MESH_SIZE, value_name = "BYTES", help_heading = READING)
+        arg(long, value_name = "BYTES", help_heading = READING)
     )]
-    #[serde(default = "default_max_mesh_size")]
-    pub max_mesh_size: u64,
+    pub max_mesh_size: Option<u64>,
     /// .ply .glb .gltf .png .svg .pdf .csv .json
     ///
     /// Output file; several are possible. PLY and glTF contain the effective mass as a property; pictures show two
@@ -104,15 +102,10 @@ pub struct MapQuestion {
     pub decimal: DecimalSign,
 }
 
-/// Default of the `max_mesh_size` key.
-fn default_max_mesh_size() -> u64 {
-    DEFAULT_MAX_MESH_SIZE
-}
-
 impl MapQuestion {
     /// Question about the surfaces of all links.
     pub fn all() -> Self {
-        Self { all: true, max_mesh_size: DEFAULT_MAX_MESH_SIZE, ..Self::default() }
+        Self { all: true, ..Self::default() }
     }
 
     /// Question with checked keys, and with the link of a contact, which may be incomplete, if none is given. Paths are relative to
