@@ -17,6 +17,12 @@ if [ "${1-}" = --quick ]; then
   set -- --no-verify "$@"
 fi
 rm -f "$target"/package/*.crate
+# Tests and benchmarks read the models of the repository and are not published: they do not compile outside it.
+$quick || for name in $(cargo metadata --no-deps --locked --format-version 1 | python3 -c '
+import json, sys
+print(*(package["name"] for package in json.load(sys.stdin)["packages"] if package["publish"] == []))'); do
+  set -- --exclude "$name" "$@"
+done
 cargo package --workspace --locked "$@"
 
 published=$(cargo metadata --no-deps --locked --format-version 1 | python3 -c '
