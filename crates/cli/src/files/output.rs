@@ -169,7 +169,7 @@ fn check_built(path: &str) -> Result<(), Failure> {
 
 /// Error for a format that is not part of this build.
 pub(super) fn not_built(path: &str, format: &str, feature: &str) -> Failure {
-    let instead = if feature == "tables" { ".csv or .jsonl" } else { ".svg" };
+    let instead = if feature == "tables" { ".csv" } else { ".svg" };
     Failure::output(
         path,
         format!(
