@@ -29,7 +29,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
     args.output.as_deref().map_or(Ok(()), |path| contents::check(path, &contents::ALL))?;
     let studies: Vec<bool> =
         args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
-    let designs = if studies.iter().all(|is_study| *is_study) {
+    let (designs, studies) = if studies.iter().all(|is_study| *is_study) {
         designs_of_studies(args)?
     } else if let Some(study) = studies.iter().position(|is_study| *is_study) {
         return Err(Failure::bad_input(format!(
@@ -38,9 +38,8 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
             args.designs[study]
         )));
     } else {
-        designs_of_models(args)?
+        (designs_of_models(args)?, Vec::new())
     };
-    let names = if studies[0] { Names::KEYS } else { Names::Flags };
     let output = ComparisonOutput {
         output: args.output.as_deref(),
         table: TableStyle::from_study(&args.table),
@@ -48,12 +47,26 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
         format: args.format,
         strict: args.reading.strict,
     };
-    let report = compare(&designs).map_err(|error| failure(&error, names))?;
+    let report = compare(&designs).map_err(|error| failure_in_file(error, &studies, &args.designs))?;
     write(&report, &designs, &output)
 }
 
+/// Study, and the number of its first design in the comparison.
+type ComparedStudy = (usize, StudyFile);
+
+/// Failure of the comparison of models, or of studies, with the file and the line at fault. `paths`: files of the studies.
+fn failure_in_file(error: CompareError, studies: &[ComparedStudy], paths: &[String]) -> Failure {
+    let number = if let CompareError::Question { number, .. } = error { Some(number) } else { None };
+    match studies.iter().zip(paths).rfind(|((first, _), _)| Some(*first) <= number) {
+        Some(((first, study), path)) => {
+            failure(&study.with_key(error, *first), Names::KEYS).in_study(path, &study.keys, &[])
+        }
+        None => failure(&error, Names::Flags),
+    }
+}
+
 /// Designs of studies, with their variants.
-fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+fn designs_of_studies(args: &CompareArgs) -> Result<(Vec<Design>, Vec<ComparedStudy>), Failure> {
     if args.contact.contact.link.is_some() || args.contact.contact.at.is_some() || !args.vary.is_empty() {
         return Err(Failure::bad_input(
             "--link, --point, --vary and similar flags apply to models and sheets; a study contains its own \
@@ -67,28 +80,31 @@ fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
              study",
         ));
     }
-    let mut designs = Vec::new();
+    let (mut designs, mut studies) = (Vec::new(), Vec::new());
     for (path, name) in args.designs.iter().zip(design_names(&args.designs)) {
-        let of_study = StudyFile::load(path, args.reading.max_size)?.designs(&name);
+        let study = StudyFile::load(path, args.reading.max_size)?;
+        let of_study = study.designs(&name);
         if of_study.is_empty() {
             return Err(Failure::bad_input(format!(
                 "{path}: the study has no [contact]; a comparison needs a contact"
             )));
         }
+        studies.push((designs.len(), study));
         designs.extend(of_study);
     }
-    Ok(designs)
+    Ok((designs, studies))
 }
 
 /// Designs of models with the contact given by flags.
 fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    // An error in a file precedes an error of the flags: a study that cannot be parsed is not recognized as a study.
+    let models = args.designs.iter().map(|path| args.reading.load(path)).collect::<Result<Vec<_>, _>>()?;
     let (question, mut ranges) = (args.contact.question_of_rows()?, args.vary.clone());
     ranges.extend(args.contact.ranges()?);
     let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
     let mut designs = Vec::new();
-    for (path, name) in args.designs.iter().zip(design_names(&args.designs)) {
-        let model = args.reading.load(path)?;
-        let contacts = contacts(question.at.as_deref(), &model)?;
+    for (model, name) in models.iter().zip(design_names(&args.designs)) {
+        let contacts = contacts(question.at.as_deref(), model)?;
         let several = contacts.len() > 1;
         for at in contacts {
             let name = match &at {

@@ -184,19 +184,6 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
         ("[safe_speed]\nregion = \"tail\"\nforce = 3\n", ":8: error: "),
         ("[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"\n", ":10: error: variant.name: "),
         (
-            "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nlink_mass = { none = 1 }\n",
-            ":11: error: variant[1].link_mass: \"b\": no link",
-        ),
-        ("[[variant]]\nname = \"a\"\nmodel = \"none.urdf\"\n", ":9: error: variant[0].model: \"a\": "),
-        ("[[variant]]\nname = \"a\"\nset.none = 1\n", ":9: error: variant[0].set: \"a\": no joint"),
-        ("[[variant]]\nname = \"a\"\nset.rocker_hinge = 1\n", ":9: error: variant[0].set: \"a\": joint"),
-        ("[[variant]]\nname = \"a\"\narmature.crank_pin = -1\n", ":9: error: variant[0].armature: \"a\": "),
-        ("[[variant]]\nname = \"a\"\ncontact.at = \"none\"\n", ":9: error: variant[0].contact.at: \"a\": "),
-        (
-            "[[variant]]\nname = \"a\"\ncontact.link = \"crank\"\n",
-            ":9: error: variant[0].contact: point is missing",
-        ),
-        (
             "[[hold]]\nlink = \"crank\"\npoint = [0, 0, 0]\n[[hold]]\nlink = \"none\"\npoint = [0, 0, 0]\n",
             ":11: error: hold[1].link: no link",
         ),
@@ -215,6 +202,92 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
         let path = folder.write("study.toml", &format!("{head}{more}"));
         let outcome = percuss(&format!("run {path}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}\n{}", outcome.stderr);
+    }
+}
+
+/// A wrong value of any key of the second variant is named by this key and its line, for one contact and for two, by `run` and by `compare`
+/// with another study before it.
+#[test]
+fn keys_of_variants_are_named() {
+    let folder = Scratch::new("variants");
+    let head = format!("[model]\npath = {:?}\n", root().join("models/four_bar.urdf").display().to_string());
+    let contact = "link = 'coupler'\npoint = [0.3, 0, 0]\nnormal = [0, 1, 0]\n";
+    let one = format!("[contact]\n{contact}");
+    let two = format!("[[contact]]\nname = 'c'\n{contact}[[contact]]\nname = 'd'\n{contact}");
+    let first = folder.write("first.toml", &format!("{head}{one}"));
+    let of_point = "link = 'crank', point = [0, 0, 0]";
+    let of_contact = format!("{of_point}, normal = [0, 1, 0]");
+    let wrong = [
+        ("model", "'none.urdf'".to_owned()),
+        ("link_mass", "{ none = 1 }".into()),
+        ("link_mass", "{ crank = -1 }".into()),
+        ("link_com", "{ crank = [1e200, 0, 0] }".into()),
+        ("link_inertia", "{ crank = [1, 1, 5] }".into()),
+        ("move", "{ none = [1, 1, 1] }".into()),
+        ("armature", "{ none = 1 }".into()),
+        ("armature", "{ crank_pin = -1 }".into()),
+        ("armature", "{ crank_pin = [1, 2] }".into()),
+        ("set", "{ none = 1 }".into()),
+        ("set", "{ crank_hinge = '5 kg' }".into()),
+        ("set", "{ crank_hinge = [1, 2] }".into()),
+        ("set", "{ rocker_hinge = 1 }".into()),
+        ("contact", "{ link = 'crank' }".into()),
+        ("contact", format!("{{ {of_point} }}")),
+        ("contact.at", "{ at = 'none' }".into()),
+        (
+            "contact.ratio_at",
+            format!("{{ {of_contact}, ratio_at = [{{ link = 'none', point = [0, 0, 0] }}] }}"),
+        ),
+        ("contact.estimate", format!("{{ {of_contact}, estimate = {{ links = ['none'] }} }}")),
+        ("contact.estimate.links", format!("{{ {of_contact}, estimate = {{ links = [] }} }}")),
+        ("contact.link", "{ link = 'none', point = [0, 0, 0], normal = [0, 1, 0] }".into()),
+        ("contact.point", "{ link = 'crank', point = [1e200, 0, 0], normal = [0, 1, 0] }".into()),
+        ("contact.normal", format!("{{ {of_point}, normal = [0, 0, 0] }}")),
+        ("contact.about_axis", "{ link = 'crank', about_axis = [0, 0, 0] }".into()),
+        (
+            "contact.along_line",
+            format!("{{ {of_point}, along_line = {{ link = 'none', point = [0, 0, 0] }} }}"),
+        ),
+        ("contact.turning_normal", format!("{{ {of_contact}, turning_normal = true }}")),
+        ("contact.cable", format!("{{ {of_contact}, cable = true }}")),
+        ("contact.frame", format!("{{ {of_contact}, frame = 'none' }}")),
+        ("contact.normal_frame", format!("{{ {of_contact}, normal_frame = 'none' }}")),
+        ("contact.against", format!("{{ {of_contact}, against = 'crank' }}")),
+        ("contact.against_mass", format!("{{ {of_contact}, against_mass = -1 }}")),
+    ];
+    let missing: Vec<String> = all_keys()
+        .into_iter()
+        .filter(|(table, key)| match table.as_str() {
+            "variant" => {
+                key != "name" && !wrong.iter().any(|(tried, _)| tried.split('.').next() == Some(key))
+            }
+            "contact" => {
+                key != "name" && !wrong.iter().any(|(tried, _)| tried.strip_prefix("contact.") == Some(key))
+            }
+            _ => false,
+        })
+        .map(|(table, key)| format!("{table}.{key}"))
+        .collect();
+    assert!(missing.is_empty(), "keys without a wrong value: {missing:?}");
+    for contacts in [&one, &two] {
+        for (key, value) in &wrong {
+            let table = key.split('.').next().expect("a key");
+            let text = format!(
+                "{head}{contacts}[[variant]]\nname = 'a'\nset.crank_hinge = 0.1\n[[variant]]\nname = 'b'\n{table} = {value}\n"
+            );
+            let path = folder.write("study.toml", &text);
+            let begin = format!("{path}:{}: error: variant[1].{key}", text.lines().count());
+            for command in
+                [format!("run {path}"), format!("compare {path}"), format!("compare {first} {path}")]
+            {
+                let outcome = percuss(&command);
+                assert!(
+                    outcome.code == 2 && outcome.stderr.starts_with(&begin),
+                    "{text}{begin}\n{}",
+                    outcome.stderr
+                );
+            }
+        }
     }
 }
 

@@ -361,17 +361,19 @@ impl StudyFile {
     /// # Errors
     /// As for [`compare`].
     pub fn compare(&self, designs: &[Design]) -> Result<ComparisonReport, CompareError> {
-        compare(designs).map_err(|error| match error {
-            CompareError::Question { design, source, .. } => {
-                let is_of = |name: &str| {
-                    design.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
-                };
-                let number = self.variants.iter().position(|variant| is_of(&variant.name));
-                let key = source.key().map(|key| self.keys.of_variant(number, &key).into());
-                CompareError::Question { design, source, key }
+        compare(designs).map_err(|error| self.with_key(error, 0))
+    }
+
+    /// Error of a comparison with the key at fault. `first`: number of the first of the [designs](Self::designs) in the comparison.
+    pub fn with_key(&self, error: CompareError, first: usize) -> CompareError {
+        match error {
+            CompareError::Question { design, number, source, .. } => {
+                let variant = number.checked_sub(first).and_then(|number| self.variant_of_design(number));
+                let key = source.key().map(|key| self.keys.of_variant(variant, &key).into());
+                CompareError::Question { design, number, source, key }
             }
             other => other,
-        })
+        }
     }
 
     /// Kinematics of `[kinematics]`.

@@ -258,6 +258,19 @@ impl StudyFile {
         }
         designs
     }
+
+    /// Number of the variant of a design, as [`designs`](Self::designs) orders them; `None` for the model of the study.
+    pub(super) fn variant_of_design(&self, number: usize) -> Option<usize> {
+        let contacts = self.contacts.len().max(1);
+        let mut end = contacts;
+        if number < end {
+            return None;
+        }
+        self.variants.iter().position(|variant| {
+            end += if variant.contact.is_some() { 1 } else { contacts };
+            number < end
+        })
+    }
 }
 
 /// Context for reading a study.

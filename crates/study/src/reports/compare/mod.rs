@@ -139,6 +139,8 @@ pub enum CompareError {
     Question {
         /// The design.
         design: String,
+        /// Number of the design, from 0.
+        number: usize,
         /// Cause.
         source: Box<StudyError>,
         /// Key at fault in a study; `None` without a study.
@@ -150,7 +152,7 @@ impl CompareError {
     /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
-            CompareError::Question { design, source, key } => {
+            CompareError::Question { design, source, key, .. } => {
                 let message = source.message(names);
                 match (key, source.key()) {
                     (Some(key), Some(own)) if matches!(names, Names::Keys(_)) => {
@@ -177,7 +179,7 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     let mut diagnostics = DesignFindings::default();
     let mut records = Vec::new();
     for (number, design) in designs.iter().enumerate() {
-        let mut record = record(design, &mut diagnostics)?;
+        let mut record = record(design, number, &mut diagnostics)?;
         record.reference = reference(designs, number);
         if let Some(first) = record.reference.map(|at| &designs[at]) {
             record.changes =
@@ -219,7 +221,11 @@ fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
 }
 
 /// Result of a design at its pose; its findings are added to `diagnostics`. Error: an invalid question.
-fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRecord, CompareError> {
+fn record(
+    design: &Design,
+    number: usize,
+    diagnostics: &mut DesignFindings,
+) -> Result<DesignRecord, CompareError> {
     let mut record = DesignRecord {
         name: design.name.clone(),
         contact: design.question.at.clone(),
@@ -256,12 +262,14 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
         Err(error) if error.has_no_result() => {
             record.error = Some(error.message(design.question.names));
         }
-        Err(source) => {
-            let source = Box::new(source);
-            return Err(CompareError::Question { design: design.name.clone(), source, key: None });
-        }
+        Err(source) => return Err(question_error(design, number, source)),
     }
     Ok(record)
+}
+
+/// Error of a design with an invalid question.
+fn question_error(design: &Design, number: usize, source: StudyError) -> CompareError {
+    CompareError::Question { design: design.name.clone(), number, source: Box::new(source), key: None }
 }
 
 /// Findings with the names of their designs; equal findings of several designs are one.
@@ -324,11 +332,7 @@ fn rows(
             return Err(other(design, "the first has no range"));
         }
         let report = sweep_report(&design.model, &source.question_of_rows(&design.question), source)
-            .map_err(|error| CompareError::Question {
-                design: design.name.clone(),
-                source: Box::new(error),
-                key: None,
-            })?;
+            .map_err(|error| question_error(design, number, error))?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
         diagnostics.add(of_rows, &design.name);
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
