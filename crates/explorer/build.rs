@@ -24,21 +24,20 @@ mod engine {
 
     const TRIPLE: &str = "wasm32-unknown-unknown";
 
-    /// Limits of the compressed module, bytes, with and without wasm-opt. Every page contains the module.
-    const LARGEST_MODULE: usize = 1_380_000;
-    const LARGEST_WITHOUT_WASM_OPT: usize = 1_480_000;
-
-    /// Options of wasm-opt, with the features that the compiler uses by default.
-    const WASM_OPT: &str = "-Oz --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int \
-        --enable-mutable-globals --enable-multivalue --enable-reference-types";
-
     /// Arguments of the nested cargo. Only as a cdylib: cargo leaves out the link-time optimisation of a crate that is an rlib as well.
     const CARGO: &str = "rustc --locked --profile web -p percuss-web --crate-type cdylib --target";
 
     /// Beginnings of the names of the variables of cargo that the nested cargo receives: registries, network, and the limit of
-    /// processes. Flags, profiles, targets and wrappers of the outer build would change the module.
-    const PASSED_ON: [&str; 6] =
-        ["CARGO_HOME", "CARGO_HTTP_", "CARGO_MAKEFLAGS", "CARGO_NET_", "CARGO_REGISTR", "CARGO_SOURCE_"];
+    /// processes; and changes of its profile. Flags, other profiles, targets and wrappers of the outer build would change the module.
+    const PASSED_ON: [&str; 7] = [
+        "CARGO_HOME",
+        "CARGO_HTTP_",
+        "CARGO_MAKEFLAGS",
+        "CARGO_NET_",
+        "CARGO_PROFILE_WEB_",
+        "CARGO_REGISTR",
+        "CARGO_SOURCE_",
+    ];
 
     /// Folder of this machine whose name the compiler would write into the module.
     struct MachineFolder {
@@ -63,23 +62,14 @@ mod engine {
         compile(root, &target_folder, &folders)?;
         let built = target_folder.join(TRIPLE).join("web");
         watch_sources(root, &built.join("percuss_web.d"))?;
-        let (module, limit) = optimise(built.join("percuss_web.wasm"), out.join("percuss.wasm"))?;
-        let module = fs::read(module)?;
+        let module = fs::read(built.join("percuss_web.wasm"))?;
         for MachineFolder { path, sources, .. } in folders {
             let path = path.join(sources).to_string_lossy().into_owned();
             if module.windows(path.len()).any(|bytes| bytes == path.as_bytes()) {
                 return Err(format!("the engine of the explorer contains the path {path}").into());
             }
         }
-        let packed = compress(&module)?;
-        let size = packed.len();
-        if size > limit {
-            return Err(format!(
-                "the engine of the explorer has {size} bytes; at most {limit} are permitted"
-            )
-            .into());
-        }
-        Ok(fs::write(out.join("percuss.wasm.lzma"), packed)?)
+        Ok(fs::write(out.join("percuss.wasm.lzma"), compress(&module)?)?)
     }
 
     /// Variable that cargo sets for build scripts.
@@ -167,20 +157,6 @@ mod engine {
             println!("cargo::rerun-if-changed={}", path.display());
         }
         Ok(())
-    }
-
-    /// Path of the module, made smaller by wasm-opt if it is installed, and the limit of its compressed size.
-    fn optimise(module: PathBuf, smaller: PathBuf) -> Result<(PathBuf, usize), Box<dyn Error>> {
-        match Command::new("wasm-opt").args(WASM_OPT.split(' ')).arg(&module).arg("-o").arg(&smaller).status()
-        {
-            Ok(status) if status.success() => Ok((smaller, LARGEST_MODULE)),
-            Ok(_) => Err("wasm-opt cannot read the engine of the explorer: update or remove wasm-opt".into()),
-            Err(_) => {
-                let advice = "wasm-opt is not installed (Debian: apt install binaryen)";
-                println!("cargo::warning={advice}: the page of the explorer is a twentieth larger");
-                Ok((module, LARGEST_WITHOUT_WASM_OPT))
-            }
-        }
     }
 
     /// Content of an .lzma file, as of `xz -9e`. It is a fifth smaller than gzip; the page decodes it in a third of a second.

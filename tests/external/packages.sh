@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs, as root, missing Debian packages of the checks; other users install them beforehand.
 #   packages.sh [--page | [--with-gazebo] [--with-octave]]
-# --page: Chromium (80 MB), xz, and npm unless it is installed, for the explorer. Otherwise also ODE, Bullet, the SDFormat program (8 MB),
-# and wasm-opt for the engine of the explorer. --with-gazebo: ign-physics (306 packages, four minutes).
+# --page: Chromium (80 MB), xz, and npm unless it is installed, for the explorer. Otherwise also ODE, Bullet and the SDFormat program
+# (8 MB). --with-gazebo: ign-physics (306 packages, four minutes).
 # --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
 # both if already installed.
 set -euo pipefail
-wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen xz-utils)
+wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium xz-utils)
 # npm builds the bundle of the page again, for a comparison with the committed one.
 [ "${1-}" != --page ] || wanted=(chromium xz-utils)
 command -v npm > /dev/null || wanted+=(npm)

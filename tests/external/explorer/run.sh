@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the page of `percuss explore` in headless Chromium. Before that, compares the bundle with its sources.
-# Needs npm, Chromium and xz; wasm-opt is optional (Debian: apt install chromium xz-utils binaryen).
+# Needs npm, Chromium and xz (Debian: apt install chromium xz-utils).
 #   run.sh [--gate] [TEST…]   only the tests whose names contain one of the words
 #     --gate: as .ci/run: the tests named below, in the release profile; as root, installs missing Debian packages
 # Environment, with defaults: EXPLORER_DRAGS, random drags per seed (350); EXPLORER_SEEDS, seeds separated by commas (7,11,23);
@@ -13,8 +13,9 @@ work=$root/target/explorer-tests
 target=${CARGO_TARGET_DIR:-$root/target}
 build=() profile=debug
 if [ "${1:-}" = --gate ]; then
-  # The gate has already built the dependencies in this profile.
+  # The gate has already built the dependencies in this profile. The engine of the gate is compiled faster, and is larger.
   build=(--release) profile=release
+  export CARGO_PROFILE_WEB_OPT_LEVEL=1 CARGO_PROFILE_WEB_LTO=off CARGO_PROFILE_WEB_CODEGEN_UNITS=16
   set -- 'the engine imports nothing' 'every shipped model' 'a hardpoint is dragged, undone' 'outcomes without a number'
   "$here/../packages.sh" --page
 else
