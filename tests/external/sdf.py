@@ -19,7 +19,7 @@ from pydrake.common.eigen_geometry import Quaternion
 from pydrake.math import RigidTransform, RollPitchYaw, RotationMatrix
 from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import BallRpyJoint, JacobianWrtVariable, ModelInstanceIndex, UniversalJoint
+from pydrake.multibody.tree import BallRpyJoint, FrameIndex, JacobianWrtVariable, ModelInstanceIndex, UniversalJoint
 
 from loops import numbers
 from mjcf import NO_MOTION, compare_file, deviation, run, suspension_models
@@ -29,8 +29,8 @@ TOLERANCE = 1e-9
 # Least eigenvalue of a mass matrix, kg·m² or kg, from which on its inverse has digits: files with massless links have 0.
 SINGULAR = 1e-9
 # Random models of the default run, contacts for each, and what they give.
-COUNT, CONTACTS = 80, 2
-EXPECTED = {"models": 80, "refused by Drake": 1, "written": 34, "refused by name": 5, "massless in Drake": 16}
+COUNT, CONTACTS = 560, 2
+EXPECTED = {"models": 560, "refused by Drake": 15, "written": 34, "refused by name": 5, "massless in Drake": 16}
 
 
 logging.getLogger("drake").setLevel(logging.ERROR)
@@ -65,13 +65,30 @@ class Peer:
                     self.followers.append((joint.get("name"), axis.tag, axis.find("mimic")))
                     axis.remove(axis.find("mimic"))
         self.plant = plant = MultibodyPlant(0.0)
-        text = ElementTree.tostring(tree.getroot(), encoding="unicode")
-        (self.instance, *_) = Parser(plant).AddModelsFromString(text, "sdf")
+        reduced = f"{path}.tree.sdf"
+        tree.write(reduced)
+        parser = Parser(plant)
+        # The included model is in a folder beside the folder of the file.
+        arm = os.path.join(os.path.dirname(os.path.dirname(path)), "arm")
+        if os.path.exists(arm):
+            parser.package_map().Add("arm", arm)
+        (self.instance, *_) = parser.AddModels(reduced)
         plant.Finalize()
         self.context = plant.CreateDefaultContext()
         scope = plant.GetModelInstanceName(self.instance) + "::"
         self.bodies = {body.scoped_name().get_full().removeprefix(scope): body for body in self.all_bodies()}
         self.bodies["world"] = plant.world_body()
+        # Frames of the file are links without mass for percuss. Drake names them after the model of their body.
+        names = {frame.get("name"): frame.get("name") for frame in model.findall("frame")}
+        names |= {frame.get("name"): f"n::{frame.get('name')}" for frame in model.findall("model/frame")}
+        include = model.find("include")
+        if include is not None:
+            prefix = "" if include.get("merge") else "i::"
+            frames = ElementTree.parse(os.path.join(arm, "model.sdf")).iter("frame")
+            names |= {frame.get("name"): prefix + frame.get("name") for frame in frames}
+        every = [plant.get_frame(FrameIndex(i)) for i in range(plant.num_frames())]
+        self.frames = {names[frame.name()]: frame for frame in every if frame.name() in names}
+        self.frames |= {name: body.body_frame() for name, body in self.bodies.items()}
         indices = [index for i in self.instances() for index in plant.GetJointIndices(i)]
         # Drake may count a joint of a model to one nested in it: names are without those of models.
         self.joints = {plant.get_joint(index).name(): plant.get_joint(index) for index in indices}
@@ -89,13 +106,14 @@ class Peer:
         return [self.plant.get_body(index) for i in self.instances() for index in self.plant.GetBodyIndices(i)]
 
     def body_pose(self, name):
-        return self.plant.EvalBodyPoseInWorld(self.context, self.bodies[name])
+        return self.frames[name].CalcPoseInWorld(self.context)
 
     def contact_links(self):
         fixed = {body.index() for body in self.plant.GetBodiesWeldedTo(self.plant.world_body())}
-        return [name for name, body in self.bodies.items() if body.index() not in fixed]
+        return [name for name, frame in self.frames.items() if frame.body().index() not in fixed]
 
-    def set_pose(self, values):
+    def set_pose(self, given):
+        values = {name if name.endswith("_floating") else name.split("::")[-1]: value for name, value in given.items()}
         for name, joint in self.joints.items():
             if isinstance(joint, BallRpyJoint) and name in values:
                 w, x, y, z = values[name]
@@ -117,7 +135,7 @@ class Peer:
         """Angular and linear rows of a point, m, in the frame of a link."""
         plant, world = self.plant, self.plant.world_frame()
         return plant.CalcJacobianSpatialVelocity(
-            self.context, JacobianWrtVariable.kV, self.bodies[name].body_frame(), point, world, world
+            self.context, JacobianWrtVariable.kV, self.frames[name], point, world, world
         )
 
     def closure(self, joint):
@@ -176,28 +194,37 @@ class Peer:
 
 
 class RandomModel:
-    """Random SDFormat: links in a tree with frames, nested models and joints in either direction, and joints that close loops."""
+    """Random SDFormat: links in a tree with frames, nested and included models and joints in either direction, and joints that close loops.
+    `letter`: before the names of an included model, which has neither nested models nor loops."""
 
-    def __init__(self, seed):
-        self.rng = np.random.default_rng(seed)
-        self.minor = int(self.rng.choice([5, 6, 7, 8, 9, 11]))
+    def __init__(self, rng, letter=""):
+        self.rng, self.letter = rng, letter
+        self.minor = int(rng.integers(4, 12))
         self.root = ElementTree.Element("sdf", version=f"1.{self.minor}")
-        self.model = ElementTree.SubElement(self.root, "model", name="m")
+        self.model = ElementTree.SubElement(self.root, "model", name=f"{letter}m")
         self.text(self.model, "pose", self.pose_text())
-        self.frames, self.links, self.leaders = [], [], []
-        self.nested = None
-        if self.chance(0.4) and self.minor > 6:
+        self.frames, self.links, self.leaders, self.closures = [], [], [], []
+        # Link to which a frame is attached.
+        self.link_of = {}
+        self.nested = self.included = None
+        if not letter and self.chance(0.4) and self.minor > 4:
             self.nested = ElementTree.SubElement(self.model, "model", name="n")
             self.text(self.nested, "pose", self.pose_text())
-        for number in range(self.rng.integers(2, 6)):
+        for number in range(rng.integers(2, 3 if letter else 6)):
             self.link(number)
-        if self.chance(0.7):
-            self.joint("to_world", "world", self.links[0], self.model)
-        for number in range(1, len(self.links)):
-            parent = str(self.rng.choice(self.links[:number]))
-            self.joint(f"j{number}", parent, self.links[number], self.model)
-        self.closures = []
-        while self.chance(0.4) and len(self.closures) < 2:
+        ends = [(str(rng.choice(self.links[:number])), self.links[number]) for number in range(1, len(self.links))]
+        if not letter and self.chance(0.4):
+            ends.append((str(rng.choice(self.links)), self.include()))
+        if not letter and self.chance(0.7):
+            self.joint("to_world", "world", self.links[0])
+        for number, (parent, child) in enumerate(ends):
+            self.joint(f"{letter}j{number + 1}", parent, child)
+        for model, prefix in ((self.model, ""), (self.nested, "n::")):
+            own = [frame.removeprefix(prefix) for frame in self.frames if frame.startswith(prefix)]
+            own = [frame for frame in own if "::" not in frame and frame != "__model__"]
+            if model is not None and own and self.minor > 7 and self.chance(0.3):
+                model.set("placement_frame", str(rng.choice(own)))
+        while not letter and self.chance(0.4) and len(self.closures) < 2:
             self.loop()
 
     def chance(self, probability):
@@ -212,15 +239,17 @@ class RandomModel:
         return numbers([*self.rng.uniform(-0.5, 0.5, 3), *self.rng.uniform(-1.5, 1.5, 3)])
 
     def place(self, element, frames):
-        """A pose, relative to a frame in newer versions."""
+        """A pose, relative to a frame; the attribute has another name in older versions."""
         if self.chance(0.2):
             return
         attributes = {}
-        if frames and self.minor > 6 and self.chance(0.6):
-            attributes["relative_to"] = str(self.rng.choice(frames))
+        if frames and self.minor > 4 and self.chance(0.6):
+            choice = [*frames, "__model__"] if self.minor > 6 else frames
+            attributes["relative_to" if self.minor > 6 else "frame"] = str(self.rng.choice(choice))
         text = self.pose_text()
         if self.minor >= 9 and self.chance(0.3):
             attributes["degrees"] = "true"
+            text = numbers([*self.rng.uniform(-0.5, 0.5, 3), *self.rng.uniform(-90, 90, 3)])
         elif self.minor >= 9 and self.chance(0.3):
             q = self.rng.normal(size=4)
             text = numbers([*self.rng.uniform(-0.5, 0.5, 3), *(q / np.linalg.norm(q))])
@@ -232,7 +261,8 @@ class RandomModel:
         if self.nested is not None and (number == 1 or self.chance(0.3)):
             holder, prefix = self.nested, "n::"
         own = [frame.removeprefix("n::") for frame in self.frames if frame.startswith("n::")] if prefix else self.frames
-        link = ElementTree.SubElement(holder, "link", name=f"l{number}")
+        plain = f"{self.letter}l{number}"
+        link = ElementTree.SubElement(holder, "link", name=plain)
         self.place(link, own)
         inertial = ElementTree.SubElement(link, "inertial")
         if self.chance(0.7):
@@ -244,51 +274,80 @@ class RandomModel:
         inertia = ElementTree.SubElement(inertial, "inertia")
         for tag, i, j in [("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2)]:
             self.text(inertia, tag, numbers([full[i, j]]))
-        name = f"{prefix}l{number}"
+        name = f"{prefix}{plain}"
         self.links.append(name)
         self.frames.append(name)
+        self.link_of[name] = name
         if self.minor > 6 and self.chance(0.4):
-            frame = ElementTree.SubElement(holder, "frame", name=f"f{number}", attached_to=f"l{number}")
-            self.place(frame, [*own, f"l{number}"])
-            self.frames.append(f"{prefix}f{number}")
+            attached = str(self.rng.choice([*own, plain, plain]))
+            frame = ElementTree.SubElement(holder, "frame", name=f"{self.letter}f{number}", attached_to=attached)
+            self.place(frame, [*own, plain])
+            self.frames.append(f"{prefix}{self.letter}f{number}")
+            self.link_of[self.frames[-1]] = self.link_of[prefix + attached]
 
-    def axis(self, joint, tag, direction, frames, mimic=True):
-        axis = ElementTree.SubElement(joint, tag)
-        attributes = {}
-        if self.minor > 6 and frames and self.chance(0.4):
-            attributes["expressed_in"] = str(self.rng.choice([*frames, "__model__"]))
-        self.text(axis, "xyz", numbers(direction), **attributes)
-        if self.minor <= 6 and frames and self.chance(0.4):
-            self.text(axis, "use_parent_model_frame", "true")
-        if mimic and self.minor >= 11 and self.leaders and self.chance(0.2):
-            leader, leading = self.leaders[self.rng.integers(len(self.leaders))]
-            relation = ElementTree.SubElement(axis, "mimic", joint=leader, axis=leading)
-            self.text(relation, "multiplier", numbers([self.rng.uniform(-2, 2)]))
-            self.text(relation, "offset", "0")
-            self.text(relation, "reference", "0")
-        elif mimic:
-            self.leaders.append((joint.get("name"), tag))
+    def include(self):
+        """Includes another model; returns the name of its first link."""
+        self.included = inner = RandomModel(self.rng, "a")
+        merge = self.minor > 8 and self.chance(0.5)
+        include = ElementTree.SubElement(self.model, "include", **({"merge": "true"} if merge else {}))
+        self.text(include, "uri", "model://arm/model.sdf")
+        if not merge:
+            self.text(include, "name", "i")
+        self.place(include, self.frames)
+        if self.minor > 7 and include.find("pose") is not None and self.chance(0.4):
+            self.text(include, "placement_frame", str(self.rng.choice(inner.frames)))
+        prefix = "" if merge else "i::"
+        self.frames += [prefix + frame for frame in inner.frames]
+        self.links += [prefix + link for link in inner.links]
+        self.link_of |= {prefix + frame: prefix + link for frame, link in inner.link_of.items()}
+        return prefix + inner.links[0]
 
-    def joint(self, name, parent, child, holder):
+    def axes(self, joint, tags, directions, frames, mimic=True):
+        """Axes of a joint, in one frame."""
+        attributes, flag = {}, None
+        if frames and self.chance(0.4):
+            attributes["expressed_in"] = str(self.rng.choice([*frames, "__model__"] if self.minor > 6 else frames))
+        if self.minor <= 6 and self.chance(0.6):
+            flag = str(self.rng.choice(["true", "false", "1", "0"]))
+        for tag, direction in zip(tags, directions, strict=True):
+            axis = ElementTree.SubElement(joint, tag)
+            self.text(axis, "xyz", numbers(direction), **attributes)
+            if flag is not None:
+                self.text(axis, "use_parent_model_frame", flag)
+            if mimic and self.minor >= 11 and self.leaders and self.chance(0.2):
+                leader, leading = self.leaders[self.rng.integers(len(self.leaders))]
+                relation = ElementTree.SubElement(axis, "mimic", joint=leader, axis=leading)
+                self.text(relation, "multiplier", numbers([self.rng.uniform(-2, 2)]))
+                self.text(relation, "offset", "0")
+                self.text(relation, "reference", "0")
+            elif mimic:
+                self.leaders.append((joint.get("name"), tag))
+
+    def joint(self, name, parent, child):
         kinds = ["revolute", "revolute", "prismatic", "ball", "universal", "fixed"]
         kind = str(self.rng.choice(kinds + (["screw"] if self.minor >= 11 else [])))
         if parent != "world" and kind in ("revolute", "prismatic", "fixed") and self.chance(0.3):
             parent, child = child, parent
-        if self.minor > 6 and parent != "world" and self.chance(0.3):
-            ends = [frame for frame in self.frames if frame.replace("f", "l") == parent]
-            parent = str(self.rng.choice(ends))
+        holder, frames, mimic = self.model, self.frames, kind != "universal"
+        if self.nested is not None and parent.startswith("n::") and child.startswith("n::") and self.chance(0.7):
+            parent, child = parent.removeprefix("n::"), child.removeprefix("n::")
+            frames = [frame.removeprefix("n::") for frame in self.frames if frame.startswith("n::")]
+            # Relations name joints of the same model.
+            holder, mimic = self.nested, False
+        elif self.minor > 6 and parent != "world" and self.chance(0.3):
+            parent = str(self.rng.choice([frame for frame, link in self.link_of.items() if link == parent]))
         joint = ElementTree.SubElement(holder, "joint", name=name, type=kind)
         self.text(joint, "parent", parent)
         self.text(joint, "child", child)
-        self.place(joint, self.frames)
+        self.place(joint, frames)
         if kind == "screw":
             self.text(joint, "screw_thread_pitch", numbers([self.rng.uniform(-0.5, 0.5)]))
         direction = self.rng.normal(size=3)
         if kind == "universal":
-            self.axis(joint, "axis", direction, None)
-            self.axis(joint, "axis2", np.cross(direction, self.rng.normal(size=3)), None)
+            across = np.cross(direction, self.rng.normal(size=3))
+            self.axes(joint, ["axis", "axis2"], [direction, across], frames, mimic=mimic)
         elif kind in ("revolute", "prismatic", "screw"):
-            self.axis(joint, "axis", direction, self.frames)
+            self.axes(joint, ["axis"], [direction], frames, mimic=mimic)
 
     def loop(self):
         first, second = self.rng.choice(len(self.links) + 1, 2, replace=False)
@@ -302,16 +361,24 @@ class RandomModel:
         self.text(joint, "pose", self.pose_text())
         physics = ElementTree.SubElement(ElementTree.SubElement(joint, "physics"), "simbody")
         self.text(physics, "must_be_loop_joint", "true")
-        direction = self.rng.normal(size=3)
+        first = self.rng.normal(size=3)
         if kind != "ball":
-            self.axis(joint, "axis", direction, None, mimic=False)
-        if kind == "universal":
-            self.axis(joint, "axis2", np.cross(direction, self.rng.normal(size=3)), None, mimic=False)
+            tags = ["axis", "axis2"][: 1 + (kind == "universal")]
+            for tag, direction in zip(tags, [first, np.cross(first, self.rng.normal(size=3))]):
+                axis = ElementTree.SubElement(joint, tag)
+                self.text(axis, "xyz", numbers(direction))
+                if self.minor == 4:
+                    self.text(axis, "use_parent_model_frame", "false")
         self.closures.append(name)
 
     def write(self, path):
+        """Writes the file, and its included model in a folder `arm` beside its own folder."""
+        os.makedirs(os.path.dirname(path), exist_ok=True)
         ElementTree.indent(self.root)
         ElementTree.ElementTree(self.root).write(path)
+        if self.included is not None:
+            folder = os.path.join(os.path.dirname(os.path.dirname(path)), "arm")
+            self.included.write(os.path.join(folder, "model.sdf"))
 
 
 def tree_joints(percuss, path):
@@ -378,8 +445,8 @@ def random_models(percuss, count, contacts, first, outcomes, failures):
     worst = 0.0
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(first, first + count):
-            path = os.path.join(folder, f"{seed}.sdf")
-            RandomModel(seed).write(path)
+            path = os.path.join(folder, str(seed), "main", f"{seed}.sdf")
+            RandomModel(np.random.default_rng(seed)).write(path)
             outcomes["models"] += 1
             worst = max(worst, compare(percuss, path, seed, contacts, outcomes, failures))
     return worst

@@ -6,6 +6,7 @@ mod includes;
 mod joints;
 mod loops;
 mod refusals;
+mod variants;
 mod writing;
 
 use percuss_formats::{LoadError, LoadOptions, Loaded, Source, load};
