@@ -30,6 +30,7 @@ pub use evaluation::batch::*;
 pub use evaluation::contact::*;
 pub use evaluation::contact_map::*;
 pub use evaluation::impact::*;
+pub use evaluation::path::*;
 pub use evaluation::pose::*;
 pub use evaluation::response::*;
 #[cfg(feature = "suspensions")]

@@ -27,22 +27,27 @@ macro_rules! fails {
     }};
 }
 
-fn message() -> String {
+pub(crate) fn message() -> String {
     string(percuss_error_message())
 }
 
-fn string(text: *const std::ffi::c_char) -> String {
+pub(crate) fn string(text: *const std::ffi::c_char) -> String {
     // SAFETY: a text of the library, which ends with a zero byte.
     unsafe { CStr::from_ptr(text) }.to_str().expect("UTF-8").to_owned()
 }
 
-fn model(text: &str) -> *mut percuss_model {
+pub(crate) fn model(text: &str) -> *mut percuss_model {
     let mut model = null_mut();
     ok!(percuss_model_load_memory(c"model".as_ptr(), text.as_ptr().cast(), text.len(), &raw mut model));
     model
 }
 
-fn contact(model: *const percuss_model, link: &CStr, point: [f64; 3], normal: [f64; 3]) -> percuss_contact {
+pub(crate) fn contact(
+    model: *const percuss_model,
+    link: &CStr,
+    point: [f64; 3],
+    normal: [f64; 3],
+) -> percuss_contact {
     let mut contact = std::mem::MaybeUninit::uninit();
     ok!(percuss_contact_init(contact.as_mut_ptr()));
     // SAFETY: initialised by the call.

@@ -78,6 +78,7 @@ mod files {
 /// Bad, hostile and large input.
 mod limits {
     mod bounded;
+    mod finding_cases;
     mod findings;
     mod hostile_names;
     mod input_rules;

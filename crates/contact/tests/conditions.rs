@@ -1,7 +1,7 @@
 //! Conditions of the stated errors (mechanisms, drift of the effective mass, single precision, gravity), and penetrations.
 
-use percuss_contact::CompliantContact;
 use percuss_contact::exports::{Export, ExportError, MassDrift, Options, Request, StopMotion, Tool};
+use percuss_contact::{CompliantContact, LawParameter};
 
 const STIFFNESS: f64 = 1e5;
 const SPEED: f64 = 1.0;
@@ -173,6 +173,9 @@ fn gravity_is_a_stated_condition() {
         }
     }
     assert!(Request { speed: None, ..hinged(0.5, 24.0) }.gravity_loss().is_none());
+    assert!(hinged(0.0, 24.0).gravity_loss().is_none());
+    let stop = Options { stop: Some(StopMotion::Turn), ..Options::default() };
+    assert!(Request { options: stop, ..hinged(0.5, 24.0) }.gravity_loss().is_none());
     // The loss is proportional to 1/v; from e/3 on the body does not rebound.
     for (part, prevents) in [(0.3, false), (0.35, true), (0.9, true), (1.2, true)] {
         let request = hinged(0.6, 24.0);
@@ -189,6 +192,7 @@ fn an_error_larger_than_the_restitution_is_refused() {
     request.options.accuracy = 0.1;
     let error = Tool::EXUDYN.export(&request).unwrap_err();
     assert!(matches!(error, ExportError::Unreachable { .. }), "{error}");
+    assert_eq!(error.parameter(), Some(LawParameter::Restitution));
 }
 
 /// A lever of 0.05 m has a shorter step than a lever of 0.5 m.
@@ -204,6 +208,10 @@ fn the_step_of_rigid_contacts_follows_the_curvature_of_the_motion() {
         };
         assert!((step(40.0) / step(400.0) / 10.0 - 1.0).abs() < 1e-9, "{tool}");
         assert_eq!(step(0.0), step(1e-3), "{tool}");
+        let mut request = hinged(0.5, 12.0);
+        request.options.motion_curvature = Some(5.0);
+        let export = tool.export(&request).unwrap();
+        assert!(export.assumptions.iter().any(|text| text.contains("L = 0.20 m")), "{tool}");
     }
 }
 

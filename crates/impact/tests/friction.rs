@@ -333,6 +333,22 @@ fn integration_agrees_with_the_closed_form_of_the_plane() {
     assert_eq!(compared, 8 * 5 * 3 * 4 * 3);
 }
 
+/// A contact of two motions, one of them oblique: the velocity that sticking with Newton's restitution requires is no sum of both, so that
+/// the contact slides and keeps the restitution, at any speed.
+#[test]
+fn algebraic_friction_keeps_the_restitution_of_oblique_motions() {
+    let (oblique, across) = (Vector3::new(1.0, 0.0, 1.0).normalize(), Vector3::y());
+    let w = oblique * oblique.transpose() + across * across.transpose();
+    for speed in [1e-4, 1.0] {
+        for friction in [0.1, 5.0] {
+            let before = -speed * (oblique + 0.2 * across);
+            let found = frictional_collision(&w, &before, friction, 0.5, RestitutionLaw::Algebraic);
+            let after = found.expect("an impact").after[0];
+            assert!((after / (-0.5 * before[0]) - 1.0).abs() < ROUNDING, "{speed} {friction}: {after}");
+        }
+    }
+}
+
 #[test]
 fn friction_of_mechanisms_balances_momentum_and_energy() {
     let (mut impacts, mut several) = (0, 0);
@@ -342,6 +358,11 @@ fn friction_of_mechanisms_balances_momentum_and_energy() {
         let EffectiveMass::Finite(_) = response.effective_mass else { continue };
         if !pose.rank().clear || pose.constraint_groups().iter().any(|g| g.least_singular_value < 1e-4) {
             continue;
+        }
+        for coefficient in [-0.1, f64::INFINITY, f64::NAN] {
+            let law = FrictionLaw { coefficient, restitution: RestitutionLaw::Energetic };
+            let refused = RigidImpact::with_friction(pose, &response, 0.7, 0.4, law, None);
+            assert!(matches!(refused, Err(ImpactError::Friction { .. })), "{}: {coefficient}", case.name);
         }
         for law in PROCESS_LAWS {
             let law = FrictionLaw { coefficient: 0.3, restitution: law };

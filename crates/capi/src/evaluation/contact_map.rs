@@ -50,6 +50,9 @@ pub unsafe extern "C" fn percuss_pose_describe(
         if rank.singular {
             remarks |= RemarkFlags::SINGULAR_POSE;
         }
+        if !rank.clear {
+            remarks |= RemarkFlags::UNCLEAR_RANK;
+        }
         *to = percuss_pose_state {
             degrees_of_freedom: pose.degrees_of_freedom(),
             rank: rank.rank,

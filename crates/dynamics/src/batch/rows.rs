@@ -10,7 +10,7 @@ use crate::batch::derivatives::{BatchDerivatives, velocity_count};
 use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_inputs::{BLOCK, BatchPositions, BatchRows, RowBlock};
-use crate::batch::row_remarks::{PositionLimits, RowGap};
+use crate::batch::row_remarks::RowGap;
 use crate::batch::row_results::{BatchAnswer, ContactStatus, RowColumns};
 use crate::batch::workspace::Workspace;
 use crate::kernels::kernel_contact;
@@ -55,7 +55,6 @@ struct Worker {
     /// Findings that hold at every configuration, and those of each result of the kernel.
     row_remarks: RemarkFlags,
     remarks: RemarkFlags,
-    limits: PositionLimits,
     /// Gap of the contact of the batch, if it is a named contact with a gap.
     gap: Option<RowGap>,
 }
@@ -102,7 +101,6 @@ impl Workspace {
             kernel: in_lanes,
             row_remarks: remarks,
             remarks: remarks | own,
-            limits: PositionLimits::of(model, false),
             gap,
         };
         let instructions = Instructions::best();
@@ -157,7 +155,7 @@ impl Batch {
             Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
             None => evaluate_row(&mut self.worker.workspace, &self.contact, positions, row_remarks),
         };
-        answer.remarks |= self.worker.limits.flags(|q| positions[q]);
+        answer.remarks |= self.worker.workspace.limits.flags(|q| positions[q]);
         if let Some(gap) = &mut self.worker.gap {
             answer.remarks |= gap.flags(self.assembly.model(), |q| positions[q]);
         }
@@ -278,7 +276,7 @@ impl Worker {
         rows: RowBlock<'_>,
         results: &mut RowColumns<'_, S>,
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, limits, gap, .. } = self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, gap, .. } = self;
         let (row_remarks, remarks) = (self.row_remarks, self.remarks);
         let (count, positions, of_rows) = (results.masses.len(), rows.positions, rows.contacts);
         results.statuses.fill(ContactStatus::Finite.into());
@@ -321,7 +319,7 @@ impl Worker {
             let mut own = [RemarkFlags::NONE; BLOCK];
             let mut is_plain = true;
             for (lane, own) in own[..here].iter_mut().enumerate() {
-                *own = limits.flags(|q| positions.at(start + lane, q));
+                *own = workspace.limits.flags(|q| positions.at(start + lane, q));
                 if let (Some(gap), None) = (gap.as_mut(), of_rows) {
                     *own |= gap.flags(workspace.assembly().model(), |q| positions.at(start + lane, q));
                 }

@@ -5,6 +5,7 @@ use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
+use crate::batch::row_remarks::PositionLimits;
 use crate::kernels::kernel_contact;
 use crate::kinematics::contact::{Contact, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
@@ -46,6 +47,8 @@ pub struct Workspace {
     quaternions: Vec<(JointId, Range<usize>)>,
     /// Residuals of a group of loops; a reusable buffer.
     residuals: Vec<f64>,
+    /// Joint limits.
+    pub(super) limits: PositionLimits,
     /// Gaps of the named contacts with a gap.
     gaps: Vec<(Contact, Gap)>,
     /// Pose of the root link in the world, if given.
@@ -112,6 +115,7 @@ impl Assembly {
             is_allocated: false,
             quaternions: quaternions(model),
             residuals: Vec::new(),
+            limits: PositionLimits::of(model, false),
             gaps: Gap::all(model),
             base: None,
             remarks: RemarkFlags::NONE,
@@ -151,7 +155,7 @@ impl Workspace {
         Ok(())
     }
 
-    /// Findings about the last result of [`effective_mass`](Self::effective_mass). Joint limits are not checked.
+    /// Findings about the last result of [`effective_mass`](Self::effective_mass).
     pub fn remarks(&self) -> RemarkFlags {
         self.remarks
     }
@@ -177,13 +181,15 @@ impl Workspace {
         self.base.filter(|_| contact.has_world_normal())
     }
 
-    /// [`RemarkFlags::OPEN_GAP`] if the contact is a named contact that does not touch at the current positions.
-    fn touch_flags(&mut self, contact: &Contact) -> RemarkFlags {
+    /// Findings about the current positions: joints outside their limits, and [`RemarkFlags::OPEN_GAP`] if the contact is a named contact
+    /// that does not touch.
+    fn position_flags(&mut self, contact: &Contact) -> RemarkFlags {
+        let of_limits = self.limits.flags(|q| self.kinematics.q[q]);
         let named = self.gaps.iter().find(|(named, _)| named == contact);
-        let Some((_, gap)) = named else { return RemarkFlags::NONE };
+        let Some((_, gap)) = named else { return of_limits };
         let model = self.assembly.model();
         self.kinematics.refill(model);
-        gap.open_at(model, &self.kinematics).map_or(RemarkFlags::NONE, |_| RemarkFlags::OPEN_GAP)
+        gap.open_at(model, &self.kinematics).map_or(of_limits, |_| of_limits | RemarkFlags::OPEN_GAP)
     }
 
     /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
@@ -222,9 +228,9 @@ impl Workspace {
     /// or open loops, if m̄ depends on them; motions of negative mass without a positive effective mass; a cluster of
     /// bodies that is too large.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
-        let touch = self.touch_flags(contact);
+        let of_positions = self.position_flags(contact);
         let (contact, flags) = self.contact_in_root(contact);
-        let flags = flags | touch;
+        let flags = flags | of_positions;
         self.remarks = flags;
         let contact = &contact;
         if self.kernel_contact.as_ref() != Some(contact) {
@@ -321,9 +327,9 @@ impl Workspace {
         velocities: &mut Vec<f64>,
     ) -> Result<WorkspaceResponse, ResponseError> {
         velocities.clear();
-        let touch = self.touch_flags(contact);
+        let of_positions = self.position_flags(contact);
         let (contact, flags) = self.contact_in_root(contact);
-        self.remarks = flags | touch;
+        self.remarks = flags | of_positions;
         self.prepare_recursion()?;
         let assembly = Arc::clone(&self.assembly);
         let model = assembly.model();
