@@ -12,6 +12,7 @@ mod closed_forms {
 /// Parameters for simulators.
 mod exports {
     mod measured;
+    mod simulated;
     mod snippets;
     mod stops;
 }

@@ -108,6 +108,16 @@ pub enum ExportError {
         /// Remedy.
         remedy: &'static str,
     },
+    /// Invalid, missing or unknown parameter of the tool.
+    #[error("{tool}: the parameter {name}: {why}")]
+    Parameter {
+        /// Tool.
+        tool: Tool,
+        /// Name of the parameter.
+        name: String,
+        /// Received and expected value.
+        why: String,
+    },
     /// Unknown name of a tool.
     #[error("\"{name}\" is not a tool that percuss supports{}; known: {known}", suggestion(.nearest))]
     UnknownTool {

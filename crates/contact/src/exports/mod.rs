@@ -19,6 +19,7 @@ mod linear;
 mod loops;
 mod request;
 mod rigid;
+mod simulated;
 mod simulators;
 mod single_precision;
 mod stops;
@@ -28,9 +29,11 @@ pub use error::ExportError;
 pub use export::{Export, Parameter, Penetration, Snippet, Value};
 pub use impact_function::ImpactFunction;
 pub use request::{MassDrift, Options, Request, StopMotion};
+pub use simulated::{ContactModel, SimulatedContact, SimulatedImpact};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
+use simulated::Given;
 
 /// One line per tool: the constant and the module with `FACTS` and `export`.
 macro_rules! tools {
@@ -46,6 +49,10 @@ macro_rules! tools {
 
         /// Export functions in the order of [`Tool::ALL`].
         const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$(simulators::$module::export),*];
+
+        /// Contacts of given parameters in the order of [`Tool::ALL`].
+        const SIMULATED: [fn(&mut Given) -> Result<Vec<SimulatedContact>, ExportError>; Tool::ALL.len()] =
+            [$(simulators::$module::simulated),*];
     };
 }
 
@@ -106,5 +113,28 @@ impl Tool {
         gravity::add_assumption(request, &mut export);
         let (export, drift_error) = drift::add_drift_error(request, export);
         export.check_finite()?.check_error_bound(request, drift_error)
+    }
+
+    /// Contact with given parameters of the tool, in each of its solvers that they describe: the inverse of [`export`](Self::export).
+    ///
+    /// `mass`: m̄, kg. `parameters`: numbers by the names of an [`Export`]; optional are numbers that only determine an error of the tool.
+    /// The law holds in the limit of small time steps; the damping that implicit Euler adds at the given step is included.
+    ///
+    /// # Errors
+    /// [`ExportError`]: a parameter is missing, unknown or out of range, or has a value for which the impact is not known (friction).
+    pub fn simulated(
+        self,
+        mass: f64,
+        parameters: &[(String, Vec<f64>)],
+    ) -> Result<Vec<SimulatedContact>, ExportError> {
+        let mut given = Given::new(self, mass, parameters)?;
+        let (_, simulated) = Self::ALL
+            .into_iter()
+            .zip(SIMULATED)
+            .find(|(tool, _)| *tool == self)
+            .expect("a tool is one of all");
+        let found = simulated(&mut given)?;
+        given.finish()?;
+        Ok(found)
     }
 }

@@ -1,6 +1,7 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::single_precision;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 
@@ -127,4 +128,15 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
          240 Hz",
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let stiffness = given.positive("contactStiffness")? / 2.0;
+    let damping = 2.0 * given.number("contactDamping")?;
+    let step = given.positive("fixedTimeStep")?;
+    for name in ["restitution", "lateralFriction", "rollingFriction", "spinningFriction", "contactSlop"] {
+        given.assume(name, 0.0)?;
+    }
+    Ok(vec![SimulatedContact::implicit(given, stiffness, damping, step)?])
 }

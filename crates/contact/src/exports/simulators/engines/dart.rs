@@ -1,6 +1,7 @@
 //! DART: a coefficient of restitution.
 
 use crate::exports::rigid;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -84,4 +85,16 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     export.add_assumption("The joints have no damping, springs or friction of their own, as by default.");
     export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let restitution =
+        given.restitution("RestitutionCoeff")? * given.optional("RestitutionCoeff_other")?.unwrap_or(1.0);
+    given.assume("FrictionCoeff", 0.0)?;
+    given.optional("TimeStep")?;
+    // A rebound below 0.1 m/s, or a coefficient below 0.001, counts as none.
+    let restitution = if restitution < limits::DART_LEAST { 0.0 } else { restitution };
+    let slowest = if restitution > 0.0 { limits::DART_SLOWEST / restitution } else { 0.0 };
+    Ok(vec![SimulatedContact::of(ContactModel::Rigid { restitution, slowest })])
 }

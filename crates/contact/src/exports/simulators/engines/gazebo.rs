@@ -2,6 +2,7 @@
 
 use crate::error::{LawParameter, positive};
 use crate::exports::rigid;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -106,4 +107,15 @@ fn sdf_document(e: f64, step: Option<f64>) -> String {
         model("struck", e),
         model("other", 1.0)
     )
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let other = given.optional("other_restitution_coefficient")?.unwrap_or(1.0);
+    let restitution = given.restitution("restitution_coefficient")? * other;
+    given.assume("mu", 0.0)?;
+    given.optional("max_step_size")?;
+    let restitution = if restitution < limits::DART_LEAST { 0.0 } else { restitution };
+    let slowest = if restitution > 0.0 { limits::DART_SLOWEST / restitution } else { 0.0 };
+    Ok(vec![SimulatedContact::of(ContactModel::Rigid { restitution, slowest })])
 }

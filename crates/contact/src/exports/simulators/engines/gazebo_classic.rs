@@ -1,6 +1,7 @@
 //! Gazebo Classic with ODE: the `<surface>` of an SDF collision.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -85,4 +86,14 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
          depends on where within a step the contact begins",
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (stiffness, damping) = (given.positive("kp")? / 2.0, 2.0 * given.number("kd")?);
+    let step = given.positive("max_step_size")?;
+    given.assume("min_depth", 0.0)?;
+    given.assume("mu", 0.0)?;
+    given.optional("max_vel")?;
+    Ok(vec![SimulatedContact::implicit(given, stiffness, damping, step)?])
 }

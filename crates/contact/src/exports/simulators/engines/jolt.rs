@@ -2,6 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::rigid;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -167,4 +168,16 @@ fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
     } else {
         (velocity_step_count.max(limits::JOLT_LOOP_VELOCITY_STEPS), false)
     })
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let restitution = given.restitution("mRestitution")?;
+    let slowest = given.optional("mMinVelocityForRestitution")?.unwrap_or(1.0);
+    for name in ["mFriction", "mLinearDamping", "mAngularDamping"] {
+        given.assume(name, 0.0)?;
+    }
+    given.optional("mNumVelocitySteps")?;
+    given.optional("inDeltaTime")?;
+    Ok(vec![SimulatedContact::of(ContactModel::Rigid { restitution, slowest })])
 }

@@ -1,6 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct and in the standard format.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
@@ -211,4 +212,35 @@ fn add_assumptions(export: &mut Export, request: &Request, linear: &Linear) {
     if linear.ratio == 0.0 {
         export.cannot.push("the standard format: without damping its time constant is infinite");
     }
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let solref = given.numbers::<2>("solref")?.ok_or_else(|| given.refuse("solref", "it is required"))?;
+    let [d, dw, _] = given.numbers::<3>("solimp")?.unwrap_or([0.9, 0.95, 0.001]);
+    if d != dw || !(0.0001..=0.9999).contains(&d) {
+        let why = "the impedance changes with the penetration, and the law is not linear; expected the same number twice, from 0.0001 to 0.9999 \
+            (without solimp: 0.9 0.95)";
+        return Err(given.refuse("solimp", why));
+    }
+    let alpha = given.optional("diagonal_ratio")?.unwrap_or(1.0);
+    let step = given.optional("timestep")?;
+    let scale = d + (1.0 - d) * alpha;
+    // Both formats give the acceleration −(ω² x + 2ζω ẋ) d/(d + (1−d)α), with ω² and 2ζω divided by d.
+    let [per_square, per_second] = match solref {
+        [stiffness, damping] if stiffness < 0.0 && damping <= 0.0 => [-stiffness, -damping],
+        [timeconst, dampratio] if timeconst > 0.0 && dampratio > 0.0 => {
+            // refsafe raises a time constant below two steps.
+            let timeconst = timeconst.max(2.0 * step.unwrap_or(0.0));
+            [1.0 / (timeconst * dampratio).powi(2), 2.0 / timeconst]
+        }
+        [first, second] => {
+            let why = format!(
+                "{first:?} {second:?}; expected −stiffness −damping, both negative, or timeconst dampratio, both positive"
+            );
+            return Err(given.refuse("solref", why));
+        }
+    };
+    let of_mass = given.mass() / scale;
+    Ok(vec![SimulatedContact::explicit(given, of_mass * per_square, of_mass * per_second, step)?])
 }

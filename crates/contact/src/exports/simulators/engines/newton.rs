@@ -2,6 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::linear::{Linear, UnclampedLinear};
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::single_precision;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
@@ -175,4 +176,19 @@ pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
         "stops in XPBD: it holds limits rigidly, without restitution, and does not read limit_ke and limit_kd; SemiImplicit: its joints are springs",
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (stiffness, damping) = (given.positive("ke")?, given.number("kd")?);
+    let restitution = given.optional("restitution")?;
+    given.assume("kf", 0.0)?;
+    given.assume("mu", 0.0)?;
+    given.optional("dt")?;
+    given.optional("dt_xpbd")?;
+    let (contact, damper) = given.linear(stiffness, damping, Separation::ForceVanishes)?;
+    let penalty = SimulatedContact::of(ContactModel::ApproachDamper(contact, damper));
+    let rigid = |restitution| SimulatedContact::of(ContactModel::Rigid { restitution, slowest: 0.0 });
+    let free_bodies = restitution.map(|restitution| rigid(restitution).of_solver("XPBD, free bodies"));
+    Ok([penalty.of_solver("SemiImplicit, Featherstone")].into_iter().chain(free_bodies).collect())
 }

@@ -1,6 +1,7 @@
 //! Open Dynamics Engine: soft contacts by ERP and CFM.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -152,4 +153,16 @@ pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
 pub(crate) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64) {
     let sum = step * stiffness + damping;
     (step * stiffness / sum, 1.0 / sum)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (erp, cfm) = (given.positive("soft_erp")?, given.positive("soft_cfm")?);
+    let step = given.positive("time_step")?;
+    if erp > 1.0 {
+        return Err(given.refuse("soft_erp", format!("{erp:?}; expected a number above 0, at most 1")));
+    }
+    // The inverse of `erp_and_cfm`.
+    let (stiffness, damping) = (erp / (step * cfm), (1.0 - erp) / cfm);
+    Ok(vec![SimulatedContact::implicit(given, stiffness, damping, step)?])
 }

@@ -2,6 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::linear::{Linear, UnclampedLinear};
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::single_precision;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
@@ -200,4 +201,30 @@ pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
          and high); TGS and mechanisms of several bodies: not measured",
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let stiffness = given.positive("compliant_contact_stiffness")?;
+    let step = given.positive("dt")?;
+    let position_iterations =
+        given.optional("tgs_position_iterations")?.unwrap_or(limits::TGS_POSITION_ITERATIONS);
+    given.assume("tgs_velocity_iterations", 0.0)?;
+    let solvers = [
+        ("PGS", "compliant_contact_damping", step),
+        ("TGS", "compliant_contact_damping_tgs", step / position_iterations),
+    ];
+    let mut found = Vec::new();
+    for (solver, name, step) in solvers {
+        if let Some(damping) = given.optional(name)? {
+            found.push(SimulatedContact::implicit(given, stiffness, damping, step)?.of_solver(solver));
+        }
+    }
+    if found.is_empty() {
+        return Err(given.refuse(
+            "compliant_contact_damping",
+            "it is required, or compliant_contact_damping_tgs for TGS",
+        ));
+    }
+    Ok(found)
 }

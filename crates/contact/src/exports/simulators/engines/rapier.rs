@@ -1,6 +1,7 @@
 //! Rapier: a coefficient of restitution.
 
 use crate::exports::rigid;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -75,4 +76,12 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         .cannot
         .push("stiffness, penetration, duration, peak force: the contact's softness only removes overlap");
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let restitution = given.restitution("restitution")?;
+    given.assume("multibody_damping", 0.0)?;
+    given.optional("dt")?;
+    Ok(vec![SimulatedContact::of(ContactModel::Rigid { restitution, slowest: 0.0 })])
 }

@@ -1,6 +1,7 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
 use crate::ContactLawError;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, ImpactFunction, Request, Tool};
 use crate::limits;
 
@@ -88,4 +89,14 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         ),
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (stiffness, exponent) = (given.positive("stiffness")?, given.positive("exponent")?);
+    let contact = given.contact(stiffness, exponent)?;
+    let (damping, depth) = (given.number("cmax")?, given.positive("d")?);
+    given.optional("HMAX")?;
+    given.optional("ERROR")?;
+    Ok(vec![SimulatedContact::of(ContactModel::ImpactFunction { contact, damping, depth })])
 }

@@ -2,6 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::{Damper, LawParameter, Separation, kelvin_voigt};
 
@@ -201,4 +202,26 @@ fn add_assumptions(export: &mut Export, own: f64, other: f64) {
         "Collisions are found in single precision: place contacts with a small penetration near the \
         origin.",
     );
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let effective = given.positive("m_eff")?;
+    let step = given.optional("step")?;
+    let modulus = given.optional("E_eff·sqrt(R_eff)")?;
+    let of_radius = given.optional("E_eff")?.map(|modulus| modulus * BULLET_RADIUS.sqrt());
+    let cr = given.optional("cr")?;
+    let (stiffness, damping) = (given.optional("kn")?, given.optional("gn")?);
+    if let Some((stiffness, damping)) = stiffness.zip(damping) {
+        return Ok(vec![SimulatedContact::explicit(given, stiffness, damping * effective, step)?]);
+    }
+    let (Some(modulus), Some(cr)) = (modulus.or(of_radius), cr) else {
+        return Err(
+            given.refuse("kn", "it is required with gn (Hooke), or E_eff·sqrt(R_eff) with cr (Hertz)")
+        );
+    };
+    let contact = given.contact(modulus / 0.75, 1.5)?;
+    let ratio = kelvin_voigt::ratio(cr, Separation::GapCloses)? * (effective / given.mass()).sqrt();
+    let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes)?;
+    Ok(vec![SimulatedContact::of(ContactModel::Compliant(contact, damper))])
 }

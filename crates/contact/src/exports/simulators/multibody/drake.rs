@@ -4,6 +4,7 @@ use crate::limits;
 use std::f64::consts::PI;
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::{Damper, hunt_crossley};
 
@@ -224,4 +225,32 @@ fn add_assumptions(export: &mut Export, request: &Request, number: f64) {
             .cannot
             .push("constraints (loops, mimics, locks) in a continuous plant: its constraints are for discrete plants (SAP) only");
     }
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let stiffness = given.positive("point_contact_stiffness")? / 2.0;
+    let dissipation = given.optional("hunt_crossley_dissipation")?;
+    let relaxation = given.optional("relaxation_time")?;
+    let step = given.optional("time_step_sap")?;
+    for name in ["time_step_lagged", "accuracy", "max_step_size"] {
+        given.optional(name)?;
+    }
+    let mut found = Vec::new();
+    if let Some(dissipation) = dissipation {
+        let contact = given.contact(stiffness, 1.0)?;
+        let model = ContactModel::Compliant(contact, Damper::hunt_crossley(dissipation)?);
+        found.push(SimulatedContact::of(model).of_solver("continuous, lagged"));
+    }
+    if let Some(relaxation) = relaxation {
+        let step =
+            step.ok_or_else(|| given.refuse("time_step_sap", "it is required with relaxation_time"))?;
+        let damping = 2.0 * relaxation * stiffness;
+        found.push(SimulatedContact::implicit(given, stiffness, damping, step)?.of_solver("SAP"));
+    }
+    if found.is_empty() {
+        let why = "it is required, or relaxation_time with time_step_sap";
+        return Err(given.refuse("hunt_crossley_dissipation", why));
+    }
+    Ok(found)
 }

@@ -1,6 +1,7 @@
 //! Exudyn: ObjectContactSphereSphere with a linear spring and damper.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};
@@ -101,4 +102,17 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     export.add_assumption("The solver is the default of SolveDynamic, generalized alpha, with adaptive steps (the default too).");
     export.add_assumption("A plane is a sphere of a radius much larger than the penetration.");
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (stiffness, damping) = (given.positive("contactStiffness")?, given.number("contactDamping")?);
+    given.assume("contactStiffnessExponent", 1.0)?;
+    given.assume("impactModel", 0.0)?;
+    given.assume("dynamicFriction", 0.0)?;
+    for name in ["stepSize", "discontinuous.iterationTolerance", "discontinuous.maxIterations"] {
+        given.optional(name)?;
+    }
+    let (contact, damper) = given.linear(stiffness, damping, Separation::GapCloses)?;
+    Ok(vec![SimulatedContact::of(ContactModel::Compliant(contact, damper))])
 }

@@ -1,6 +1,7 @@
 //! OpenSim and Simbody: HuntCrossleyForce.
 
 use crate::exports::impact_function::ImpactFunction;
+use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Damper, hunt_crossley};
@@ -87,4 +88,14 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         ),
     );
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let stiffness = given.positive("stiffness·sqrt(R)")? * std::f64::consts::SQRT_2 / 3.0;
+    let dissipation = 1.5 * given.number("dissipation")?;
+    given.optional("integrator_accuracy")?;
+    given.optional("maximum_step_size")?;
+    let contact = given.contact(stiffness, 1.5)?;
+    Ok(vec![SimulatedContact::of(ContactModel::Compliant(contact, Damper::hunt_crossley(dissipation)?))])
 }

@@ -1,6 +1,7 @@
 //! Simscape Multibody: the Spatial Contact Force block.
 
 use crate::exports::linear::Linear;
+use crate::exports::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
 
@@ -73,4 +74,13 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     export.add_assumption("Friction off.");
     Ok(export)
+}
+
+/// Contact of given parameters.
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+    let (stiffness, damping) = (given.positive("Stiffness")?, given.number("Damping")?);
+    for name in ["Transition Region Width", "RelTol", "AbsTol"] {
+        given.optional(name)?;
+    }
+    Ok(vec![SimulatedContact::explicit(given, stiffness, damping, None)?])
 }

@@ -1,0 +1,305 @@
+//! Impact that a simulator computes with given parameters: the inverse of an export.
+
+use super::linear::Linear;
+use super::{ExportError, ImpactFunction, Options, Request, Tool};
+use crate::error::{LawParameter, not_negative, positive};
+use crate::{CompliantContact, ContactLawError, Damper, Separation, limits};
+
+/// Contact as a simulator integrates it, in the limit of small time steps. Implicit Euler adds the damping of its step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ContactModel {
+    /// Spring and damper.
+    Compliant(CompliantContact, Damper),
+    /// Spring, and a damper that acts only during the approach.
+    ApproachDamper(CompliantContact, Damper),
+    /// Spring k xᵖ, and a damping that increases to c over the depth d (the function IMPACT of Adams).
+    ImpactFunction {
+        /// Effective mass and spring.
+        contact: CompliantContact,
+        /// c, N·s/m.
+        damping: f64,
+        /// d, m.
+        depth: f64,
+    },
+    /// Newton's restitution.
+    Rigid {
+        /// Coefficient of restitution.
+        restitution: f64,
+        /// Approach speed below which there is no rebound, m/s.
+        slowest: f64,
+    },
+}
+
+/// Contact in one solver of a simulator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SimulatedContact {
+    /// Solver or mode of the tool, empty if there is only one.
+    pub solver: &'static str,
+    /// Law of the contact.
+    pub model: ContactModel,
+    step: Step,
+}
+
+/// Time step of a linear contact with a known error bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Step {
+    Unknown,
+    Explicit(f64),
+    Implicit(f64),
+}
+
+/// Impact in a simulator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SimulatedImpact {
+    /// Rebound speed divided by approach speed.
+    pub restitution: f64,
+    /// Error bound of the restitution at the time step, for every start of the contact within a step. `None` if unknown.
+    pub error_bound: Option<f64>,
+    /// Duration of the contact, s. `None` for a rigid contact, for the function IMPACT, and for a gap that never closes.
+    pub duration: Option<f64>,
+    /// Largest penetration, m. `None` for a rigid contact.
+    pub max_penetration: Option<f64>,
+    /// Largest force, N. `None` for a rigid contact and for the function IMPACT.
+    pub peak_force: Option<f64>,
+    /// Lost energy ½ m̄ v² (1 − e²), J.
+    pub energy_lost: f64,
+}
+
+impl SimulatedContact {
+    /// Contact of the only solver, without an error bound.
+    pub(super) fn of(model: ContactModel) -> Self {
+        Self { solver: "", model, step: Step::Unknown }
+    }
+
+    /// Linear contact with the damping c (N·s/m) that ends when the force vanishes, for an explicit method with a time step (s), if given.
+    pub(super) fn explicit(
+        given: &Given,
+        stiffness: f64,
+        damping: f64,
+        step: Option<f64>,
+    ) -> Result<Self, ExportError> {
+        let (contact, damper) = given.linear(stiffness, damping, Separation::ForceVanishes)?;
+        let step = step.map_or(Step::Unknown, Step::Explicit);
+        Ok(Self { step, ..Self::of(ContactModel::Compliant(contact, damper)) })
+    }
+
+    /// As [`explicit`](Self::explicit) for implicit Euler, which adds h k to the damping.
+    pub(super) fn implicit(
+        given: &Given,
+        stiffness: f64,
+        damping: f64,
+        step: f64,
+    ) -> Result<Self, ExportError> {
+        let explicit = Self::explicit(given, stiffness, damping + step * stiffness, None)?;
+        Ok(Self { step: Step::Implicit(step), ..explicit })
+    }
+
+    /// The same contact of a named solver.
+    pub(super) fn of_solver(self, solver: &'static str) -> Self {
+        Self { solver, ..self }
+    }
+
+    /// Impact of the effective mass m̄ (kg) at an approach speed (m/s).
+    ///
+    /// Errors: a number is out of range; overflow; the contact of IMPACT does not end.
+    pub fn impact(&self, mass: f64, speed: f64) -> Result<SimulatedImpact, ContactLawError> {
+        let (mass, speed) = (positive(LawParameter::Mass, mass)?, positive(LawParameter::Speed, speed)?);
+        let energy_lost = |e: f64| 0.5 * mass * speed * speed * (1.0 - e * e);
+        let rigid = |restitution| SimulatedImpact {
+            restitution,
+            error_bound: None,
+            duration: None,
+            max_penetration: None,
+            peak_force: None,
+            energy_lost: energy_lost(restitution),
+        };
+        Ok(match self.model {
+            ContactModel::Compliant(contact, damper) => {
+                let impact = damper.impact(contact, speed)?;
+                SimulatedImpact {
+                    error_bound: self.error_bound(contact, impact.restitution),
+                    duration: impact.duration,
+                    max_penetration: Some(impact.max_penetration),
+                    peak_force: Some(impact.peak_force),
+                    ..rigid(impact.restitution)
+                }
+            }
+            ContactModel::ApproachDamper(contact, damper) => {
+                // Approach as with the damper. Return on the spring alone: the speed ω x_m of the largest penetration x_m = (v/ω)√e_b, after
+                // a quarter of a period.
+                let approach = damper.impact(contact, speed)?;
+                let frequency = (contact.stiffness() / contact.mass()).sqrt();
+                let quarter = std::f64::consts::FRAC_PI_2 / frequency;
+                SimulatedImpact {
+                    duration: Some(approach.time_of_max_penetration + quarter),
+                    max_penetration: Some(approach.max_penetration),
+                    peak_force: Some(approach.peak_force),
+                    ..rigid(approach.restitution.sqrt())
+                }
+            }
+            ContactModel::ImpactFunction { contact, damping, depth } => {
+                let (p, k) = (contact.exponent(), contact.stiffness());
+                let undamped = ImpactFunction::undamped_penetration(p, mass, k, speed)?;
+                let function = ImpactFunction::new(p, depth / undamped)?;
+                // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
+                let number = damping * undamped / (0.5 * (p + 1.0) * mass * speed);
+                SimulatedImpact {
+                    max_penetration: Some(function.penetration(number)? * undamped),
+                    error_bound: Some(limits::ADAMS_ERROR),
+                    ..rigid(function.restitution(number)?)
+                }
+            }
+            ContactModel::Rigid { restitution, slowest } => {
+                rigid(if speed < slowest { 0.0 } else { restitution })
+            }
+        })
+    }
+
+    /// Error bound of the restitution of a linear contact at the time step.
+    fn error_bound(&self, contact: CompliantContact, restitution: f64) -> Option<f64> {
+        let options = Options::default();
+        let linear =
+            Linear::of(&Request { contact, restitution, speed: None, options }, Tool::MUJOCO).ok()?;
+        match self.step {
+            Step::Unknown => None,
+            Step::Explicit(step) => Some(linear.error_bound(step)),
+            Step::Implicit(step) => Some(linear.implicit_error_bound(step)),
+        }
+    }
+
+    /// Penetration at rest under a force (N) along the normal: k xᵖ = F, m. `None` for a rigid contact. Error: the force is negative or not
+    /// finite.
+    pub fn penetration_at_rest(&self, force: f64) -> Result<Option<f64>, ContactLawError> {
+        let force = not_negative(LawParameter::Load, force)?;
+        Ok(match self.model {
+            ContactModel::Compliant(contact, _)
+            | ContactModel::ApproachDamper(contact, _)
+            | ContactModel::ImpactFunction { contact, .. } => {
+                Some((force / contact.stiffness()).powf(1.0 / contact.exponent()))
+            }
+            ContactModel::Rigid { .. } => None,
+        })
+    }
+}
+
+/// Parameters of a tool, by their names in an [`Export`](super::Export); each is read once.
+pub(super) struct Given<'a> {
+    tool: Tool,
+    mass: f64,
+    parameters: &'a [(String, Vec<f64>)],
+    known: Vec<&'static str>,
+}
+
+impl<'a> Given<'a> {
+    /// Parameters for a contact with the effective mass m̄, kg. Errors: m̄ is not above 0; a name is given twice; a number is not finite.
+    pub(super) fn new(
+        tool: Tool,
+        mass: f64,
+        parameters: &'a [(String, Vec<f64>)],
+    ) -> Result<Self, ExportError> {
+        let given = Self { tool, mass: positive(LawParameter::Mass, mass)?, parameters, known: Vec::new() };
+        for (index, (name, numbers)) in parameters.iter().enumerate() {
+            if parameters[..index].iter().any(|(other, _)| other == name) {
+                return Err(given.refuse(name, "it is given twice"));
+            }
+            if numbers.is_empty() || !numbers.iter().all(|number| number.is_finite()) {
+                return Err(given.refuse(name, "expected finite numbers"));
+            }
+        }
+        Ok(given)
+    }
+
+    /// Effective mass, kg.
+    pub(super) fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Error of a parameter.
+    pub(super) fn refuse(&self, name: &str, why: impl Into<String>) -> ExportError {
+        ExportError::Parameter { tool: self.tool, name: name.to_owned(), why: why.into() }
+    }
+
+    /// N numbers; `None` if they are not given. Error: another count.
+    pub(super) fn numbers<const N: usize>(
+        &mut self,
+        name: &'static str,
+    ) -> Result<Option<[f64; N]>, ExportError> {
+        self.known.push(name);
+        let Some((_, numbers)) = self.parameters.iter().find(|(given, _)| given == name) else {
+            return Ok(None);
+        };
+        let wrong_count = || {
+            let why = format!("{} numbers; expected {N}", numbers.len());
+            self.refuse(name, why)
+        };
+        numbers.as_slice().try_into().map(Some).map_err(|_| wrong_count())
+    }
+
+    /// A number; `None` if it is not given. Error: several numbers.
+    pub(super) fn optional(&mut self, name: &'static str) -> Result<Option<f64>, ExportError> {
+        Ok(self.numbers::<1>(name)?.map(|[number]| number))
+    }
+
+    /// A number. Error: it is missing.
+    pub(super) fn number(&mut self, name: &'static str) -> Result<f64, ExportError> {
+        self.optional(name)?.ok_or_else(|| self.refuse(name, "it is required"))
+    }
+
+    /// A number above 0. Errors: it is missing, or not above 0.
+    pub(super) fn positive(&mut self, name: &'static str) -> Result<f64, ExportError> {
+        let number = self.number(name)?;
+        if number > 0.0 {
+            Ok(number)
+        } else {
+            Err(self.refuse(name, format!("{number:?}; expected a number above 0")))
+        }
+    }
+
+    /// A parameter with the only value for which the impact is known. Error: another value.
+    pub(super) fn assume(&mut self, name: &'static str, value: f64) -> Result<(), ExportError> {
+        match self.optional(name)? {
+            Some(number) if number != value => {
+                Err(self.refuse(name, format!("{number:?}; the impact is known for {value:?}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A coefficient of restitution. Errors: it is missing, or not from 0 to 1.
+    pub(super) fn restitution(&mut self, name: &'static str) -> Result<f64, ExportError> {
+        let number = self.number(name)?;
+        if (0.0..=1.0).contains(&number) {
+            return Ok(number);
+        }
+        Err(self.refuse(name, format!("{number:?}; expected a number from 0 to 1")))
+    }
+
+    /// Spring k xᵖ. Errors: as [`CompliantContact`].
+    pub(super) fn contact(&self, stiffness: f64, exponent: f64) -> Result<CompliantContact, ExportError> {
+        Ok(CompliantContact::new(self.mass, stiffness)?.with_exponent(exponent)?)
+    }
+
+    /// Linear spring and damper. Errors: as [`Damper::kelvin_voigt_from_coefficient`].
+    pub(super) fn linear(
+        &self,
+        stiffness: f64,
+        damping: f64,
+        separation: Separation,
+    ) -> Result<(CompliantContact, Damper), ExportError> {
+        let contact = self.contact(stiffness, 1.0)?;
+        let damper = Damper::kelvin_voigt_from_coefficient(contact, damping, separation)?;
+        Ok((contact, damper))
+    }
+
+    /// Refuses a parameter that was not read.
+    pub(super) fn finish(&self) -> Result<(), ExportError> {
+        match self.parameters.iter().find(|(name, _)| !self.known.contains(&name.as_str())) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let why = format!("it is not read; known: {}", self.known.join(", "));
+                Err(self.refuse(name, why))
+            }
+        }
+    }
+}
