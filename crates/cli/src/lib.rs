@@ -73,6 +73,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Template(args) => commands::suspension::template::run(args),
         Command::Import(args) => commands::suspension::import::run(args),
         Command::Damp(args) => commands::damp::run(args),
+        Command::Restitution(args) => commands::impacts::restitution::run(args),
         Command::SafeSpeed(args) => commands::impacts::safe_speed::run(args),
         Command::Impact(args) => commands::impacts::rigid_impact::run(args),
         Command::Extremes(args) => commands::impacts::extremes::run(args),

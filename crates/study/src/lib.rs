@@ -77,6 +77,7 @@ pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, ModelTable};
 pub use question::tables::report::StudyReport;
+pub use question::tables::restitution::{RestitutionQuestion, ToolParameter};
 pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
 pub use question::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepQuestion, TableUnit,
@@ -133,6 +134,7 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
+pub use reports::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,

@@ -1,11 +1,11 @@
-//! Flags of `percuss damp` and of `percuss safe-speed`.
+//! Flags of `percuss damp`, `percuss restitution` and `percuss safe-speed`.
 
 use super::contact::ContactArgs;
 use super::model::ReadingArgs;
 use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
-use percuss_study::{DampingQuestion, JointStop, Mass, SafeSpeedQuestion};
+use percuss_study::{DampingQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion};
 
 /// Heading in the help: source of the effective mass.
 const FROM: &str = "Effective mass";
@@ -56,6 +56,26 @@ pub struct DampArgs {
     pub output: Option<String>,
     #[command(flatten)]
     pub writing: WritingArgs,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+}
+
+/// Flags of `percuss restitution`.
+#[derive(Debug, Args)]
+pub struct RestitutionArgs {
+    /// URDF file; - reads the standard input. Without it, --mass.
+    #[arg(required_unless_present = "mass")]
+    pub model: Option<String>,
+    /// Effective mass (kg), in place of a contact of a model.
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "model", help_heading = FROM)]
+    pub mass: Option<Mass>,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    #[command(flatten)]
+    pub restitution: RestitutionQuestion,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,

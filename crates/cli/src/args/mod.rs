@@ -17,7 +17,7 @@ mod value_parsers;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
-pub use damping::{DampArgs, SafeSpeedArgs};
+pub use damping::{DampArgs, RestitutionArgs, SafeSpeedArgs};
 pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, LanguageName, ModelFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
@@ -128,6 +128,14 @@ pub enum Command {
         override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z\n                    --normal X,Y,Z …) --stiffness K --restitution E [--speed V]\n                    [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
+    /// Restitution, peak force and penetration of a given spring and damper, or of parameters of a simulator.
+    ///
+    /// The inverse of percuss damp.
+    #[command(
+        after_help = examples::RESTITUTION,
+        override_usage = "percuss restitution (MODEL (--at NAME | --link L --point X,Y,Z --normal X,Y,Z) | --mass KG)\n                           (--stiffness K (--damping C | --hunt-crossley D)\n                            | --tool NAME --parameter NAME=VALUE…) --speed V"
+    )]
+    Restitution(Box<RestitutionArgs>),
     /// Largest safe speed of a robot that may hit a person.
     ///
     /// Transient contact of ISO/TS 15066, computed with the effective mass.

@@ -44,9 +44,10 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 8] = [
+const KEPT: [(&str, &str); 9] = [
     ("mass", "mass"),
     ("damp", "damping"),
+    ("restitution", "restitution"),
     ("sweep", "sweep"),
     ("map", "map"),
     ("safe-speed", "safe_speed"),

@@ -3,7 +3,7 @@
 use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::damp;
-use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
+use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
 use crate::commands::map;
 use crate::commands::mass::{self, contact_list};
 use crate::commands::report;
@@ -135,6 +135,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
             }
         }));
     }
+    if let Some(report) = with_findings(study.restitution_report(first), &study.model)? {
+        prints.push(Box::new(move || restitution::show(&report, CheckFormat::Text, strict)));
+    }
     if let Some(report) = with_findings(study.impact_report(first), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
@@ -229,6 +232,7 @@ fn contact_print<'a>(
 fn note_left_out(study: &StudyFile, format: MassFormat) {
     let is_json = format == MassFormat::Json;
     let tables = [
+        ("[restitution]", study.restitution.is_some()),
         ("[impact]", study.impact.is_some() && !is_json),
         ("[extremes]", study.extremes.is_some() && !is_json),
         ("[kinematics]", study.kinematics.is_some()),
@@ -283,6 +287,7 @@ fn write_additional_findings(
 fn note_single_contact(study: &StudyFile) {
     let tables = [
         ("[mass]", study.mass != MassOptions::default()),
+        ("[restitution]", study.restitution.is_some()),
         ("[impact]", study.impact.is_some()),
         ("[extremes]", study.extremes.is_some()),
         ("[safe_speed]", study.safe_speed.is_some()),

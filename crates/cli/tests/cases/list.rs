@@ -21,6 +21,7 @@ crate::pages! {
     impacts_free_body "crates/cli/tests/cases/impacts/free_body.md",
     impacts_moments "crates/cli/tests/cases/impacts/moments.md",
     impacts_reflected "crates/cli/tests/cases/impacts/reflected.md",
+    impacts_restitution "crates/cli/tests/cases/impacts/restitution.md",
     impacts_rigid_impact "crates/cli/tests/cases/impacts/rigid_impact.md",
     impacts_safe_speed "crates/cli/tests/cases/impacts/safe_speed.md",
     limits_input_rules "crates/cli/tests/cases/limits/input_rules.md",

@@ -68,7 +68,7 @@ pub struct SimulatedImpact {
 
 impl SimulatedContact {
     /// Contact of the only solver, without an error bound.
-    pub(super) fn of(model: ContactModel) -> Self {
+    pub fn of(model: ContactModel) -> Self {
         Self { solver: "", model, step: Step::Unknown }
     }
 

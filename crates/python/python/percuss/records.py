@@ -1428,6 +1428,29 @@ class ReactionRecord(Record):
     """Largest moment in a compliant contact, N·m; None without a contact law."""
 
 
+class ReboundRecord(Record):
+    """Impact at one approach speed."""
+
+    solver: str
+    """Solver or mode of the simulator; empty if there is only one."""
+    speed: float
+    """Approach speed, m/s."""
+    restitution: float
+    """Rebound speed divided by approach speed."""
+    error_bound: float | None
+    """Error bound of the restitution at the time step of the simulator; None if unknown, and without a simulator."""
+    rebound_speed: float
+    """Rebound speed, m/s."""
+    contact_duration: float | None
+    """Duration of the contact, s; None for a rigid contact, for Adams, and if the gap never closes."""
+    max_penetration: float | None
+    """Largest penetration, m; None for a rigid contact."""
+    peak_force: float | None
+    """Largest force, N; None for a rigid contact and for Adams."""
+    energy_lost: float
+    """Lost energy, J."""
+
+
 class ReflectedRangeRecord(Record):
     """Inertia reflected to a joint over a range of its positions."""
 
@@ -1539,10 +1562,46 @@ class RequestReport(Record):
     """The contact at its pose, with the results of "[mass]" and the damper of "[damping]"."""
     mass_problem: str | None
     """Reason for a missing effective mass at the pose, for a study with a sweep or variants."""
+    restitution: RestitutionReport | None
+    """Restitution of a spring and damper."""
     safe_speed: list[SafeSpeedReport] | None
     """Safe speeds."""
     sweep: SweepReport | None
     """Rows of the sweep."""
+
+
+class RestRecord(Record):
+    """Penetration at rest."""
+
+    solver: str
+    """Solver or mode of the simulator; empty if there is only one."""
+    load: float
+    """Force along the normal, N."""
+    penetration: float | None
+    """Penetration, m; None for a rigid contact."""
+
+
+class RestitutionReport(Record):
+    """Report of "percuss restitution", as JSON."""
+
+    schema: str
+    """"percuss.restitution/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files; empty if the mass is given directly."""
+    effective_mass: float
+    """m̄, kg."""
+    named_contact: NamedContactRecord | None
+    """Named contact; None for a contact given by link, point and normal."""
+    tool: str | None
+    """Simulator; None for a given spring and damper."""
+    impacts: list[ReboundRecord]
+    """Impacts, for each solver in the order of the speeds."""
+    at_rest: list[RestRecord]
+    """Penetration at rest in each solver; empty without a load."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""
 
 
 class RotorSensitivity(Record):

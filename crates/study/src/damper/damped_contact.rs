@@ -136,7 +136,10 @@ pub(crate) fn no_damper(status: Status) -> String {
 /// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
 /// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
 /// of a free body on the other side, kg.
-fn mass_for_all_branches(answer: &ContactResult, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
+pub(crate) fn mass_for_all_branches(
+    answer: &ContactResult,
+    other: Option<f64>,
+) -> Result<EffectiveMass, StudyError> {
     if !answer.response.singular_pose {
         return Ok(answer.response.effective_mass);
     }

@@ -11,5 +11,6 @@ pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;
 pub(crate) mod motion_ratio;
+pub(crate) mod restitution;
 pub(crate) mod safe_speed;
 pub(crate) mod tolerance;

@@ -26,6 +26,7 @@ use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 use crate::reports::kinematics::target_search::TargetReport;
 use crate::reports::mass_report::MassReport;
+use crate::reports::restitution::{RestitutionReport, restitution_at};
 use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
 use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;
@@ -109,6 +110,9 @@ pub struct RequestReport {
     /// Damper at the stop of a joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub damping: Option<DampingReport>,
+    /// Restitution of a spring and damper.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<RestitutionReport>,
     /// Impact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub impact: Option<ImpactReport>,
@@ -157,6 +161,7 @@ pub fn report_schema() -> Value {
         generator.subschema_for::<MassReport>(),
         generator.subschema_for::<ContactListReport>(),
         generator.subschema_for::<DampingReport>(),
+        generator.subschema_for::<RestitutionReport>(),
         generator.subschema_for::<ImpactReport>(),
         generator.subschema_for::<ExtremesReport>(),
         generator.subschema_for::<ReflectedReport>(),
@@ -215,6 +220,7 @@ impl StudyFile {
             mass,
             mass_problem: None,
             damping: self.stop_damper()?,
+            restitution: self.restitution_report(question)?,
             impact: self.impact_report(question)?,
             extremes: self.extremes_report(question)?,
             contacts,
@@ -293,6 +299,19 @@ impl StudyFile {
         let stop = self.damping.as_ref().and_then(|damping| Some((damping, damping.limit.as_ref()?)));
         of_table("damping", stop, |(damping, stop)| {
             damp_stop(&self.model, stop, self.conditions.clone(), damping)
+        })
+    }
+
+    /// Restitution of a spring and damper at a contact of the study.
+    ///
+    /// # Errors
+    /// As for [`restitution_at`].
+    pub fn restitution_report(
+        &self,
+        question: Option<&MassQuestion>,
+    ) -> Result<Option<RestitutionReport>, StudyError> {
+        of_table("restitution", question.zip(self.restitution.as_ref()), |(question, asked)| {
+            restitution_at(&self.model, question, asked)
         })
     }
 

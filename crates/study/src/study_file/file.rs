@@ -16,6 +16,7 @@ use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::question::tables::report::StudyReport;
+use crate::question::tables::restitution::RestitutionQuestion;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::compare::Design;
@@ -57,6 +58,8 @@ pub struct StudyFile {
     pub variants: Vec<Variant>,
     /// Damper for a restitution, if requested.
     pub damping: Option<DampingQuestion>,
+    /// Restitution of a spring and damper, if requested.
+    pub restitution: Option<RestitutionQuestion>,
     /// Rigid impact, if requested.
     pub impact: Option<ImpactQuestion>,
     /// Search for extremes, if requested.
@@ -354,6 +357,7 @@ impl StudyReader<'_> {
         let damping = self.damping(study, &model, &question, folder)?;
         let map = study.map.as_ref().map(|asked| asked.checked(&question, folder));
         let map = map.transpose().map_err(refused)?;
+        study.restitution.as_ref().map_or(Ok(()), RestitutionQuestion::check).map_err(refused)?;
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
         let impact = study.impact.clone();
         let extremes = study.extremes.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
@@ -385,6 +389,7 @@ impl StudyReader<'_> {
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
             || sweep.is_some()
+            || study.restitution.is_some()
             || impact.is_some()
             || extremes.is_some()
             || (damping.is_some() && !stops)
@@ -418,6 +423,7 @@ impl StudyReader<'_> {
             mass,
             variants,
             damping,
+            restitution: study.restitution.clone(),
             impact,
             extremes,
             sweep,

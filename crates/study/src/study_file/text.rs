@@ -12,6 +12,7 @@ use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::question::tables::model::ModelTable;
 use crate::question::tables::report::StudyReport;
+use crate::question::tables::restitution::RestitutionQuestion;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::study_file::closure::ClosureText;
@@ -55,6 +56,8 @@ pub(crate) struct StudyText {
     pub variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
     pub damping: Option<DampingQuestion>,
+    /// The restitution of a spring and damper, or of parameters of a simulator: percuss restitution.
+    pub restitution: Option<RestitutionQuestion>,
     /// Rigid impact at the contact: percuss impact.
     pub impact: Option<ImpactQuestion>,
     /// Smallest and largest effective mass over positions: percuss extremes.
@@ -78,6 +81,7 @@ impl StudyText {
         let of_masses = [
             self.mass.is_some(),
             self.damping.is_some(),
+            self.restitution.is_some(),
             self.impact.is_some(),
             self.extremes.is_some(),
             self.sweep.is_some(),

@@ -192,6 +192,18 @@ The default law is the linear damper, solved exactly; the contact ends when
 the force vanishes, because a contact does not pull and simulators set the
 force to 0 there. --separation gap is the half-period formula of textbooks.";
 
+pub const RESTITUTION: &str = "\
+Examples:
+  percuss restitution --mass 12kg --stiffness 400N/mm --damping 900 \\
+      --speed 0.2,0.5,1 --load 120
+  Of parameters of a simulator, with the mass from a model:
+    percuss restitution models/double_wishbone.urdf --link bump_stop_pad \\
+        --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis \\
+        --tool ode --parameter soft_erp=0.2 --parameter soft_cfm=1e-5 \\
+        --parameter time_step=0.001 --speed 0.5
+
+The names of the parameters are those that percuss damp --for NAME writes.";
+
 pub const SAFE_SPEED: &str = "\
 Examples:
   percuss safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
@@ -314,6 +326,7 @@ mod tests {
             super::TEMPLATE,
             super::IMPORT,
             super::DAMP,
+            super::RESTITUTION,
             super::SAFE_SPEED,
             super::EXPLORE,
             super::GENERATE,

@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 21] = [
+const EXPLAINED: [(&str, &[&str]); 22] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -117,6 +117,22 @@ const EXPLAINED: [(&str, &[&str]); 21] = [
             "output",
             "list_laws",
             "list_tools",
+        ],
+    ),
+    (
+        "restitution",
+        &[
+            "mass",
+            "stiffness",
+            "damping",
+            "hunt_crossley",
+            "tool",
+            "parameter",
+            "speed",
+            "load",
+            "at",
+            "link",
+            "set",
         ],
     ),
     (

@@ -3,6 +3,7 @@
 pub(crate) mod extremes;
 pub(crate) mod in_time;
 pub(crate) mod reflected;
+pub(crate) mod restitution;
 pub(crate) mod rigid_impact;
 pub(crate) mod safe_speed;
 pub(crate) mod simultaneous;

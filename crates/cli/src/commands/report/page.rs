@@ -4,7 +4,7 @@ use super::findings::add_warnings;
 use super::results::StudyResults;
 use super::{answers, contact, mechanism};
 use crate::args::RunArgs;
-use crate::commands::impacts::{extremes, rigid_impact, safe_speed};
+use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
 use crate::commands::{damp, map, mass};
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
@@ -60,6 +60,11 @@ pub(super) fn text(
         page.section("The damper");
         damp::document(damper, damping)?.show(&mut page);
         add_warnings(&damper.diagnostics, &mut page);
+    }
+    if let Some(report) = &results.report.restitution {
+        page.section("Restitution");
+        restitution::document(report).show(&mut page);
+        add_warnings(&report.diagnostics, &mut page);
     }
     if let Some(report) = &results.report.impact {
         page.section("Impact");

@@ -12,5 +12,6 @@ pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;
 pub(crate) mod report;
+pub(crate) mod restitution;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;

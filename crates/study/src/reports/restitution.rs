@@ -1,0 +1,149 @@
+//! Restitution of a given spring and damper, or of given parameters of a simulator.
+
+use crate::damper::damped_contact::{mass_for_all_branches, no_damper};
+use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::status::Status;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::question::errors::question_error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use crate::question::tables::restitution::RestitutionQuestion;
+use percuss_contact::exports::SimulatedContact;
+use percuss_dynamics::EffectiveMass;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Impact at one approach speed.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ReboundRecord {
+    /// Solver or mode of the simulator; empty if there is only one.
+    pub solver: &'static str,
+    /// Approach speed, m/s.
+    pub speed: f64,
+    /// Rebound speed divided by approach speed.
+    pub restitution: f64,
+    /// Error bound of the restitution at the time step of the simulator; null if unknown, and without a simulator.
+    pub error_bound: Option<f64>,
+    /// Rebound speed, m/s.
+    pub rebound_speed: f64,
+    /// Duration of the contact, s; null for a rigid contact, for Adams, and if the gap never closes.
+    pub contact_duration: Option<f64>,
+    /// Largest penetration, m; null for a rigid contact.
+    pub max_penetration: Option<f64>,
+    /// Largest force, N; null for a rigid contact and for Adams.
+    pub peak_force: Option<f64>,
+    /// Lost energy, J.
+    pub energy_lost: f64,
+}
+
+/// Penetration at rest.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RestRecord {
+    /// Solver or mode of the simulator; empty if there is only one.
+    pub solver: &'static str,
+    /// Force along the normal, N.
+    pub load: f64,
+    /// Penetration, m; null for a rigid contact.
+    pub penetration: Option<f64>,
+}
+
+/// Report of `percuss restitution`, as JSON.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct RestitutionReport {
+    /// `percuss.restitution/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files; empty if the mass is given directly.
+    pub inputs: Vec<Input>,
+    /// m̄, kg.
+    pub effective_mass: f64,
+    /// Named contact; null for a contact given by link, point and normal.
+    pub named_contact: Option<NamedContactRecord>,
+    /// Simulator; null for a given spring and damper.
+    pub tool: Option<String>,
+    /// Impacts, for each solver in the order of the speeds.
+    pub impacts: Vec<ReboundRecord>,
+    /// Penetration at rest in each solver; empty without a load.
+    pub at_rest: Vec<RestRecord>,
+    /// Findings about the file and the result.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Restitution for an effective mass, kg.
+///
+/// # Errors
+/// [`StudyError`]: invalid keys, numbers out of range, overflow.
+pub fn restitution(asked: &RestitutionQuestion, mass: f64) -> Result<RestitutionReport, StudyError> {
+    asked.check()?;
+    let contacts = asked.contacts(mass)?;
+    let mut impacts = Vec::new();
+    for contact in &contacts {
+        for speed in &asked.speed {
+            impacts.push(rebound(contact, mass, speed.0.value)?);
+        }
+    }
+    let mut at_rest = Vec::new();
+    if let Some(load) = asked.load {
+        for contact in &contacts {
+            let penetration = contact.penetration_at_rest(load.0)?;
+            at_rest.push(RestRecord { solver: contact.solver, load: load.0, penetration });
+        }
+    }
+    Ok(RestitutionReport {
+        schema: "percuss.restitution/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: Vec::new(),
+        effective_mass: mass,
+        named_contact: None,
+        tool: asked.tool.clone(),
+        impacts,
+        at_rest,
+        diagnostics: Vec::new(),
+    })
+}
+
+/// Restitution at a contact of a model.
+///
+/// # Errors
+/// [`StudyError`], as for `mass` and [`restitution`]; a contact without a finite mass, or with different masses on different branches; a
+/// moment.
+pub fn restitution_at(
+    model: &Model,
+    question: &MassQuestion,
+    asked: &RestitutionQuestion,
+) -> Result<RestitutionReport, StudyError> {
+    asked.check()?;
+    let question = &*question.resolve_contact(&model.mechanism)?;
+    question.refuse_moment("restitution")?;
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    let EvaluatedQuestion { prepared, result, .. } = &evaluated;
+    let mass = match mass_for_all_branches(result, prepared.other_mass())? {
+        EffectiveMass::Finite(mass) => mass,
+        other => return Err(StudyError::NoDamper(no_damper(Status::classify(other).0))),
+    };
+    let findings = result.findings.iter().cloned().map(DiagnosticRecord::from);
+    Ok(RestitutionReport {
+        inputs: prepared.inputs(),
+        named_contact: named_contact(&evaluated)?,
+        diagnostics: model.diagnostics.iter().cloned().chain(findings).collect(),
+        ..restitution(asked, mass)?
+    })
+}
+
+/// Impact of a contact at a speed.
+fn rebound(contact: &SimulatedContact, mass: f64, speed: f64) -> Result<ReboundRecord, StudyError> {
+    let impact = contact.impact(mass, speed)?;
+    Ok(ReboundRecord {
+        solver: contact.solver,
+        speed,
+        restitution: impact.restitution,
+        error_bound: impact.error_bound,
+        rebound_speed: impact.restitution * speed,
+        contact_duration: impact.duration,
+        max_penetration: impact.max_penetration,
+        peak_force: impact.peak_force,
+        energy_lost: impact.energy_lost,
+    })
+}
