@@ -95,7 +95,7 @@ pub enum Command {
         override_usage = "percuss sweep MODEL (--at NAME | --link L --point X,Y,Z\n                     (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                     (--vary RANGE… | --input FILE | --random COUNT) …"
     )]
     Sweep(Box<SweepArgs>),
-    /// Compare several designs at the same contact, with differences in percent.
+    /// Several designs at the same contact, with differences in per cent.
     ///
     /// The result is one table and one figure.
     #[command(
@@ -128,12 +128,12 @@ pub enum Command {
         override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z\n                    --normal X,Y,Z …) --stiffness K --restitution E [--speed V]\n                    [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
-    /// Restitution, peak force and penetration of a given spring and damper, or of parameters of a simulator.
+    /// Restitution of given contact parameters: the inverse of damp.
     ///
-    /// The inverse of percuss damp.
+    /// With peak force and penetration, for a spring and damper or for the parameters of a simulator.
     #[command(
         after_help = examples::RESTITUTION,
-        override_usage = "percuss restitution (MODEL (--at NAME | --link L --point X,Y,Z --normal X,Y,Z) | --mass KG)\n                           (--stiffness K (--damping C | --hunt-crossley D)\n                            | --tool NAME --parameter NAME=VALUE…) --speed V"
+        override_usage = "percuss restitution (MODEL (--at NAME | --link L …) | --mass KG)\n                           (--stiffness K (--damping C | --hunt-crossley D)\n                            | --tool NAME --parameter NAME=VALUE…) --speed V"
     )]
     Restitution(Box<RestitutionArgs>),
     /// Largest safe speed of a robot that may hit a person.
@@ -184,7 +184,7 @@ pub enum Command {
         override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E --stiffness K [--speed V] -o FILE.xml\n       percuss export MODEL -o FILE"
     )]
     Export(Box<ExportArgs>),
-    /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
+    /// Run a study: flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),
     /// Write a first study of a model, with comments: names of links and joints, and a contact with a result.

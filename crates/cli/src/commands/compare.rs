@@ -97,9 +97,14 @@ fn designs_of_studies(args: &CompareArgs) -> Result<(Vec<Design>, Vec<ComparedSt
 
 /// Designs of models with the contact given by flags.
 fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    // An error in a file precedes an error of the flags: a study that cannot be parsed is not recognized as a study.
+    let question = args.contact.question_of_rows();
+    if question.is_err() {
+        // An error in a file precedes an error of the flags: a study that cannot be parsed is not recognized as a study. A pipe is not read.
+        let files = args.designs.iter().filter(|path| Path::new(path).is_file());
+        files.map(|path| args.reading.load(path)).collect::<Result<Vec<_>, _>>()?;
+    }
+    let (question, mut ranges) = (question?, args.vary.clone());
     let models = args.designs.iter().map(|path| args.reading.load(path)).collect::<Result<Vec<_>, _>>()?;
-    let (question, mut ranges) = (args.contact.question_of_rows()?, args.vary.clone());
     ranges.extend(args.contact.ranges()?);
     let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
     let mut designs = Vec::new();

@@ -58,10 +58,10 @@ fn table(report: &RestitutionReport) -> Table {
         ("speed m/s", |row| Some(number(row.speed))),
         ("restitution", |row| Some(number(row.restitution))),
         ("within", |row| row.error_bound.map(upper_bound)),
-        ("contact ms", |row| row.contact_duration.map(|t| number(1e3 * t))),
-        ("penetration mm", |row| row.max_penetration.map(|x| number(1e3 * x))),
-        ("peak force N", |row| row.peak_force.map(number)),
-        ("energy lost J", |row| Some(number(row.energy_lost))),
+        ("lasts ms", |row| row.contact_duration.map(|t| number(1e3 * t))),
+        ("depth mm", |row| row.max_penetration.map(|x| number(1e3 * x))),
+        ("peak N", |row| row.peak_force.map(number)),
+        ("lost J", |row| Some(number(row.energy_lost))),
     ];
     let filled = columns.into_iter().filter(|(_, text)| report.impacts.iter().any(|row| text(row).is_some()));
     let filled: Vec<Column> = filled.collect();
