@@ -19,7 +19,6 @@ mod linear;
 mod loops;
 mod request;
 mod rigid;
-mod simulated;
 mod simulators;
 mod single_precision;
 mod stops;
@@ -29,11 +28,11 @@ pub use error::ExportError;
 pub use export::{Export, Parameter, Penetration, Snippet, Value};
 pub use impact_function::ImpactFunction;
 pub use request::{MassDrift, Options, Request, StopMotion};
-pub use simulated::{ContactModel, SimulatedContact, SimulatedImpact};
+pub use simulators::simulated::{ContactModel, SimulatedContact, SimulatedImpact};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
-use simulated::Given;
+use simulators::simulated::Given;
 
 /// One line per tool: the constant and the module with `FACTS` and `export`.
 macro_rules! tools {

@@ -2,6 +2,7 @@
 
 mod engines;
 mod multibody;
+pub(super) mod simulated;
 
 pub(super) use engines::{bullet, dart, gazebo, gazebo_classic, jolt, mujoco, newton, ode, physx, rapier};
 pub(super) use multibody::{adams, chrono, drake, exudyn, opensim, simscape};

@@ -1,7 +1,7 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, SimulatedContact};
 use crate::exports::single_precision;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 

@@ -1,7 +1,7 @@
 //! DART: a coefficient of restitution.
 
 use crate::exports::rigid;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 

@@ -2,7 +2,7 @@
 
 use crate::error::{LawParameter, positive};
 use crate::exports::rigid;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 

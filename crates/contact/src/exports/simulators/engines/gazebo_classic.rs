@@ -1,7 +1,7 @@
 //! Gazebo Classic with ODE: the `<surface>` of an SDF collision.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 

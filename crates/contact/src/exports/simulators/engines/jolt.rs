@@ -2,7 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::rigid;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 

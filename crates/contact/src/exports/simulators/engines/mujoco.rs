@@ -1,7 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct and in the standard format.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 

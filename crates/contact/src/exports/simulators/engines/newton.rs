@@ -2,7 +2,7 @@
 
 use crate::exports::export::check_single_precision;
 use crate::exports::linear::{Linear, UnclampedLinear};
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::single_precision;
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;

@@ -1,7 +1,7 @@
 //! Open Dynamics Engine: soft contacts by ERP and CFM.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);

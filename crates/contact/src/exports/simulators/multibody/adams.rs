@@ -1,7 +1,7 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
 use crate::ContactLawError;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, ImpactFunction, Request, Tool};
 use crate::limits;
 

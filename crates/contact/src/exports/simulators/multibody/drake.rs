@@ -4,7 +4,7 @@ use crate::limits;
 use std::f64::consts::PI;
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::{Damper, hunt_crossley};
 

@@ -1,7 +1,7 @@
 //! Exudyn: ObjectContactSphereSphere with a linear spring and damper.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};

@@ -1,7 +1,7 @@
 //! OpenSim and Simbody: HuntCrossleyForce.
 
 use crate::exports::impact_function::ImpactFunction;
-use crate::exports::simulated::{ContactModel, Given, SimulatedContact};
+use crate::exports::simulators::simulated::{ContactModel, Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Damper, hunt_crossley};

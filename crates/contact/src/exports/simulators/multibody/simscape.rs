@@ -1,7 +1,7 @@
 //! Simscape Multibody: the Spatial Contact Force block.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
 

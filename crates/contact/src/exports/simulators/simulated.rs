@@ -1,8 +1,8 @@
 //! Impact that a simulator computes with given parameters: the inverse of an export.
 
-use super::linear::Linear;
-use super::{ExportError, ImpactFunction, Options, Request, Tool};
 use crate::error::{LawParameter, not_negative, positive};
+use crate::exports::linear::Linear;
+use crate::exports::{ExportError, ImpactFunction, Options, Request, Tool};
 use crate::{CompliantContact, ContactLawError, Damper, Separation, limits};
 
 /// Contact as a simulator integrates it, in the limit of small time steps. Implicit Euler adds the damping of its step.
@@ -73,7 +73,7 @@ impl SimulatedContact {
     }
 
     /// Linear contact with the damping c (N·s/m) that ends when the force vanishes, for an explicit method with a time step (s), if given.
-    pub(super) fn explicit(
+    pub(in crate::exports) fn explicit(
         given: &Given,
         stiffness: f64,
         damping: f64,
@@ -85,7 +85,7 @@ impl SimulatedContact {
     }
 
     /// As [`explicit`](Self::explicit) for implicit Euler, which adds h k to the damping.
-    pub(super) fn implicit(
+    pub(in crate::exports) fn implicit(
         given: &Given,
         stiffness: f64,
         damping: f64,
@@ -96,7 +96,7 @@ impl SimulatedContact {
     }
 
     /// The same contact of a named solver.
-    pub(super) fn of_solver(self, solver: &'static str) -> Self {
+    pub(in crate::exports) fn of_solver(self, solver: &'static str) -> Self {
         Self { solver, ..self }
     }
 
@@ -183,8 +183,8 @@ impl SimulatedContact {
     }
 }
 
-/// Parameters of a tool, by their names in an [`Export`](super::Export); each is read once.
-pub(super) struct Given<'a> {
+/// Parameters of a tool, by their names in an [`Export`](crate::exports::Export); each is read once.
+pub(in crate::exports) struct Given<'a> {
     tool: Tool,
     mass: f64,
     parameters: &'a [(String, Vec<f64>)],
@@ -193,7 +193,7 @@ pub(super) struct Given<'a> {
 
 impl<'a> Given<'a> {
     /// Parameters for a contact with the effective mass m̄, kg. Errors: m̄ is not above 0; a name is given twice; a number is not finite.
-    pub(super) fn new(
+    pub(in crate::exports) fn new(
         tool: Tool,
         mass: f64,
         parameters: &'a [(String, Vec<f64>)],
@@ -211,17 +211,17 @@ impl<'a> Given<'a> {
     }
 
     /// Effective mass, kg.
-    pub(super) fn mass(&self) -> f64 {
+    pub(in crate::exports) fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Error of a parameter.
-    pub(super) fn refuse(&self, name: &str, why: impl Into<String>) -> ExportError {
+    pub(in crate::exports) fn refuse(&self, name: &str, why: impl Into<String>) -> ExportError {
         ExportError::Parameter { tool: self.tool, name: name.to_owned(), why: why.into() }
     }
 
     /// N numbers; `None` if they are not given. Error: another count.
-    pub(super) fn numbers<const N: usize>(
+    pub(in crate::exports) fn numbers<const N: usize>(
         &mut self,
         name: &'static str,
     ) -> Result<Option<[f64; N]>, ExportError> {
@@ -237,17 +237,17 @@ impl<'a> Given<'a> {
     }
 
     /// A number; `None` if it is not given. Error: several numbers.
-    pub(super) fn optional(&mut self, name: &'static str) -> Result<Option<f64>, ExportError> {
+    pub(in crate::exports) fn optional(&mut self, name: &'static str) -> Result<Option<f64>, ExportError> {
         Ok(self.numbers::<1>(name)?.map(|[number]| number))
     }
 
     /// A number. Error: it is missing.
-    pub(super) fn number(&mut self, name: &'static str) -> Result<f64, ExportError> {
+    pub(in crate::exports) fn number(&mut self, name: &'static str) -> Result<f64, ExportError> {
         self.optional(name)?.ok_or_else(|| self.refuse(name, "it is required"))
     }
 
     /// A number above 0. Errors: it is missing, or not above 0.
-    pub(super) fn positive(&mut self, name: &'static str) -> Result<f64, ExportError> {
+    pub(in crate::exports) fn positive(&mut self, name: &'static str) -> Result<f64, ExportError> {
         let number = self.number(name)?;
         if number > 0.0 {
             Ok(number)
@@ -257,7 +257,7 @@ impl<'a> Given<'a> {
     }
 
     /// A parameter with the only value for which the impact is known. Error: another value.
-    pub(super) fn assume(&mut self, name: &'static str, value: f64) -> Result<(), ExportError> {
+    pub(in crate::exports) fn assume(&mut self, name: &'static str, value: f64) -> Result<(), ExportError> {
         match self.optional(name)? {
             Some(number) if number != value => {
                 Err(self.refuse(name, format!("{number:?}; the impact is known for {value:?}")))
@@ -267,7 +267,7 @@ impl<'a> Given<'a> {
     }
 
     /// A coefficient of restitution. Errors: it is missing, or not from 0 to 1.
-    pub(super) fn restitution(&mut self, name: &'static str) -> Result<f64, ExportError> {
+    pub(in crate::exports) fn restitution(&mut self, name: &'static str) -> Result<f64, ExportError> {
         let number = self.number(name)?;
         if (0.0..=1.0).contains(&number) {
             return Ok(number);
@@ -276,12 +276,16 @@ impl<'a> Given<'a> {
     }
 
     /// Spring k xᵖ. Errors: as [`CompliantContact`].
-    pub(super) fn contact(&self, stiffness: f64, exponent: f64) -> Result<CompliantContact, ExportError> {
+    pub(in crate::exports) fn contact(
+        &self,
+        stiffness: f64,
+        exponent: f64,
+    ) -> Result<CompliantContact, ExportError> {
         Ok(CompliantContact::new(self.mass, stiffness)?.with_exponent(exponent)?)
     }
 
     /// Linear spring and damper. Errors: as [`Damper::kelvin_voigt_from_coefficient`].
-    pub(super) fn linear(
+    pub(in crate::exports) fn linear(
         &self,
         stiffness: f64,
         damping: f64,
@@ -293,7 +297,7 @@ impl<'a> Given<'a> {
     }
 
     /// Refuses a parameter that was not read.
-    pub(super) fn finish(&self) -> Result<(), ExportError> {
+    pub(in crate::exports) fn finish(&self) -> Result<(), ExportError> {
         match self.parameters.iter().find(|(name, _)| !self.known.contains(&name.as_str())) {
             None => Ok(()),
             Some((name, _)) => {
