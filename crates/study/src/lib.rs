@@ -36,6 +36,7 @@ pub use damper::export_report::ExportReport;
 pub use damper::exported_impact::{
     ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
 };
+pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::friction_thresholds::FrictionThresholdsRecord;
@@ -134,7 +135,6 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
-pub use reports::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,

@@ -7,4 +7,5 @@ pub(crate) mod export_report;
 pub(crate) mod exported_impact;
 pub(crate) mod joint_stop;
 pub(crate) mod penetration;
+pub(crate) mod restitution;
 pub(crate) mod simulators;

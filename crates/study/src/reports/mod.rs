@@ -11,6 +11,5 @@ pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;
 pub(crate) mod motion_ratio;
-pub(crate) mod restitution;
 pub(crate) mod safe_speed;
 pub(crate) mod tolerance;
