@@ -228,3 +228,15 @@ fn newton_exports_only_featherstone_for_mechanisms() {
     assert_eq!(solvers(&hinged(0.5, 2.0)), ([true, false, false], false));
     assert_eq!(solvers(&hinged(0.5, 24.0)), ([true; 3], true));
 }
+
+#[test]
+fn errors_name_their_parameter() {
+    let own_mass = Options { own_mass: Some(0.0), ..Options::default() };
+    for (request, parameter) in [
+        (Request { restitution: -0.1, ..hinged(0.5, 24.0) }, LawParameter::Restitution),
+        (Request { options: own_mass, ..hinged(0.5, 24.0) }, LawParameter::OwnMass),
+        (hinged(0.5, 24.0).at(0.0), LawParameter::Speed),
+    ] {
+        assert_eq!(Tool::MUJOCO.export(&request).unwrap_err().parameter(), Some(parameter));
+    }
+}

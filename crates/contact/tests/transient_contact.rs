@@ -30,6 +30,13 @@ fn the_force_is_that_of_the_undamped_impact() {
             );
             assert!(relative_difference(safe.energy, 1e4 / (2.0 * contact.stiffness())) < 4.0 * f64::EPSILON);
             assert!(relative_difference(contact.force(safe.speed).unwrap(), 100.0) < 4.0 * f64::EPSILON);
+            // The same speed by its energy and by its momentum.
+            let by_energy = contact.speed_for_energy(safe.energy).unwrap();
+            let by_momentum = contact.speed_for_momentum(mass * safe.speed).unwrap();
+            for other in [by_energy, by_momentum] {
+                assert!(relative_difference(other.speed, safe.speed) < 8.0 * f64::EPSILON);
+                assert!(relative_difference(other.force, 100.0) < 16.0 * f64::EPSILON);
+            }
             struck += 1;
         }
     }
