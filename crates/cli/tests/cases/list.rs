@@ -27,6 +27,9 @@ crate::pages! {
     limits_input_rules "crates/cli/tests/cases/limits/input_rules.md",
     linkages_crossings "crates/cli/tests/cases/linkages/crossings.md",
     linkages_driving_joints "crates/cli/tests/cases/linkages/driving_joints.md",
+    study_contacts "crates/cli/tests/cases/study/contacts.md",
+    study_keys "crates/cli/tests/cases/study/keys.md",
+    study_run "crates/cli/tests/cases/study/run.md",
     suspensions_contact_patches "crates/cli/tests/cases/suspensions/contact_patches.md",
     suspensions_daily_use "crates/cli/tests/cases/suspensions/daily_use.md",
     suspensions_import "crates/cli/tests/cases/suspensions/import.md",
@@ -35,5 +38,6 @@ crate::pages! {
     suspensions_target_search "crates/cli/tests/cases/suspensions/target_search.md",
     sweep_grids "crates/cli/tests/cases/sweep/grids.md",
     sweep_input "crates/cli/tests/cases/sweep/input.md",
+    sweep_output "crates/cli/tests/cases/sweep/output.md",
     sweep_rows "crates/cli/tests/cases/sweep/rows.md",
 }

@@ -1,6 +1,6 @@
 //! Studies with several contacts: one table, one figure, one report.
 
-use crate::support::{Scratch, Sweep, json, percuss, refused, root};
+use crate::support::{Scratch, Sweep, json, percuss, root};
 use serde_json::Value;
 use std::fs;
 
@@ -128,28 +128,6 @@ fn a_report_of_both_sides_has_each_figure_once() {
     let found = list["diagnostics"].as_array().expect("a list");
     // The driving joints of a suspension have no influence.
     assert!(found.iter().all(|d| d["code"] != "drivers-chosen"), "{found:?}");
-}
-
-#[test]
-fn wrong_contacts_are_refused() {
-    for (text, words) in [
-        (
-            "[[contact]]\nat = \"spring\"\n[[contact]]\nat = \"spring\"\n",
-            "contact.name: \"spring\" is given twice",
-        ),
-        ("[contact]\nat = \"spring\"\nname = \"seat\"\n", "contact.name: it names one of several contacts"),
-        ("[contact]\nat = \"all\"\nname = \"seat\"\n", "contact.name: it names one contact"),
-        ("[[contact]]\nat = \"spring\"\n[[contact]]\nlink = \"upright\"\n", "contact: point is missing"),
-        (
-            "[[contact]]\nat = \"spring\"\n[[contact]]\natt = \"damper\"\n",
-            "unknown key \"contact.att\"; did you mean \"contact.at\"",
-        ),
-        ("[[contact]]\nat = \"spring\"\n[[contact]]\nat = 3\n", "contact[1].at"),
-        ("[contact]\nat = \"bump_stop,sprnig\"\n", "spring"),
-    ] {
-        let (_folder, study) = study("contacts-refused", text);
-        refused(&format!("run {study}"), &[words]);
-    }
 }
 
 /// Report of a study with several contacts over a sweep: one figure per contact, each finding once, no damper for a spring, and the stops

@@ -80,35 +80,6 @@ fn no_answer_depends_on_the_number_of_threads() {
     }
 }
 
-#[test]
-fn invalid_grids_are_refused() {
-    let travel = "travel:wheel_centre:0,0,0:0,0,1=-40mm:40mm:3";
-    for (line, words) in [
-        (format!("{ARM} --vary elbow=0:1:3 --vary elbow=0:1:3"), "--vary: \"elbow\" is varied twice"),
-        (format!("{STOP} --vary {travel} --vary spin=0:1:3"), "is not the last of the ranges"),
-        (format!("{STOP} --vary {travel} --vary {travel}"), "is not the last of the ranges"),
-        (format!("{ARM} --vary elbow=0:1:1000000 --vary shoulder=0:1:1000000"), "1000000000000 combinations"),
-        (format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1mm:3"), "expected an angle (rad)"),
-        (format!("{ARM} --vary elbow=0:1:3 --set elbow=1"), "already set (--set)"),
-        (
-            format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1:3 --vary yaw=0:1:3 --output x.svg"),
-            "a picture shows",
-        ),
-        (format!("{ARM} --vary elbow=0:1:3 --random 3"), "cannot be used with"),
-        (format!("{ARM} --vary elbow=0:1:3 --input x.csv"), "cannot be used with"),
-        (format!("{ARM} --vary elbow=0:1:3 --threads 0"), "--threads"),
-        (format!("{ARM} --vary elbow=0:1:3 --ignore x"), "--ignore: it removes columns of --input"),
-        (format!("{ARM} --random 0"), "0 random rows"),
-        (format!("{ARM} --random 3 --seed=-1"), "--seed"),
-        (format!("{ARM} --seed 3"), "--vary"),
-        (format!("{ARM} --vary elbow=0:1:3 --seed 3"), "--seed: it requires --random"),
-    ] {
-        let outcome = percuss(&format!("sweep {line}"));
-        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{line}: {}", outcome.stderr);
-        assert!(outcome.stderr.contains(words), "{line}: {}", outcome.stderr);
-    }
-}
-
 /// An unreachable line of a grid does not affect the others.
 #[test]
 fn lines_do_not_depend_on_one_another() {

@@ -149,56 +149,6 @@ fn rows_out_of_reach_have_empty_cells_and_the_sweep_goes_on() {
 }
 
 #[test]
-fn invalid_varied_joints_are_refused() {
-    let long = format!("{COUPLER} --vary");
-    let cases = [
-        (format!("{long} crnk_hinge=0:1:3"), "did you mean \"crank_hinge\""),
-        (format!("{long} rocker_hinge=0:1:3"), "\"crank_hinge\""),
-        (format!("{long} crank_hinge=0:1:0"), "COUNT is 0"),
-        (format!("{long} crank_hinge=0:1:2000000"), "COUNT is 2000000"),
-        (format!("{long} crank_hinge=0:1:1.5"), "whole number"),
-        (format!("{long} crank_hinge=0:1:-3"), "whole number"),
-        (format!("{long} crank_hinge=0:1"), "JOINT=FROM:TO:COUNT"),
-        (format!("{long} =0:1:3"), "JOINT=FROM:TO:COUNT"),
-        (format!("{long} crank_hinge=0:1mm:3"), "expected an angle (rad)"),
-        (format!("{long} crank_hinge=0:kg:3"), "is no number"),
-        (format!("{long} crank_hinge=nan:1:3"), "not finite"),
-        (format!("{long} travel:coupler:0,0,0=0:1:3"), "JOINT=FROM:TO:COUNT"),
-        (format!("{long} travel:coupler:0,0,0:1,0,0=0:1deg:3"), "expected a length (m)"),
-        (format!("{long} travel:coupler:0,0,0:0,0,0=0:1:3"), "no length"),
-        (format!("{long} travel:coupler:0,0:1,0,0=0:1:3"), "expected 3"),
-        (
-            format!("{long} travel:coupler:0,0,0:0,0,1=0:1mm:3"),
-            "no joint that is free to drive moves this point",
-        ),
-        (
-            format!("{long} travel:ground:0,0,0:1,0,0=0:1mm:3"),
-            "no joint that is free to drive moves this point",
-        ),
-        (format!("{long} travel:nothing:0,0,0:1,0,0=0:1mm:3"), "no link is named \"nothing\""),
-        (format!("{long} crank_hinge=0:1:3 --set crank_hinge=1"), "already set (--set)"),
-        (format!("{STOP} --vary lower_ball=0:1:3"), "no single position"),
-        (format!("{STOP} --vary rack=0:1:3"), "no single position"),
-        (COUPLER.to_owned(), "--vary"),
-        (
-            format!("{long} crank_hinge=0:1:3 --output rows.gif"),
-            ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf",
-        ),
-        (
-            format!("{long} crank_hinge=0:1:3 --output rows"),
-            ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf",
-        ),
-        (format!("{long} crank_hinge=0:1:3 --output /there/is/no/folder.csv"), "cannot be written"),
-    ];
-    for (line, words) in cases {
-        let outcome = percuss(&line);
-        assert_eq!(outcome.code, 2, "{line}: {}", outcome.stderr);
-        assert!(outcome.stderr.contains(words), "{line}: {}", outcome.stderr);
-        assert_eq!(outcome.stdout, "", "{line}");
-    }
-}
-
-#[test]
 fn a_mimic_is_not_varied_but_its_master_is() {
     let model = r#"<robot name="r"><link name="g"/>
       <link name="a"><inertial><origin xyz="1 0 0"/><mass value="2"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
