@@ -240,3 +240,18 @@ fn errors_name_their_parameter() {
         assert_eq!(Tool::MUJOCO.export(&request).unwrap_err().parameter(), Some(parameter));
     }
 }
+
+/// A smaller required error reduces the accuracy of OpenSim's integrator in proportion, and its largest step by the square root.
+#[test]
+fn opensim_integrates_as_accurately_as_required() {
+    let numbers = |accuracy: f64| {
+        let mut request = hinged(0.5, 24.0);
+        request.contact = request.contact.with_exponent(1.5).unwrap();
+        request.options.accuracy = accuracy;
+        let export = Tool::OPENSIM.export(&request).unwrap();
+        ["integrator_accuracy", "maximum_step_size"].map(|name| export.number(name).unwrap())
+    };
+    let ([usual, step], [finer, shorter], coarser) = (numbers(1e-3), numbers(1e-5), numbers(1e-2));
+    assert!((finer / usual / 0.01 - 1.0).abs() < 1e-12 && (shorter / step / 0.1 - 1.0).abs() < 1e-12);
+    assert_eq!(coarser, [usual, step]);
+}

@@ -66,11 +66,6 @@ const fn unit(name: &'static str, dimension: Dimension, factor: f64, divisor: f6
     Unit { name, dimension, per_si: divisor / factor, factor, divisor }
 }
 
-/// Degree under one of its names; 180/π is closer to the exact ratio than `divisor / factor`.
-const fn degree(name: &'static str) -> Unit {
-    Unit { per_si: 180.0 / PI, ..unit(name, Dimension::Angle, PI / 180.0, 1.0) }
-}
-
 /// International avoirdupois pound, kg (exact).
 const POUND: f64 = 0.45359237;
 /// Weight of a pound at standard gravity 9.80665 m/s², N (exact).
@@ -85,8 +80,8 @@ static UNITS: &[Unit] = &[
     unit("mm", Dimension::Length, 1.0, 1e3),
     unit("in", Dimension::Length, 254.0, 1e4),
     unit("rad", Dimension::Angle, 1.0, 1.0),
-    degree("deg"),
-    degree("°"),
+    unit("deg", Dimension::Angle, PI / 180.0, 1.0),
+    unit("°", Dimension::Angle, PI / 180.0, 1.0),
     unit("kg", Dimension::Mass, 1.0, 1.0),
     unit("g", Dimension::Mass, 1.0, 1e3),
     unit("t", Dimension::Mass, 1e3, 1.0),

@@ -118,6 +118,20 @@ fn tools_without_stops_give_reason_and_remedy() {
     }
 }
 
+/// At a step that is too long, the numerical damping ratio ωh/2 alone gives the restitution exp(−πζ/√(1−ζ²)).
+#[test]
+fn a_step_too_long_states_its_restitution() {
+    let frequency = (STIFFNESS / INERTIA).sqrt();
+    let mut stop = request(0.9, StopMotion::Turn);
+    for ratio in [0.1_f64, 0.4, 0.9] {
+        stop.options.time_step = Some(2.0 * ratio / frequency);
+        let error = Tool::PHYSX.export(&stop).unwrap_err();
+        let ExportError::StepTooLong { reached, .. } = error else { panic!("{error}") };
+        let expected = (-std::f64::consts::PI * ratio / (1.0 - ratio * ratio).sqrt()).exp();
+        assert!((reached / expected - 1.0).abs() < 1e-12, "{ratio}: {reached}, {expected}");
+    }
+}
+
 #[test]
 fn units_are_those_of_the_motion() {
     for (motion, units) in [
