@@ -77,11 +77,8 @@ impl Mechanism {
     /// Builder with the links and tree joints, without closures and couplings; `mimics`: keep the mimics. Inertias that the
     /// checks reject are accepted.
     fn to_tree_builder(&self, mimics: bool) -> MechanismBuilder {
-        let mut builder = MechanismBuilder::new(self.name.clone()).accept(Accept {
-            indefinite_inertia: true,
-            implausible_inertia: true,
-            ..Accept::default()
-        });
+        let mut builder = MechanismBuilder::new(self.name.clone())
+            .accept(Accept { indefinite_inertia: true, ..Accept::default() });
         for link in &self.links {
             let (name, inertial, geometry) = (link.name.clone(), link.inertial, link.geometry);
             builder = builder.link(LinkDescription { name, inertial, geometry });

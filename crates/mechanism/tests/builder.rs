@@ -1,8 +1,8 @@
 //! Findings of the builder, one defect each.
 
 use percuss_mechanism::{
-    Accept, ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind,
-    LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
+    Accept, ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, JointDescription,
+    JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
 };
 
 fn rod() -> LinkDescription {
@@ -32,6 +32,22 @@ fn a_pendulum_is_built_without_complaint() {
     assert_eq!(m.characteristic_length(), 0.5);
     let near = m.find_link("rode").unwrap_err().near;
     assert_eq!(near, ["rod"]);
+    // The name of a fixed joint is similar, but the joint has no position to name.
+    let weld = JointDescription::new("weld", JointKind::Fixed, "rod", "tip");
+    let welded =
+        with(rod(), hinge()).link(LinkDescription::massless("tip")).joint(weld).build().unwrap().mechanism;
+    let unknown = welded.find_joint("wedl").unwrap_err();
+    assert_eq!(unknown.near, ["weld"]);
+    // Indices hold for another mechanism if it has the name at the same place.
+    let [own, tip] = ["rod", "tip"].map(|name| welded.find_link(name).unwrap());
+    assert!(m.has_link(own) && welded.has_link(tip) && !m.has_link(tip));
+    let other = LinkDescription::new("arm", Inertial::point(2.0, [0.0, 0.0, -0.5]));
+    let renamed = JointDescription { child: "arm".into(), ..hinge() };
+    assert!(!with(other, renamed).build().unwrap().mechanism.has_link(own));
+    // Without another length, the largest radius of gyration counts: √(tr I/m).
+    let body = LinkDescription::new("rod", Inertial::diagonal(2.0, [0.0; 3], [4.0, 5.0, 6.0]));
+    let length = with(body, hinge()).build().unwrap().mechanism.characteristic_length();
+    assert!((length - 7.5f64.sqrt()).abs() < 1e-15, "{length}");
 }
 
 #[test]
@@ -95,6 +111,24 @@ fn a_negative_moment_is_an_error_unless_accepted() {
         .build()
         .unwrap();
     assert_eq!(built.findings[0].1.severity(), Severity::Warning);
+    // The tree of an accepted mechanism is accepted too.
+    assert!(built.mechanism.to_open_tree().build().is_ok());
+    let problem = |mass: f64, accept: Accept| {
+        let inertial = Inertial::diagonal(mass, [0.0, 0.0, -0.5], [1e9; 3]);
+        let wide =
+            LinkDescription { geometry: Geometry::Within(0.5), ..LinkDescription::new("rod", inertial) };
+        let found = with(wide, hinge()).build().unwrap().mechanism.implausible_inertias(accept);
+        found.into_iter().next().expect("a finding").1
+    };
+    let accept = Accept { implausible_inertia: true, ..Accept::default() };
+    assert!(matches!(problem(1.0, Accept::default()), Problem::WideInertia { far: true, .. }));
+    assert!(matches!(problem(1.0, accept), Problem::WideInertia { far: false, .. }));
+    // Without any mass there is no radius of gyration.
+    assert!(matches!(problem(0.0, accept), Problem::InertiaWithoutMass { .. }));
+    let heavy = LinkDescription::new("ground", Inertial::point(2.0, [0.0; 3]));
+    let still =
+        MechanismBuilder::new("door").link(heavy).link(LinkDescription::massless("rod")).joint(hinge());
+    assert!(!still.build().unwrap().mechanism.has_moving_mass());
 }
 
 #[test]
