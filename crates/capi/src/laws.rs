@@ -100,7 +100,7 @@ fn with_law_status<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> 
 
 impl percuss_spring {
     /// Compliant contact with this mass, stiffness and exponent; checks the numbers.
-    fn to_contact(self) -> Result<CompliantContact, Failure> {
+    fn to_contact(self) -> Result<CompliantContact<'static>, Failure> {
         let linear = with_law_status(CompliantContact::new(self.effective_mass, self.stiffness))?;
         with_law_status(linear.with_exponent(self.exponent))
     }

@@ -1,17 +1,16 @@
-//! Compliant contact: effective mass and spring.
+//! Compliant contact: effective mass and stiffness, which is a power law or a curve of force over penetration.
 
 use crate::ContactLawError;
-use crate::error::{LawParameter, positive};
+use crate::error::{LawParameter, positive, representable};
 
-/// Effective mass of a contact, and the spring between the two surfaces: force k xᵖ at the penetration x.
+/// Effective mass of a contact, and the stiffness between the two surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CompliantContact {
+pub struct CompliantContact<'a> {
     mass: f64,
-    stiffness: f64,
-    exponent: f64,
+    stiffness: StiffnessLaw<'a>,
 }
 
-impl CompliantContact {
+impl<'a> CompliantContact<'a> {
     /// Smallest and largest exponent of the spring.
     pub const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=10.0;
 
@@ -21,22 +20,28 @@ impl CompliantContact {
     /// a finite number above zero.
     pub fn new(mass: f64, stiffness: f64) -> Result<Self, ContactLawError> {
         let mass = positive(LawParameter::Mass, mass)?;
-        let stiffness = positive(LawParameter::Stiffness, stiffness)?;
-        Ok(Self { mass, stiffness, exponent: 1.0 })
+        let coefficient = positive(LawParameter::Stiffness, stiffness)?;
+        Ok(Self { mass, stiffness: StiffnessLaw::Power { coefficient, exponent: 1.0 } })
+    }
+
+    /// Contact with the force curve of a stop. `mass` is the effective mass m̄ along the normal, in kg. Errors: the mass is not a finite
+    /// number above zero.
+    pub fn on_curve(mass: f64, curve: &'a ForceCurve) -> Result<Self, ContactLawError> {
+        Ok(Self { mass: positive(LawParameter::Mass, mass)?, stiffness: StiffnessLaw::Curve(curve) })
     }
 
     /// Contact with the spring force k xᵖ, k in N/mᵖ: p = 1 for a linear spring, 3/2 for spheres (Hertz).
     ///
-    /// Errors: as [`new`](Self::new); p is not from 1 to 10.
+    /// Errors: as [`new`](Self::new); p is not from 1 to 10; the contact has a curve.
     pub fn with_exponent(self, exponent: f64) -> Result<Self, ContactLawError> {
-        if Self::EXPONENTS.contains(&exponent) {
-            return Ok(Self { exponent, ..self });
-        }
-        Err(ContactLawError::OutOfRange {
-            what: LawParameter::Exponent,
-            got: exponent,
-            valid: "a number from 1 to 10",
-        })
+        let valid = match self.stiffness {
+            StiffnessLaw::Power { coefficient, .. } if Self::EXPONENTS.contains(&exponent) => {
+                return Ok(Self { stiffness: StiffnessLaw::Power { coefficient, exponent }, ..self });
+            }
+            StiffnessLaw::Power { .. } => "a number from 1 to 10",
+            StiffnessLaw::Curve(_) => "no exponent with a force curve",
+        };
+        Err(ContactLawError::OutOfRange { what: LawParameter::Exponent, got: exponent, valid })
     }
 
     /// m̄, in kg.
@@ -44,13 +49,176 @@ impl CompliantContact {
         self.mass
     }
 
-    /// k, in N/mᵖ.
-    pub fn stiffness(self) -> f64 {
+    /// Stiffness between the two surfaces.
+    pub fn stiffness(self) -> StiffnessLaw<'a> {
         self.stiffness
     }
 
-    /// p.
-    pub fn exponent(self) -> f64 {
-        self.exponent
+    /// k, in N/mᵖ, and p; `None` for a force curve.
+    pub fn power_law(self) -> Option<(f64, f64)> {
+        match self.stiffness {
+            StiffnessLaw::Power { coefficient, exponent } => Some((coefficient, exponent)),
+            StiffnessLaw::Curve(_) => None,
+        }
+    }
+
+    /// Largest penetration without damping, m, for an approach speed in m/s. Errors: overflow; a curve that does not stop the mass.
+    pub(crate) fn undamped_penetration(self, speed: f64) -> Result<f64, ContactLawError> {
+        let depth = match self.stiffness {
+            StiffnessLaw::Power { coefficient, exponent: p } => {
+                // √(m̄/k) v first: intermediate squares cannot overflow.
+                let root = self.mass.sqrt() / coefficient.sqrt() * speed;
+                let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
+                scale.powf(2.0 / (p + 1.0))
+            }
+            StiffnessLaw::Curve(curve) => {
+                let energy = 0.5 * self.mass * speed * speed;
+                curve.depth(energy).ok_or(ContactLawError::NotStopped { energy })?
+            }
+        };
+        representable("penetration, m", depth)
+    }
+}
+
+/// Force curve of a stop: points of penetration and force, linear between the points. Beyond the last point the last slope continues, but the
+/// force does not fall below zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceCurve {
+    deflections: Vec<f64>,
+    forces: Vec<f64>,
+    /// Work ∫ F dx from the touch to each point, J.
+    works: Vec<f64>,
+}
+
+impl ForceCurve {
+    /// Creates a curve from penetrations (m), increasing from 0, and the force (N) at each.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Curve`]: lists of different lengths or of less than two numbers, penetrations that do not increase from 0,
+    /// negative or infinite numbers.
+    pub fn new(deflections: Vec<f64>, forces: Vec<f64>) -> Result<Self, ContactLawError> {
+        let refuse = |why: String| Err(ContactLawError::Curve { why });
+        let (x, f) = (&deflections, &forces);
+        if x.len() != f.len() || x.len() < 2 {
+            return refuse(format!(
+                "{} deflections and {} forces are given; expected two lists of the same length, at least 2",
+                x.len(),
+                f.len()
+            ));
+        }
+        if let Some(number) = x.iter().chain(f).find(|number| !number.is_finite()) {
+            return refuse(format!("{number} is given; finite numbers are expected"));
+        }
+        if x[0] != 0.0 {
+            return refuse(format!("the first deflection is {} m; expected 0, the touch", x[0]));
+        }
+        if let Some(pair) = x.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return refuse(format!(
+                "a deflection of {} m follows {} m; expected increasing deflections",
+                pair[1], pair[0]
+            ));
+        }
+        if let Some(force) = f.iter().find(|force| **force < 0.0) {
+            return refuse(format!(
+                "a force of {force} N is given; expected forces of compression, 0 or more"
+            ));
+        }
+        let mut works = vec![0.0];
+        for i in 1..x.len() {
+            works.push(works[i - 1] + 0.5 * (x[i] - x[i - 1]) * (f[i] + f[i - 1]));
+        }
+        Ok(Self { deflections, forces, works })
+    }
+
+    /// Penetrations of the points, m.
+    pub fn deflections(&self) -> &[f64] {
+        &self.deflections
+    }
+
+    /// Forces of the points, N.
+    pub fn forces(&self) -> &[f64] {
+        &self.forces
+    }
+
+    /// Last point of the curve: penetration (m) and force (N).
+    pub fn end(&self) -> (f64, f64) {
+        let last = self.forces.len() - 1;
+        (self.deflections[last], self.forces[last])
+    }
+
+    /// Slope of the piece after point `i`, N/m.
+    fn slope(&self, i: usize) -> f64 {
+        (self.forces[i + 1] - self.forces[i]) / (self.deflections[i + 1] - self.deflections[i])
+    }
+
+    /// Index of the point before the piece with the penetration `x`; the next piece at a point.
+    fn piece(&self, x: f64) -> usize {
+        self.deflections.partition_point(|at| *at <= x).clamp(1, self.deflections.len() - 1) - 1
+    }
+
+    /// Force (N) and its slope (N/m) at a penetration (m); zero before the touch. At a point of the curve, the slope is that of the next
+    /// piece.
+    pub fn at(&self, penetration: f64) -> (f64, f64) {
+        if penetration < 0.0 {
+            return (0.0, 0.0);
+        }
+        let i = self.piece(penetration);
+        let slope = self.slope(i);
+        let force = self.forces[i] + slope * (penetration - self.deflections[i]);
+        if force < 0.0 { (0.0, 0.0) } else { (force, slope) }
+    }
+
+    /// Penetration (m) at which the work ∫ F dx is `work` (J); `None` if the curve never does this work.
+    pub(crate) fn depth(&self, work: f64) -> Option<f64> {
+        let i = self.works.partition_point(|w| *w <= work).clamp(1, self.works.len() - 1) - 1;
+        let (force, slope, rest) = (self.forces[i], self.slope(i), work - self.works[i]);
+        if rest <= 0.0 {
+            return Some(self.deflections[i]);
+        }
+        // F y + ½ k y² = rest.
+        let root = (force * force + 2.0 * slope * rest).sqrt();
+        let beyond = 2.0 * rest / (force + root);
+        (root.is_finite() && beyond.is_finite()).then_some(self.deflections[i] + beyond)
+    }
+
+    /// Work ∫ F dx (J) from the penetration `from` over the distance `by`, both in m. No difference of large numbers.
+    pub(crate) fn work(&self, from: f64, by: f64) -> f64 {
+        let to = from + by;
+        let inner: Vec<f64> = self.corners(from, to).collect();
+        let trapezoid = |a: f64, b: f64, length: f64| 0.5 * length * (self.at(a).0 + self.at(b).0);
+        let (Some(&first), Some(&last)) = (inner.first(), inner.last()) else {
+            return trapezoid(from, to, by);
+        };
+        let between: f64 = inner.windows(2).map(|p| trapezoid(p[0], p[1], p[1] - p[0])).sum();
+        trapezoid(from, first, first - from) + between + trapezoid(last, to, to - last)
+    }
+
+    /// Points of the curve between two penetrations, m.
+    pub(crate) fn corners(&self, from: f64, to: f64) -> impl DoubleEndedIterator<Item = f64> + '_ {
+        self.deflections.iter().copied().filter(move |x| from < *x && *x < to)
+    }
+}
+
+/// Stiffness of a contact: force over penetration without damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StiffnessLaw<'a> {
+    /// F = k xᵖ; p = 1 is a linear spring.
+    Power {
+        /// k, N/mᵖ.
+        coefficient: f64,
+        /// p.
+        exponent: f64,
+    },
+    /// Curve of a stop.
+    Curve(&'a ForceCurve),
+}
+
+impl StiffnessLaw<'_> {
+    /// Force (N) at a penetration (m); 0 before the touch.
+    pub fn force(self, penetration: f64) -> f64 {
+        match self {
+            Self::Power { coefficient, exponent } => coefficient * penetration.max(0.0).powf(exponent),
+            Self::Curve(curve) => curve.at(penetration).0,
+        }
     }
 }

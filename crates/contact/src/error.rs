@@ -11,6 +11,8 @@ pub enum LawParameter {
     Restitution,
     /// Stiffness of the contact.
     Stiffness,
+    /// Force curve of the contact.
+    Curve,
     /// Exponent of the spring.
     Exponent,
     /// Approach speed.
@@ -55,6 +57,7 @@ impl LawParameter {
         let (key, description) = match self {
             Self::Restitution => ("restitution", "restitution"),
             Self::Stiffness => ("stiffness", "stiffness, N/m^p"),
+            Self::Curve => ("stiffness_curve", "force curve"),
             Self::Exponent => ("exponent", "exponent of the spring"),
             Self::Speed => ("speed", "approach speed, m/s"),
             Self::Mass => ("mass", "effective mass, kg"),
@@ -132,6 +135,21 @@ pub enum ContactLawError {
     NotRepresentable {
         /// Name of the quantity, with its unit.
         what: &'static str,
+    },
+    /// Points that are no force curve.
+    #[error("force curve: {why}")]
+    Curve {
+        /// Received and expected points.
+        why: String,
+    },
+    /// Force curve that never does the work of the impact: its last slope is negative, or all its forces are zero.
+    #[error(
+        "force curve: it never does the work {energy:.4} J that stops the mass, because its last slope is not positive; give points up to \
+         a larger deflection, or a slower speed"
+    )]
+    NotStopped {
+        /// Energy, J.
+        energy: f64,
     },
     /// Unknown name of a law.
     #[error("\"{name}\" is not a contact law{}; known: {known}", suggestion(.nearest))]
@@ -219,6 +237,7 @@ impl ContactLawError {
     pub fn parameter(&self) -> Option<LawParameter> {
         match self {
             Self::OutOfRange { what, .. } | Self::Contradicts { what, .. } => Some(*what),
+            Self::Curve { .. } | Self::NotStopped { .. } => Some(LawParameter::Curve),
             Self::SpeedNeeded { .. } => Some(LawParameter::Speed),
             Self::UnknownLaw { .. } => Some(LawParameter::Law),
             Self::UnknownRegion { .. } => Some(LawParameter::Region),

@@ -56,15 +56,12 @@ struct Units {
 
 impl Units {
     fn new(contact: CompliantContact, speed: f64) -> Result<Self, ContactLawError> {
-        let p = contact.exponent();
         let speed = positive(LawParameter::Speed, speed)?;
-        // √(m̄/k) v first: intermediate squares cannot overflow.
-        let root = contact.mass().sqrt() / contact.stiffness().sqrt() * speed;
-        let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
-        let length = representable("penetration, m", scale.powf(2.0 / (p + 1.0)))?;
+        let length = contact.undamped_penetration(speed)?;
         let time = representable("duration, s", length / speed)?;
         // k Xᵖ = (p+1)/2 m̄ v²/X.
-        let force = representable("force, N", 0.5 * (p + 1.0) * contact.mass() * (speed / time))?;
+        let factor = contact.power_law().map_or(1.0, |(_, p)| 0.5 * (p + 1.0));
+        let force = representable("force, N", factor * contact.mass() * (speed / time))?;
         Ok(Self { speed, length, time, force })
     }
 
@@ -111,6 +108,15 @@ pub(crate) fn impact(
     })
 }
 
+/// Checks the number of samples of a history.
+pub(crate) fn check_count(count: usize) -> Result<(), ContactLawError> {
+    if limits::SAMPLES.contains(&count) {
+        return Ok(());
+    }
+    let valid = "a whole number from 2 to 1000000";
+    Err(ContactLawError::OutOfRange { what: "number of samples".into(), got: count as f64, valid })
+}
+
 /// History of a trajectory at `count` instants, including the touch and the end.
 ///
 /// The instants are nearly uniform in time near both ends, because the force of a stiffening spring starts there, and
@@ -121,14 +127,7 @@ pub(crate) fn history(
     speed: f64,
     count: usize,
 ) -> Result<Vec<Sample>, ContactLawError> {
-    if !limits::SAMPLES.contains(&count) {
-        let valid = "a whole number from 2 to 1000000";
-        return Err(ContactLawError::OutOfRange {
-            what: "number of samples".into(),
-            got: count as f64,
-            valid,
-        });
-    }
+    check_count(count)?;
     let units = Units::new(contact, speed)?;
     let compression = trajectory.time_after_touch(trajectory.compression());
     let total = compression + trajectory.time_before_end(trajectory.expansion());

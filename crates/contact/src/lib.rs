@@ -9,6 +9,7 @@
 //! | parameters for simulators                  | [`exports`]                                             |
 //! | safe speed of a robot near a person        | [`TransientContact`]                                    |
 //!
+//! The stiffness is k xᵖ or a force curve ([`StiffnessLaw`]).
 //! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]. The other laws are published approximations
 //! of the Hunt–Crossley damping, with known errors. All units are SI. No input causes a panic, a NaN or an infinity:
 //! overflow is an error.
@@ -22,19 +23,21 @@ mod laws;
 mod limits;
 mod separation;
 mod solutions;
+mod stepping;
 mod trajectory;
 mod transient_contact;
 mod varying_mass;
 
-pub use contact::CompliantContact;
+pub use contact::{CompliantContact, ForceCurve, StiffnessLaw};
 pub use damper::Damper;
 pub use error::{ContactLawError, LawParameter};
 pub use impact::{Impact, Sample};
 pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;
 pub use solutions::{hunt_crossley, kelvin_voigt};
+pub use stepping::VaryingMassImpact;
 pub use transient_contact::{BodyRegion, SafeSpeed, TransientContact, standard_robot_mass};
 pub use varying_mass::{
-    VaryingMassImpact, history_with_varying_mass, impact_with_varying_mass,
+    history_with_varying_mass, impact_with_varying_mass, restitution_beside_spring,
     restitution_with_prescribed_acceleration,
 };

@@ -33,6 +33,9 @@ pub(crate) const SMALL_ANGLE: f64 = 1e-4;
 /// Damping ratio below which the integral over time is treated as singular at the end of the contact: when the force
 /// vanishes, the gap is almost closed.
 pub(crate) const LIGHT_DAMPING: f64 = 0.05;
+/// Angle before the largest penetration on a force curve below which the time rate is that of a constant force: its relative error is of the
+/// order of the angle, on as small a part of the duration.
+pub(crate) const TURNING_ANGLE: f64 = 1e-7;
 /// Length of the history of a contact that does not end, in time constants of the slow return: e⁻⁸ = 3e-4 of the
 /// penetration remains.
 pub(crate) const SLOW_RETURN: f64 = 8.0;

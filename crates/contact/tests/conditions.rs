@@ -7,7 +7,7 @@ const STIFFNESS: f64 = 1e5;
 const SPEED: f64 = 1.0;
 
 /// Contact with m̄ = 24 kg on a hinged body whose effective mass without the hinge is `free` kg.
-fn hinged(e: f64, free: f64) -> Request {
+fn hinged(e: f64, free: f64) -> Request<'static> {
     let options = Options { free_mass: Some(free), moving_bodies: Some(1), ..Options::default() };
     Request { options, ..Request::new(CompliantContact::new(24.0, STIFFNESS).unwrap(), e).at(SPEED) }
 }

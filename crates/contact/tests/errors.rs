@@ -8,7 +8,7 @@ use std::fmt::Debug;
 
 const NOT_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-fn contact() -> CompliantContact {
+fn contact() -> CompliantContact<'static> {
     CompliantContact::new(2.0, 1e5).unwrap()
 }
 

@@ -22,7 +22,7 @@ fn restitution(rng: &mut StdRng) -> f64 {
     }
 }
 
-fn contact(rng: &mut StdRng) -> CompliantContact {
+fn contact(rng: &mut StdRng) -> CompliantContact<'static> {
     let exponent = match rng.random_range(0..5) {
         0 => 1.0,
         1 => 1.5,

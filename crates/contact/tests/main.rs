@@ -21,6 +21,7 @@ mod conditions;
 mod errors;
 mod extremes;
 mod laws;
+mod on_curves;
 mod support;
 mod transient_contact;
 mod varying_mass;

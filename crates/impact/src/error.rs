@@ -122,6 +122,16 @@ pub enum ImpactError {
         /// Position without force, rad or m.
         free_position: f64,
     },
+    /// A number of a spring between points is out of range.
+    #[error(
+        "a spring between points with the rate {rate} N/m and the free length {free_length} m; expected finite numbers of at least 0"
+    )]
+    PointSpring {
+        /// Rate, N/m.
+        rate: f64,
+        /// Length without force, m.
+        free_length: f64,
+    },
     /// The motion of an impact in time leads to a pose without a contact normal, or out of the range of numbers.
     #[error(
         "the motion of the impact leads to a pose at which the contact has no normal or the loops break; expected a stiffer contact"

@@ -69,7 +69,7 @@ pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::conditions::{JointSpring, TimeConditions};
-pub use time::history::{ImpactInTime, ImpactSample, peak_over_time};
+pub use time::conditions::{JointSpring, PointSpring, TimeConditions};
+pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 pub use time::impact_in_time::impact_in_time;
 pub use time::motion_forces::forces_of_motion;

@@ -120,6 +120,9 @@ pub const LARGEST_TIME_STEP: f64 = 0.0625;
 /// Largest number of steps of an impact in time: about 80 times the duration of an elastic impact.
 pub const MOST_TIME_STEPS: usize = 4_000;
 
+/// Distance from a point of the force curve, over the penetration without damping, within which the integration is at the point: its location
+/// has an error of [`CONTACT_ENDS`].
+pub const CORNER_DISTANCE: f64 = 1e-12;
 /// Distance from the end of the contact, relative to the step and the penetration, at which the end is found: rounding.
 pub const CONTACT_ENDS: f64 = 1e-14;
 

@@ -72,7 +72,7 @@ pub use question::tables::extremes::{
 };
 #[cfg(feature = "flags")]
 pub use question::tables::headings;
-pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName};
+pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName, SheetSprings};
 pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
@@ -108,7 +108,9 @@ pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, PathRecord, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
-pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
+pub use reports::impact::in_time::{
+    BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, PointSpringRecord,
+};
 pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,
@@ -153,8 +155,10 @@ pub use sweep::row_gradient::{GradientLayout, RowGradient};
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
 pub use values::drives::{GivenGearLimits, GivenSpring};
+pub use values::force_curve::{ForceCurveRecord, GivenCurve};
 #[cfg(feature = "flags")]
 pub use values::named::point_shift;
+pub use values::point_spring::GivenPointSpring;
 pub use values::position::GivenPosition;
 pub use values::quantities::{
     Area, Energy, Force, Length, LinkPoint, Mass, Moments, Momentum, Plain, Point, PositiveMass, Pressure,

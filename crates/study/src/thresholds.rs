@@ -195,6 +195,8 @@ pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
 /// Least step, relative to the penetration. Near a dead centre accepted steps are a hundredth of the remaining motion, and the
 /// end is found to a few ten-thousandths after some thousand steps.
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
+/// Change of the restitution by springs during the contact above which there is a warning: the second digit.
+pub(crate) const SPRING_EFFECT: f64 = 0.01;
 /// Relative change of m̄ over the penetration that causes a warning: restitutions are measured to some per cent.
 pub(crate) const WARNED_MASS_DRIFT: f64 = 0.01;
 /// Step of the second difference of a motion, m: rounding of positions of 1 m gives 2e-6/m, closed loops 1e-2/m.

@@ -125,7 +125,7 @@ pub enum Command {
     /// Damper for a required restitution, and parameters for simulators.
     #[command(
         after_help = examples::DAMP,
-        override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z\n                    --normal X,Y,Z …) --stiffness K --restitution E [--speed V]\n                    [--law NAME] [--for TOOL] …"
+        override_usage = "percuss damp (--mass KG | --mass-from MODEL --at NAME …) --restitution E\n                    [--stiffness K] [--speed V] [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
     /// Restitution of given contact parameters: the inverse of damp.

@@ -16,7 +16,7 @@ use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DampingQuestion, DampingReport, ExportRecord, Tools, damp, damp_contact, damp_stop, impact_history,
+    DampingReport, ExportRecord, ForceCurveRecord, Tools, damp, damp_contact, damp_stop, impact_history,
 };
 use std::fmt::Write;
 
@@ -31,7 +31,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     args.writing.apply();
     let Some(question) = args.damping.checked()? else {
         return Err(Failure::bad_input(
-            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
+            "--restitution E (the required restitution) is required, with --stiffness N/m (the contact spring) or a force curve",
         ));
     };
     args.output.as_deref().map_or(Ok(()), |path| contents::check(path, &TABLES_AND_PICTURES))?;
@@ -71,7 +71,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, args.reading.strict)?;
     args.mass_from.iter().for_each(|path| record_input(path));
     if let Some(path) = &args.output {
-        write_history(&report, &question, path)?;
+        write_history(&report, path)?;
     }
     print(&report, args.format)
 }
@@ -106,14 +106,11 @@ pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
 }
 
 /// Section of a damper on a page, with the history of the impact.
-pub fn document<'a>(
-    report: &'a DampingReport,
-    question: &'a DampingQuestion,
-) -> Result<Document<'a>, Failure> {
+pub fn document(report: &DampingReport) -> Result<Document<'_>, Failure> {
     let mut out = Document::default();
     out.facts(report.stop.is_some().then(|| headline(report)).into_iter().chain(facts(report)));
     if report.damper.speed.is_some() {
-        let samples = samples(report, question)?;
+        let samples = samples(report)?;
         let caption = "Force over time, and over the penetration; the loop encloses the energy that is lost.";
         let figure = move || history_sheet(report, &samples).to_svg();
         out.picture(figure, "Force over time and over penetration", caption);
@@ -125,8 +122,8 @@ pub fn document<'a>(
 }
 
 /// Force history of the impact.
-fn samples(report: &DampingReport, question: &DampingQuestion) -> Result<Vec<Sample>, Failure> {
-    let samples = impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES);
+fn samples(report: &DampingReport) -> Result<Vec<Sample>, Failure> {
+    let samples = impact_history(&report.question, report.effective_mass, limits::HISTORY_SAMPLES);
     Ok(samples.map_err(percuss_study::StudyError::from)?)
 }
 
@@ -160,9 +157,10 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     facts.push(("law", law));
     facts.push(("stiffness", stiffness(report)));
     match (damper.damping_ratio, damper.damping) {
-        (Some(ratio), Some(c)) => {
-            let power = unit_power(0.5 * (damper.exponent + 1.0));
-            let value = format!("{} {force}·s/{length}{power}   (ratio {})", number(c), number(ratio));
+        (ratio, Some(c)) => {
+            let power = unit_power(damper.exponent.map_or(1.0, |p| 0.5 * (p + 1.0)));
+            let ratio = ratio.map_or_else(String::new, |ratio| format!("   (ratio {})", number(ratio)));
+            let value = format!("{} {force}·s/{length}{power}{ratio}", number(c));
             facts.push(("damping", value));
             if let Some(d) = damper.dissipation {
                 facts.push((
@@ -237,8 +235,30 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
 
 /// Stiffness with its unit.
 fn stiffness(report: &DampingReport) -> String {
-    let (damper, ContactUnits { length, force, .. }) = (&report.damper, units(report));
-    format!("{} {force}/{length}{}", number(damper.stiffness), unit_power(damper.exponent))
+    let damper = &report.damper;
+    stiffness_text(damper.stiffness, damper.exponent, damper.stiffness_curve.as_ref(), &units(report))
+}
+
+/// Stiffness with its unit, or the ends of a force curve.
+pub fn stiffness_text(
+    stiffness: Option<f64>,
+    exponent: Option<f64>,
+    curve: Option<&ForceCurveRecord>,
+    units: &ContactUnits,
+) -> String {
+    let ContactUnits { length, small_length, force, .. } = units;
+    let Some(ForceCurveRecord { stop, deflections, forces }) = curve else {
+        let power = unit_power(exponent.unwrap_or(1.0));
+        return format!("{} {force}/{length}{power}", number(stiffness.unwrap_or_default()));
+    };
+    let of = stop.as_ref().map_or_else(|| "as given".to_owned(), |stop| format!("of {stop} in the sheet"));
+    let [depth, last] = [deflections, forces].map(|values| values.last().copied().unwrap_or_default());
+    format!(
+        "force curve {of}, {} points to {} {force} at {} {small_length}",
+        forces.len(),
+        number(last),
+        number(SMALL * depth)
+    )
 }
 
 /// Exponent of a unit, if any.
@@ -324,9 +344,9 @@ fn tools() -> String {
 }
 
 /// Writes the force history of the impact as a plot or as numbers.
-pub fn write_history(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+pub fn write_history(report: &DampingReport, path: &str) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| record_input(&input.path));
-    let samples = samples(report, question)?;
+    let samples = samples(report)?;
     let table = || {
         let row = |s: &Sample| [s.time, s.penetration, s.rate, s.force].map(Cell::Number).to_vec();
         let names = ["time", "penetration", "rate", "force"].map(str::to_owned).to_vec();

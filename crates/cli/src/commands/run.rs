@@ -130,7 +130,7 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
                 damp::print(&report, CheckFormat::Text)?;
             }
             match &damping.output {
-                Some(path) => damp::write_history(&report, damping, path),
+                Some(path) => damp::write_history(&report, path),
                 None => Ok(()),
             }
         }));

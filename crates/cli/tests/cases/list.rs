@@ -35,6 +35,7 @@ crate::pages! {
     suspensions_import "crates/cli/tests/cases/suspensions/import.md",
     suspensions_kinematics "crates/cli/tests/cases/suspensions/kinematics.md",
     suspensions_own_contacts "crates/cli/tests/cases/suspensions/own_contacts.md",
+    suspensions_stop_curve "crates/cli/tests/cases/suspensions/stop_curve.md",
     suspensions_target_search "crates/cli/tests/cases/suspensions/target_search.md",
     sweep_grids "crates/cli/tests/cases/sweep/grids.md",
     sweep_input "crates/cli/tests/cases/sweep/input.md",

@@ -1,9 +1,9 @@
 //! Effect of gravity on a compliant contact.
 
-use super::{Export, ImpactFunction, Request};
+use super::{Export, Request};
 use crate::limits;
 
-impl Request {
+impl Request<'_> {
     /// Loss of restitution of a compliant contact by gravity along the normal: 1.2 ln(1/e) g/(v ω), g = 9.81 m/s², v/ω
     /// the penetration without damping.
     ///
@@ -13,9 +13,7 @@ impl Request {
     /// `None` without a speed, for e = 0 and for the stop of a joint.
     pub fn gravity_loss(&self) -> Option<f64> {
         let speed = self.speed.filter(|_| self.restitution > 0.0 && self.options.stop.is_none())?;
-        let (mass, stiffness) = (self.contact.mass(), self.contact.stiffness());
-        let depth =
-            ImpactFunction::undamped_penetration(self.contact.exponent(), mass, stiffness, speed).ok()?;
+        let depth = self.contact.undamped_penetration(speed).ok()?;
         Some(1.2 * self.restitution.recip().ln() * limits::GRAVITY * depth / (speed * speed))
     }
 }

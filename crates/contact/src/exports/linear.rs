@@ -36,21 +36,22 @@ impl Linear {
     /// Errors: the exponent is not 1; e = 0, unreachable for every damping if the force never pulls; k/m̄ overflows.
     pub(super) fn of(request: &Request, tool: Tool) -> Result<Self, ExportError> {
         let contact = request.contact;
-        if contact.exponent() != 1.0 {
+        let (stiffness, exponent) = request.power_law();
+        if exponent != 1.0 {
             return Err(ExportError::Exponent {
                 tool,
-                exponent: contact.exponent(),
+                exponent,
                 takes: "it is linear, exponent 1",
                 remedy: "choose a linear stiffness that stores the same energy at the same penetration",
             });
         }
         let frequency =
-            representable("ω² = stiffness over effective mass, 1/s²", contact.stiffness() / contact.mass())?;
+            representable("ω² = stiffness over effective mass, 1/s²", stiffness / contact.mass())?;
         Ok(Self {
             tool,
             restitution: request.restitution,
             mass: contact.mass(),
-            stiffness: contact.stiffness(),
+            stiffness,
             ratio: ratio(request.restitution)?,
             frequency: frequency.sqrt(),
             accuracy: request.options.accuracy,

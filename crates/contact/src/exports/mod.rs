@@ -8,6 +8,8 @@
 //!
 //! [`Options::stop`] selects the stop of a joint instead of a contact between bodies.
 //!
+//! A force curve is replaced by the spring of the tool that has the penetration of the curve; an assumption has the error of the peak force.
+//!
 //! One file per tool in `simulators`. This module neither reads files of simulators nor runs simulators.
 
 mod drift;
@@ -100,6 +102,9 @@ impl Tool {
     /// error bound is larger than the restitution.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
+        if request.contact.power_law().is_none() {
+            return simulators::equivalent::export(self, request);
+        }
         if let Some(motion) = request.options.stop {
             let mut export = loops::add_loop_finding(self, request, stops::export(self, request, motion)?)?;
             export.penetrations.iter_mut().for_each(|p| p.unit = motion.units().coordinate);

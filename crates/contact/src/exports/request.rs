@@ -7,9 +7,9 @@ use crate::{CompliantContact, ContactLawError};
 
 /// Contact and required restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Request {
-    /// Effective mass and spring.
-    pub contact: CompliantContact,
+pub struct Request<'a> {
+    /// Effective mass and stiffness.
+    pub contact: CompliantContact<'a>,
     /// Coefficient of restitution e, 0 to 1.
     pub restitution: f64,
     /// Approach speed, m/s, above 0; required by tools with parameters that depend on the speed.
@@ -121,15 +121,20 @@ impl Default for Options {
     }
 }
 
-impl Request {
+impl<'a> Request<'a> {
     /// Request with default options and without a speed.
-    pub fn new(contact: CompliantContact, restitution: f64) -> Self {
+    pub fn new(contact: CompliantContact<'a>, restitution: f64) -> Self {
         Self { contact, restitution, speed: None, options: Options::default() }
     }
 
     /// Request with an approach speed, m/s.
     pub fn at(self, speed: f64) -> Self {
         Self { speed: Some(speed), ..self }
+    }
+
+    /// k (N/mᵖ) and p of the spring. A force curve is replaced by a spring before a tool reads them.
+    pub(super) fn power_law(&self) -> (f64, f64) {
+        self.contact.power_law().unwrap_or((f64::NAN, f64::NAN))
     }
 
     /// True if joints take part in the impact: m̄ differs from the effective mass without joints. `None` if unknown.

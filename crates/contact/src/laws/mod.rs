@@ -192,7 +192,7 @@ impl Law {
         self.facts().approximation.is_none()
     }
 
-    /// True if the damping depends on the approach speed, which is then required.
+    /// True if the damping depends on the approach speed, which is then required. On a force curve the damping of every law depends on it.
     pub fn needs_speed(self) -> bool {
         self != Self::KelvinVoigt
     }
@@ -210,7 +210,11 @@ impl Law {
         separation: Separation,
     ) -> Result<Damper, ContactLawError> {
         let speed = speed.map(|speed| positive(LawParameter::Speed, speed)).transpose()?;
+        let needs_speed = || speed.ok_or(ContactLawError::SpeedNeeded { law: self.name() });
         let dissipation_number = match self {
+            Self::KelvinVoigt if contact.power_law().is_none() => {
+                return Damper::linear_on_curve(contact, restitution, needs_speed()?, separation);
+            }
             Self::KelvinVoigt => {
                 return Damper::kelvin_voigt(
                     contact,
@@ -220,8 +224,7 @@ impl Law {
             }
             _ => self.dissipation_number(restitution)?,
         };
-        let speed = speed.ok_or(ContactLawError::SpeedNeeded { law: self.name() })?;
-        Damper::hunt_crossley(dissipation_number / speed)
+        Damper::hunt_crossley(dissipation_number / needs_speed()?)
     }
 
     /// Restitution that results from the damping of the law for a required e; equal to e for an exact law.

@@ -144,7 +144,7 @@ impl Trajectory for Dissipative {
 }
 
 /// e^x − 1 − x, without loss of digits near 0.
-fn exp_m1_minus(x: f64) -> f64 {
+pub(super) fn exp_m1_minus(x: f64) -> f64 {
     if x.abs() > 0.5 {
         return x.exp_m1() - x;
     }

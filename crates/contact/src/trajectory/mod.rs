@@ -7,14 +7,18 @@
 //! | time        | X/v                                           |
 //! | force       | k Xᵖ                                          |
 //!
+//! On a force curve the unit of the penetration is also the greatest without damping, and the unit of the force is m̄ v²/X.
+//!
 //! The motion of each law has a closed form in a parameter s; only the time needs an integral, ∫ (dt/ds) ds. The
 //! integrand dt/ds can be singular only at the start and at the end of the contact, so s is measured from both.
 
 mod dissipative;
+mod on_curve;
 mod oscillator;
 mod quadrature;
 
 pub(crate) use dissipative::Dissipative;
+pub(crate) use on_curve::OnCurve;
 pub(crate) use oscillator::Oscillator;
 
 use quadrature::from_singular_end;

@@ -56,7 +56,7 @@ const HUNT_CROSSLEY: [(f64, f64, f64, f64); 19] = [
 const TOLERANCE: f64 = 1e-12;
 
 /// Contact with X = 1 at the speed 1.
-fn unit(exponent: f64) -> CompliantContact {
+fn unit(exponent: f64) -> CompliantContact<'static> {
     CompliantContact::new(1.0, 0.5 * (exponent + 1.0)).unwrap().with_exponent(exponent).unwrap()
 }
 

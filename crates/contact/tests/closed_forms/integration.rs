@@ -21,7 +21,7 @@ struct Case {
 
 fn run(law: Law, e: f64, contact: CompliantContact, speed: f64, separation: Separation) -> Case {
     let damper = law.damper(contact, e, Some(speed), separation).unwrap();
-    let (k, p) = (contact.stiffness(), contact.exponent());
+    let (k, p) = contact.power_law().expect("a spring");
     let force = |x: f64, rate: f64| match damper {
         Damper::KelvinVoigt { coefficient, .. } => {
             k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate

@@ -5,7 +5,7 @@ use percuss_contact::exports::{Export, ExportError, Options, Request, Tool};
 
 const STIFFNESS: f64 = 1e5;
 
-fn request(restitution: f64) -> Request {
+fn request(restitution: f64) -> Request<'static> {
     Request::new(CompliantContact::new(2.0, STIFFNESS).unwrap(), restitution).at(0.4)
 }
 

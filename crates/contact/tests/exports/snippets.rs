@@ -9,7 +9,7 @@ const SPEED: f64 = 0.4;
 /// Rounding of a coordinate from 0.25 to 0.5 m in single precision, m.
 const ROUNDING: f64 = 1.5e-8;
 
-fn request(restitution: f64) -> Request {
+fn request(restitution: f64) -> Request<'static> {
     let options = Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
     Request {
         options,
@@ -18,7 +18,7 @@ fn request(restitution: f64) -> Request {
 }
 
 /// Request that the tool supports: OpenSim has a Hertz spring, and DART suppresses slow rebounds.
-fn request_for(tool: Tool, restitution: f64) -> Request {
+fn request_for(tool: Tool, restitution: f64) -> Request<'static> {
     let request = request(restitution);
     match tool.name() {
         "opensim" => Request { contact: request.contact.with_exponent(1.5).unwrap(), ..request },

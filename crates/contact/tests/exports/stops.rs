@@ -8,7 +8,7 @@ const STIFFNESS: f64 = 700.0;
 const RESTITUTIONS: [f64; 12] = [0.005, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99];
 const SUPPORTED: [Tool; 4] = [Tool::MUJOCO, Tool::ODE, Tool::NEWTON, Tool::PHYSX];
 
-fn request(restitution: f64, motion: StopMotion) -> Request {
+fn request(restitution: f64, motion: StopMotion) -> Request<'static> {
     let options = Options { stop: Some(motion), ..Options::default() };
     Request {
         options,

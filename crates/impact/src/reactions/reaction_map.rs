@@ -3,7 +3,7 @@
 use crate::group_rows::GroupRows;
 use crate::reactions::joint_constraints::JointConstraints;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames, axes_along};
+use crate::reactions::tree_frames::{SpringForces, TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::{ClosureKind, LinkId};
@@ -280,7 +280,7 @@ impl ReactionMap {
     }
 
     /// Sets the forces of springs and dampers at `pose` and at the rates of the coordinates.
-    pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], rates: &[f64]) {
+    pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &SpringForces, rates: &[f64]) {
         let mut velocities = Vec::new();
         self.tree.joint_velocities(rates, &mut velocities);
         self.tree.apply_springs(pose, springs, &velocities);

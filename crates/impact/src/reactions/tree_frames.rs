@@ -24,6 +24,8 @@ pub(crate) struct TreeFrames {
     pub armature: Vec<f64>,
     /// For each velocity of all joints: force (N) or moment (N·m) of springs and dampers, positive if it resists a positive velocity.
     applied: Vec<f64>,
+    /// For each end of a spring between points: link, and the wrench that the spring requires from the joints, in the link's axes.
+    of_lines: Vec<(LinkId, Wrench<f64>)>,
     /// X_pc of each joint: child link in the parent link.
     steps: Vec<Transform<f64>>,
     /// Motion subspaces of all joints one after another, in the axes of the children.
@@ -64,6 +66,7 @@ impl TreeFrames {
             coordinates: mechanism.joint_ids().map(coordinate).collect(),
             applied: vec![0.0; armature.len()],
             armature,
+            of_lines: Vec::new(),
             steps: Vec::new(),
             columns: Vec::new(),
             first_column,
@@ -86,10 +89,25 @@ impl TreeFrames {
         }
     }
 
-    /// Sets the forces of springs and dampers at a pose with the velocities of all joints.
-    pub fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
+    /// Sets the forces of springs and dampers at the pose of the last update, with the velocities of all joints.
+    pub fn apply_springs(&mut self, pose: &Pose, springs: &SpringForces, velocities: &[f64]) {
         self.applied.fill(0.0);
-        for spring in springs {
+        self.of_lines.clear();
+        for SpringOnLine { ends, rate, free_length } in &springs.lines {
+            let [a, b] = ends.map(|(link, point)| self.frames[link.index()].point(&point));
+            let length = (b - a).norm();
+            // Points at the same place have no line.
+            let push = if length > 0.0 {
+                (b - a) * (rate * (free_length - length) / length)
+            } else {
+                Vector3::zeros()
+            };
+            for ((link, point), force) in ends.iter().zip([push, -push]) {
+                let force = self.frames[link.index()].inverse_vector(&force);
+                self.of_lines.push((*link, Wrench::new(point.cross(&force), force)));
+            }
+        }
+        for spring in &springs.joints {
             let first = self.first_column(spring.joint);
             let elongation = pose.joint(spring.joint)[0] - spring.free_position;
             self.applied[first] += spring.stiffness * elongation + spring.damping * velocities[first];
@@ -226,6 +244,9 @@ impl TreeFrames {
             let inertia = self.mechanism.link(link).inertia();
             loads[i] = inertia.momentum(a) + v.cross_force(&inertia.momentum(v));
         }
+        for (link, wrench) in &self.of_lines {
+            loads[link.index()] += *wrench;
+        }
         self.add_contact(contact, force, &mut loads);
         loads
     }
@@ -263,6 +284,29 @@ impl TreeFrames {
         };
         std::iter::successors(link, parent)
     }
+}
+
+/// Springs and dampers of a mechanism.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SpringForces {
+    pub joints: Vec<SpringAtJoint>,
+    pub lines: Vec<SpringOnLine>,
+}
+
+impl SpringForces {
+    pub fn is_empty(&self) -> bool {
+        self.joints.is_empty() && self.lines.is_empty()
+    }
+}
+
+/// Spring between two points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpringOnLine {
+    pub ends: [(LinkId, Vector3<f64>); 2],
+    /// N/m.
+    pub rate: f64,
+    /// Length without force, m.
+    pub free_length: f64,
 }
 
 /// Spring and damper of a joint with one velocity.

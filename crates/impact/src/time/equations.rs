@@ -13,7 +13,7 @@ use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
 use crate::numerics::pivoted_qr::PivotedQr;
-use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames};
+use crate::reactions::tree_frames::{SpringForces, TreeFrames};
 use crate::tolerances::MASSLESS_ENERGY;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{ConstraintGroup, LocatedContact, Pose};
@@ -32,7 +32,7 @@ pub(crate) struct MotionEquations {
     /// Velocities of all joints, and their accelerations of the particular solution u_p.
     velocities: Vec<f64>,
     bias: Vec<f64>,
-    springs: Vec<SpringAtJoint>,
+    springs: SpringForces,
 }
 
 /// Rows of a group of constraints.
@@ -44,8 +44,8 @@ struct EquationGroup {
 }
 
 impl MotionEquations {
-    /// Equations for the system of a pose, with springs and dampers of joints.
-    pub fn new(pose: &Pose, springs: Vec<SpringAtJoint>) -> Self {
+    /// Equations for the system of a pose, with springs and dampers.
+    pub fn new(pose: &Pose, springs: SpringForces) -> Self {
         let of_group = |group: ConstraintGroup| EquationGroup {
             coordinates: group.coordinates,
             lengths: group.lengths,
@@ -101,6 +101,21 @@ impl MotionEquations {
         };
         accelerations.iter_mut().zip(motion.iter()).for_each(|(sum, a)| *sum += a);
         Some(accelerations)
+    }
+
+    /// Power (W) of gravity, springs and dampers at the rates `u`, at the pose of the last accelerations.
+    pub fn applied_power(
+        &self,
+        pose: &Pose,
+        contact: &LocatedContact,
+        u: &[f64],
+        gravity: &Vector3<f64>,
+    ) -> f64 {
+        let (zero, rest) = (Twist::zero(), vec![0.0; self.velocities.len()]);
+        let loads = self.tree.motion_loads(pose, contact, 0.0, (&rest, zero), (&rest, zero), gravity);
+        let mut forces = Vec::new();
+        self.tree.generalised_loads(&loads, &rest, &mut forces);
+        -forces.iter().zip(u).map(|(force, rate)| force * rate).sum::<f64>()
     }
 
     /// Rates of the positions of all joints (layout of [`Pose::positions`]) and twist of the root link, at the rates `u` and the pose of

@@ -29,6 +29,26 @@ pub struct ImpactSample {
     pub reactions: Reactions,
 }
 
+/// Energies of an impact in time, J. Kinetic energies include a free body on the other side.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergyBalance {
+    /// Kinetic energy at the touch.
+    pub kinetic_before: f64,
+    /// Kinetic energy at the end of the contact.
+    pub kinetic_after: f64,
+    /// Work ∫ F δ̇ dt that the contact takes.
+    pub taken_by_contact: f64,
+    /// Work of gravity, springs and dampers on the mechanism.
+    pub work_of_other_forces: f64,
+}
+
+impl EnergyBalance {
+    /// Error of the balance, J: kinetic energy after − before + taken by the contact − work of the other forces.
+    pub fn residual(self) -> f64 {
+        self.kinetic_after - self.kinetic_before + self.taken_by_contact - self.work_of_other_forces
+    }
+}
+
 /// Impact in time, from the touch to the separation.
 #[derive(Clone, Debug)]
 pub struct ImpactInTime {
@@ -42,6 +62,8 @@ pub struct ImpactInTime {
     pub peak_force: f64,
     /// m̄ at the largest penetration, kg; `None` if it is not finite.
     pub mass_at_max_penetration: Option<f64>,
+    /// Energies of the motion.
+    pub energy: EnergyBalance,
     /// Samples at the steps of the integration; the last one is the end of the contact.
     pub samples: Vec<ImpactSample>,
 }

@@ -7,21 +7,25 @@ use crate::numerics::extrapolation::step;
 use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
-use crate::reactions::tree_frames::SpringAtJoint;
-use crate::time::conditions::{TimeConditions, springs_at_joints};
+use crate::reactions::tree_frames::SpringForces;
+use crate::time::conditions::{TimeConditions, spring_forces};
 use crate::time::equations::{MotionEquations, rates_of};
-use crate::time::history::{ImpactInTime, ImpactSample, peak_over_time};
+use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
-    CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
-    WORK_INTERVALS,
+    CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS,
+    TIME_STEP_ERROR, WORK_INTERVALS,
 };
-use nalgebra::Vector3;
+use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{
     ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
 use std::cell::{Cell, RefCell};
 
+/// Unit of the works, over the kinetic energy ½ m̄ c²: so large that their errors do not shorten the steps.
+const WORK_UNIT: f64 = 1e3;
+/// Distance of a point of the force curve, over the penetration without damping, within which a step is examined.
+const NEAR_CORNER: f64 = 0.01;
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
 
@@ -50,15 +54,16 @@ pub fn impact_in_time(
         return Err(ImpactError::ClosingSpeed { got: closing_speed });
     }
     refuse_grounded_base(pose)?;
-    let springs = springs_at_joints(pose, &conditions.springs)?;
+    let springs = spring_forces(pose, conditions)?;
     let mass = match pose.respond(contact).map(|response| response.effective_mass) {
         Ok(EffectiveMass::Finite(mass)) => mass,
         Ok(EffectiveMass::Massless) => return Err(crate::ReactionError::Massless.into()),
         _ => return Err(ImpactError::Immovable),
     };
     let mass = conditions.other_mass.map_or(mass, |other| mass * other / (mass + other));
-    let depth = stopping_depth(force, 0.5 * mass * closing_speed * closing_speed)?;
-    Motion::new(pose, contact, closing_speed, before, force, conditions, depth, springs).run()
+    let energy = 0.5 * mass * closing_speed * closing_speed;
+    let depth = stopping_depth(force, energy)?;
+    Motion::new(pose, contact, closing_speed, before, force, conditions, (depth, energy), springs).run()
 }
 
 /// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
@@ -95,7 +100,8 @@ fn stopping_depth(force: &dyn Fn(f64, f64) -> f64, energy: f64) -> Result<f64, I
 }
 
 /// Motion in scaled variables, each of order one: displacements of the joints and of the base over `depth`, rates over the largest
-/// rate, penetration over `depth`, speed of the other body over the closing speed; time over `depth`/closing speed.
+/// rate, penetration over `depth`, speed of the other body over the closing speed, work taken by the contact and work of the other forces over
+/// `work`; time over `depth`/closing speed.
 struct Motion<'a> {
     start: &'a Pose,
     contact: &'a Contact,
@@ -112,7 +118,9 @@ struct Motion<'a> {
     evaluation: RefCell<Evaluation>,
     /// True if the last evaluation is beyond the end of the contact.
     is_over: Cell<bool>,
-    springs: Vec<SpringAtJoint>,
+    springs: SpringForces,
+    /// Unit of the works, J.
+    work: f64,
 }
 
 /// Last evaluation of the derivative.
@@ -141,8 +149,8 @@ impl<'a> Motion<'a> {
         before: &JointRates,
         force: &'a dyn Fn(f64, f64) -> f64,
         conditions: &'a TimeConditions,
-        depth: f64,
-        springs: Vec<SpringAtJoint>,
+        (depth, energy): (f64, f64),
+        springs: SpringForces,
     ) -> Self {
         let lengths = lengths(start, &start.coordinate_joints());
         let u = before.coordinates(start);
@@ -152,7 +160,12 @@ impl<'a> Motion<'a> {
         let own: f64 = row.iter().zip(&u).map(|(j, u)| j * u).sum();
         let mut initial = vec![0.0; start.positions().len() + BASE];
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
-        initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
+        initial.extend([
+            0.0,
+            if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 },
+            0.0,
+            0.0,
+        ]);
         let equations = MotionEquations::new(start, springs.clone());
         let evaluation = RefCell::new(Evaluation { pose: start.clone(), equations, instant: None });
         Self {
@@ -168,6 +181,7 @@ impl<'a> Motion<'a> {
             evaluation,
             is_over: Cell::new(false),
             springs,
+            work: WORK_UNIT * energy,
         }
     }
 
@@ -230,6 +244,13 @@ impl<'a> Motion<'a> {
         out[n + BASE + m] = at.closing * time / self.depth;
         out[n + BASE + m + 1] =
             self.conditions.other_mass.map_or(0.0, |mass| -at.force / mass * time / self.speed);
+        let gravity = self.gravity(pose);
+        let others = match self.springs.is_empty() && gravity == Vector3::zeros() {
+            true => 0.0,
+            false => equations.applied_power(pose, &at.contact, &at.rates, &gravity),
+        };
+        out[n + BASE + m + 2] = at.force * at.closing * time / self.work;
+        out[n + BASE + m + 3] = others * time / self.work;
         *instant = Some(at);
         Some(())
     }
@@ -243,7 +264,8 @@ impl<'a> Motion<'a> {
 
     /// Quantity that falls through zero at the end of the contact, of order one.
     fn remaining(&self, at: &Instant) -> f64 {
-        if self.conditions.ends_without_force {
+        // A force curve can have a force at the touch: the gap closes before the force vanishes.
+        if self.conditions.ends_without_force && (self.force)(0.0, at.closing) <= 0.0 {
             at.force / (self.force)(self.depth, 0.0)
         } else {
             at.penetration / self.depth
@@ -260,10 +282,25 @@ impl<'a> Motion<'a> {
         let at = self.take_instant(&mut sampler.pose).ok_or_else(lost)?;
         sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
-        let mut closing = at.closing;
+        let (mut closing, mut penetration) = (at.closing, at.penetration);
         let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
+            let passed = self.corner(&y, taken, (penetration, closing), &mut sampler.pose);
+            if let Some((state, at, taken)) = passed {
+                let states = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+                if closing > 0.0 && at.closing <= 0.0 {
+                    deepest = deeper(deepest, self.turning_point(&y, taken, &states));
+                }
+                sampler.add_within(self, time, taken, &states);
+                time += taken;
+                let mut rate = vec![0.0; state.len()];
+                f(&state, &mut rate);
+                (y, closing, penetration) = (state, at.closing, at.penetration);
+                sampler.add(self, time, &at, &rate);
+                integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
+                continue;
+            }
             let Some(next) = next else {
                 // The contact ends within one step after y. The polynomial is compared with an extrapolation step, which replaces it if
                 // the states differ.
@@ -295,7 +332,7 @@ impl<'a> Motion<'a> {
                 let turn = self.turning_point(&y, taken, states).ok_or_else(lost)?;
                 deepest = deeper(deepest, Some(turn));
             }
-            closing = then.closing;
+            (closing, penetration) = (then.closing, then.penetration);
             if self.is_end(&then) {
                 let end = self.locate(&y, taken, &single, &|at| self.remaining(at), &mut sampler.pose);
                 let end = end.ok_or_else(lost)?;
@@ -308,6 +345,32 @@ impl<'a> Motion<'a> {
             sampler.add(self, time, &then, integrator.rate());
         }
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
+    }
+
+    /// First point of the force curve that the penetration passes within a step of length `h` from `y`, where it is `penetration` (m): state,
+    /// values, and distance from `y`. Moves `pose` to the state. `None` without such a point.
+    fn corner(
+        &self,
+        y: &[f64],
+        h: f64,
+        (penetration, closing): (f64, f64),
+        pose: &mut Pose,
+    ) -> Option<(Vec<f64>, Instant, f64)> {
+        let corners = &self.conditions.corners;
+        // Far points are not reached: the speed changes little within a step, and the turning point is within a hundredth of the depth.
+        let most = (2.0 * closing.abs() / self.speed * h + NEAR_CORNER) * self.depth;
+        if corners.iter().all(|x| (x - penetration).abs() > most) {
+            return None;
+        }
+        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
+        let states = |h: f64| step(&f, y, h, TIME_STEP_ERROR).0;
+        let reached = self.instant(&states(h), &mut self.start.clone())?.penetration;
+        let least = CORNER_DISTANCE * self.depth;
+        let sign = (reached - penetration).signum();
+        let ahead = |x: &&f64| sign * (**x - penetration) > least && sign * (reached - **x) > 0.0;
+        let nearest = |a: &&f64, b: &&f64| (**a - penetration).abs().total_cmp(&(**b - penetration).abs());
+        let corner = *corners.iter().filter(ahead).min_by(nearest)?;
+        self.locate(y, h, &states, &|at| sign * (corner - at.penetration) / self.depth, pose)
     }
 
     /// True if a state is at or beyond the end of the contact: the sides separate, and the force or the penetration is not positive.
@@ -329,14 +392,32 @@ impl<'a> Motion<'a> {
         self.derivative(&end, &mut rate);
         sampler.add(self, time, &at, &rate);
         let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
+        let works = end.len() - 2;
+        let energy = EnergyBalance {
+            kinetic_before: self.kinetic_energy(&self.initial),
+            kinetic_after: self.kinetic_energy(&end),
+            taken_by_contact: self.work * end[works],
+            work_of_other_forces: self.work * end[works + 1],
+        };
         Ok(ImpactInTime {
             restitution: -at.closing / self.speed,
             duration: time * self.depth / self.speed,
             max_penetration,
             peak_force: sampler.peak_force(),
             mass_at_max_penetration: mass,
+            energy,
             samples: sampler.samples,
         })
+    }
+
+    /// Kinetic energy at a scaled state, with a free body on the other side, J; 0 if the contact does not exist there.
+    fn kinetic_energy(&self, y: &[f64]) -> f64 {
+        let mut pose = self.start.clone();
+        let Some(at) = self.instant(y, &mut pose) else { return 0.0 };
+        let rates = DVector::from_vec(at.rates);
+        let own = 0.5 * rates.dot(&(pose.mass_matrix() * &rates));
+        let other = self.speed * y[y.len() - 3];
+        own + self.conditions.other_mass.map_or(0.0, |mass| 0.5 * mass * other * other)
     }
 
     /// Largest penetration (m) within a step of length `h` from `y`, and m̄ (kg) there.

@@ -265,7 +265,7 @@ def impact(
     base_twist: Sequence[float] | None = None,
     stiffness: float | None = None,
     exponent: float | None = None,
-    law: str = "kelvin-voigt",
+    law: str | None = None,
     rate_limit: Mapping[str, Position] | None = None,
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
@@ -280,13 +280,16 @@ def impact(
     gear_limit: Mapping[str, Position] | None = None,
     point_error: float | None = None,
     joint_spring: Mapping[str, Position] | None = None,
+    stiffness_curve: Mapping[str, Sequence[float]] | None = None,
+    springs: Literal["change", "full", "none"] | None = None,
+    spring: Sequence[str] = (),
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
     speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge, default), "poisson", "newton" or
     "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
-    base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
-    peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
+    base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law, stiffness_curve: contact law
+    for the peak forces of all bearings, as in Damping; default: the force curve of the stop in a suspension sheet. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
     joints whose reflected inertia is added. percussion: joints, loop closures or "ground" whose centre of percussion is added,
     "JOINT" in the tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
     contacts that touch at the same time: a Contact, the name of a contact, a point "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame, normal
@@ -296,7 +299,9 @@ def impact(
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
     gears (N·m·s or N·s) or, as text with a unit, largest torques ("80N·m"; requires stiffness), for the greatest closing speed.
     point_error: largest displacement of the contact point (m), for the worst impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
-    of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). As ``percuss impact``."""
+    of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). springs: springs of a suspension
+    sheet during the impact in time, "change" (default; change of their forces since the touch), "full" (with the preload) or "none".
+    spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". As ``percuss impact``."""
     model, request = asked(
         model, contact, conditions,
         impact={
@@ -304,7 +309,7 @@ def impact(
             "also": [one if isinstance(one, str) else "contact" for one in also], "also_restitution": also_restitution,
             "sticking": sticking, "stiffness_ratio": stiffness_ratio, "contact_exponent": contact_exponent, "rates": rates,
             "base_twist": base_twist, "stiffness": stiffness, "exponent": exponent,
-            "law": None if stiffness is None and law == "kelvin-voigt" else law, "in_time": in_time, "gravity": gravity,
+            "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "in_time": in_time, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
             "reflected": reflected, "percussion": percussion,
         },

@@ -246,10 +246,12 @@ class DampingReport(Record):
     """Joint stop; None for other contacts."""
     restitution: float
     """Requested coefficient of restitution."""
-    stiffness: float
-    """Stiffness k, N/m^p."""
-    exponent: float
-    """Exponent p."""
+    stiffness: float | None
+    """Stiffness k, N/m^p; None for a force curve."""
+    exponent: float | None
+    """Exponent p; None for a force curve."""
+    stiffness_curve: ForceCurveRecord | None
+    """Force curve F_s of the contact; None for a stiffness."""
     speed: float | None
     """Approach speed, m/s."""
     law: str
@@ -261,12 +263,13 @@ class DampingReport(Record):
     separation: str | None
     """Condition for the end of the contact: "force" or "gap"; None for laws with a force that vanishes with the gap."""
     damping_ratio: float | None
-    """Damping ratio ζ; None for laws of the Hunt–Crossley family."""
+    """Damping ratio ζ; None for laws of the Hunt–Crossley family and for a force curve."""
     damping: float | None
-    """Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring; None for laws of the Hunt–Crossley family."""
+    """Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring and for a force curve; None for laws of the
+    Hunt–Crossley family."""
     dissipation: float | None
-    """Dissipation d of the force k xᵖ (1 + d ẋ), s/m. For the Kelvin–Voigt law, the value of the exact Hunt–Crossley law, None
-    without a speed."""
+    """Dissipation d of the force F_s(x) (1 + d ẋ), F_s = k xᵖ or the force curve, s/m. For the Kelvin–Voigt law, the value of
+    the exact Hunt–Crossley law, None without a speed."""
     achieved_restitution: float
     """Restitution that the damper achieves."""
     contact_duration: float | None
@@ -392,6 +395,21 @@ class Drift(Record):
     reachable."""
     ends_at: float | None
     """Penetration at which the motion of impact ends before the maximum penetration, m; None if the motion does not end early."""
+
+
+class EnergyRecord(Record):
+    """Energies of an impact in time, J. Kinetic energies include a free body on the other side."""
+
+    kinetic_before: float
+    """Kinetic energy at the touch."""
+    kinetic_after: float
+    """Kinetic energy at the end."""
+    taken_by_contact: float
+    """Work that the contact takes."""
+    work_of_other_forces: float
+    """Work of gravity, springs and dampers on the mechanism."""
+    residual: float
+    """Error of the balance: after − before + taken by the contact − work of the other forces."""
 
 
 class ErrorBudgetRecord(Record):
@@ -586,6 +604,17 @@ class ExtremesReport(Record):
     """Findings about the ranges, or about the rows of the path."""
 
 
+class ForceCurveRecord(Record):
+    """Force curve of a contact, in a report."""
+
+    stop: str | None
+    """Named contact of the suspension sheet that has the curve; None for a given curve."""
+    deflections: list[float]
+    """Penetrations, m."""
+    forces: list[float]
+    """Force at each penetration, N."""
+
+
 class FrictionRecord(Record):
     """Coulomb friction at the contact."""
 
@@ -655,10 +684,12 @@ class ImpactLawRecord(Record):
 
     law: str
     """Contact law."""
-    stiffness: float
-    """Stiffness, N/m^p."""
-    exponent: float
-    """Exponent p."""
+    stiffness: float | None
+    """Stiffness, N/m^p; None for a force curve."""
+    exponent: float | None
+    """Exponent p; None for a force curve."""
+    stiffness_curve: ForceCurveRecord | None
+    """Force curve of the contact; None for a stiffness."""
     duration: float | None
     """Duration of the contact, s; None if infinite, and with friction."""
     max_penetration: float | None
@@ -760,6 +791,12 @@ class ImpactTimeRecord(Record):
     the motion ends before."""
     gravity_world: list[float]
     """Gravity, world axes, m/s²."""
+    springs: list[PointSpringRecord]
+    """Springs between points that act."""
+    springs_left_out: list[str]
+    """Springs of the suspension sheet that are left out."""
+    energy: EnergyRecord
+    """Energies of the motion."""
     loop_gap: float
     """Largest gap of the loops during the motion, m: error of the integration."""
     times: list[float]
@@ -1378,6 +1415,19 @@ class PointSensitivity(Record):
     """dm̄/dx, dm̄/dy, dm̄/dz, kg/m, in the sheet's axes; None if the question has no result at a neighbouring design."""
     per_metre_error: float | None
     """Error estimate of the differences, kg/m."""
+
+
+class PointSpringRecord(Record):
+    """Spring between two points during an impact in time."""
+
+    name: str
+    """Named contact of the suspension sheet, or both links of a given spring."""
+    rate: float
+    """Rate, N/m."""
+    force_at_touch: float
+    """Force at the touch, N, positive in compression; 0 if only the change of the force acts."""
+    force_at_end: float
+    """Force at the end of the contact, N."""
 
 
 class RatesAfterRecord(Record):

@@ -56,6 +56,7 @@ finding_kinds! {
     BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
     BehindDeadCentre = "behind-dead-centre", Warning, Report;
+    CurveNotUsed = "curve-not-used", Note, Report;
     DefaultDistance = "default-distance", Note, Report;
     DrawnOpen = "drawn-open", Warning, Model;
     DriverOffZero = "driver-off-zero", Warning, Branch;
@@ -72,6 +73,7 @@ finding_kinds! {
     ImmovableRobot = "immovable-robot", Warning, Report;
     IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
     InexactLoops = "inexact-loops", Warning, Model;
+    LawOfCurve = "law-of-curve", Note, Report;
     ManyTurns = "many-turns", Warning, Model;
     MassDrifts = "mass-drifts", Warning, Report;
     MasslessMotions = "massless-motions", Note, Pose;
@@ -105,6 +107,7 @@ finding_kinds! {
     ShapeNotDrawn = "shape-not-drawn", Note, Report;
     SingularPose = "singular-pose", Warning, Pose;
     SmallRows = "small-rows", Warning, Report;
+    SpringsAct = "springs-act", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
     StopNotReached = "stop-not-reached", Warning, Report;
     StopPassed = "stop-passed", Warning, Pose;

@@ -5,10 +5,11 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::curvature::motion_curvature;
 use crate::damper::damping::{
-    DamperRecord, DampingReport, Drift, compare_with_body_mass, damper, exports, impact_over_stroke,
-    law_mismatch_diagnostic,
+    DamperRecord, DampingReport, Drift, beyond_curve, compare_with_body_mass, damper, exports,
+    impact_over_stroke, law_mismatch_diagnostic, require_stiffness,
 };
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
+use crate::damper::sheet_forces::{springs_finding, with_sheet_curve};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
@@ -79,6 +80,9 @@ pub(crate) fn damping_report(
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
     damping.refuse_limit()?;
+    let (damping, of_curve) = with_sheet_curve(evaluated, damping)?;
+    let damping = &damping;
+    require_stiffness(damping)?;
     let EvaluatedQuestion { prepared, result: answer, .. } = evaluated;
     let effective_mass = mass_for_all_branches(answer, prepared.other_mass())?;
     let EffectiveMass::Finite(mass) = effective_mass else {
@@ -100,7 +104,10 @@ pub(crate) fn damping_report(
     let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
+    diagnostics.extend(of_curve.map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
+    diagnostics.extend(beyond_curve(damping, &record));
+    diagnostics.extend(springs_finding(evaluated, damping, mass, &record)?.map(DiagnosticRecord::from));
     let unit = if is_moment { "mrad" } else { "mm" };
     let reached = ended.zip(record.max_penetration);
     diagnostics.extend(drift_diagnostic(
@@ -125,6 +132,7 @@ pub(crate) fn damping_report(
         body_alone,
         exports: exports(damping, mass, options, is_moment)?,
         diagnostics,
+        question: damping.clone(),
     })
 }
 

@@ -9,8 +9,10 @@ use crate::evaluation::status::mass_unit;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
 use crate::question::spelled_contact::StopRecord;
 use crate::question::tables::damping::DampingQuestion;
+use crate::values::force_curve::ForceCurveRecord;
 use percuss_contact::exports::{ExportError, Options, Request, StopMotion};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
@@ -26,10 +28,12 @@ use std::collections::BTreeMap;
 pub struct DamperRecord {
     /// Requested coefficient of restitution.
     pub restitution: f64,
-    /// Stiffness k, N/m^p.
-    pub stiffness: f64,
-    /// Exponent p.
-    pub exponent: f64,
+    /// Stiffness k, N/m^p; null for a force curve.
+    pub stiffness: Option<f64>,
+    /// Exponent p; null for a force curve.
+    pub exponent: Option<f64>,
+    /// Force curve F_s of the contact; null for a stiffness.
+    pub stiffness_curve: Option<ForceCurveRecord>,
     /// Approach speed, m/s.
     pub speed: Option<f64>,
     /// Damper law.
@@ -41,12 +45,12 @@ pub struct DamperRecord {
     /// Condition for the end of the contact: `force` or `gap`; null for laws with a force that vanishes with
     /// the gap.
     pub separation: Option<&'static str>,
-    /// Damping ratio ζ; null for laws of the Hunt–Crossley family.
+    /// Damping ratio ζ; null for laws of the Hunt–Crossley family and for a force curve.
     pub damping_ratio: Option<f64>,
-    /// Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring; null for laws of the
-    /// Hunt–Crossley family.
+    /// Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring and for a force curve; null for
+    /// laws of the Hunt–Crossley family.
     pub damping: Option<f64>,
-    /// Dissipation d of the force k xᵖ (1 + d ẋ), s/m. For the Kelvin–Voigt law, the value of the exact
+    /// Dissipation d of the force F_s(x) (1 + d ẋ), F_s = k xᵖ or the force curve, s/m. For the Kelvin–Voigt law, the value of the exact
     /// Hunt–Crossley law, null without a speed.
     pub dissipation: Option<f64>,
     /// Restitution that the damper achieves.
@@ -126,11 +130,20 @@ pub struct DampingReport {
     pub exports: BTreeMap<&'static str, ExportRecord>,
     /// Findings about the file and the result.
     pub diagnostics: Vec<DiagnosticRecord>,
+    /// The question, with the force curve of the sheet.
+    #[serde(skip)]
+    pub question: DampingQuestion,
 }
 
 /// Compliant contact of a question for a given mass, kg.
-pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<CompliantContact, ContactLawError> {
+pub(crate) fn contact(
+    question: &DampingQuestion,
+    mass: f64,
+) -> Result<CompliantContact<'_>, ContactLawError> {
     question.check_law()?;
+    if let Some(given) = &question.stiffness_curve {
+        return CompliantContact::on_curve(mass, &given.curve);
+    }
     CompliantContact::new(mass, question.stiffness())?.with_exponent(question.exponent())
 }
 
@@ -150,7 +163,7 @@ pub(crate) fn contact_damper(
 pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactLawError> {
     let contact = contact(question, mass)?;
     let damper = contact_damper(question, contact)?;
-    // The restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
+    // On a spring the restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
     let impact = damper.impact(contact, question.speed().unwrap_or(1.0))?;
     let at_speed = question.speed().map(|_| impact);
     let exact_dissipation = || {
@@ -162,14 +175,16 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     };
     let (damping_ratio, damping, dissipation, separation) = match damper {
         Damper::KelvinVoigt { ratio, coefficient, separation } => {
-            (Some(ratio), Some(coefficient), exact_dissipation(), Some(separation.name()))
+            let ratio = question.stiffness_curve.is_none().then_some(ratio);
+            (ratio, Some(coefficient), exact_dissipation(), Some(separation.name()))
         }
         Damper::HuntCrossley { dissipation } => (None, None, Some(dissipation), None),
     };
     Ok(DamperRecord {
         restitution: question.restitution(),
-        stiffness: question.stiffness(),
-        exponent: question.exponent(),
+        stiffness: question.stiffness_curve.is_none().then(|| question.stiffness()),
+        exponent: question.stiffness_curve.is_none().then(|| question.exponent()),
+        stiffness_curve: question.stiffness_curve.as_ref().map(Into::into),
         speed: question.speed(),
         law: question.law().name(),
         law_alias: question.alias(),
@@ -282,9 +297,11 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
     question.refuse_limit()?;
+    require_stiffness(question)?;
     let options = question.export_options();
     let body_alone = options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));
     let is_moment = options.stop == Some(StopMotion::Turn);
+    let record = damper(question, mass)?;
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -294,11 +311,37 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         is_moment,
         named_contact: None,
         stop: None,
-        damper: damper(question, mass)?,
         drift: None,
         over_stroke: None,
         body_alone,
         exports: exports(question, mass, options, is_moment)?,
-        diagnostics: law_mismatch_diagnostic(question).into_iter().collect(),
+        diagnostics: law_mismatch_diagnostic(question)
+            .into_iter()
+            .chain(beyond_curve(question, &record))
+            .collect(),
+        damper: record,
+        question: question.clone(),
     })
+}
+
+/// Refuses a question without a stiffness and without a force curve.
+pub(crate) fn require_stiffness(question: &DampingQuestion) -> Result<(), StudyError> {
+    if question.has_stiffness() {
+        return Ok(());
+    }
+    let why = "it is missing; expected the stiffness of the contact, or a force curve (of a stop in a suspension sheet, or given)";
+    Err(StudyError::input(Field::Stiffness, why))
+}
+
+/// Warning about a penetration beyond the end of the force curve.
+pub(crate) fn beyond_curve(question: &DampingQuestion, record: &DamperRecord) -> Option<DiagnosticRecord> {
+    let (depth, force) = question.stiffness_curve.as_ref()?.curve.end();
+    let reached = record.max_penetration.filter(|reached| *reached > depth)?;
+    let message = format!(
+        "the penetration of {:.2} mm is beyond the end of the force curve ({force:.0} N at {:.2} mm); the last slope is extrapolated, but a real \
+         stop becomes stiffer",
+        1e3 * reached,
+        1e3 * depth
+    );
+    Some(Finding::about_result(FindingKind::ForceBeyondData, message).into())
 }

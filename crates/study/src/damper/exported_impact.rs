@@ -254,7 +254,8 @@ fn predicted_restitution(
     let path = PenetrationPath { prepared, contact: &contact };
     let law = damping::contact(damping, mass).ok()?;
     let speed = damping.speed()?;
-    let depth = speed * (law.mass() / law.stiffness()).sqrt();
+    let (stiffness, _) = law.power_law()?;
+    let depth = speed * (law.mass() / stiffness).sqrt();
     STROKES.into_iter().find_map(|factor| {
         let mut stroke = factor * depth;
         let value = |at: &PathPoint| match is_stop {

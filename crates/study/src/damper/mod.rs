@@ -8,4 +8,5 @@ pub(crate) mod exported_impact;
 pub(crate) mod joint_stop;
 pub(crate) mod penetration;
 pub(crate) mod restitution;
+pub(crate) mod sheet_forces;
 pub(crate) mod simulators;

@@ -172,6 +172,10 @@ fields! {
     RateLimit = "--rate-limit", "impact.rate_limit";
     /// Spring of a joint during an impact in time.
     JointSpring = "--joint-spring", "impact.joint_spring";
+    /// Spring between points during an impact in time.
+    PointSpring = "--spring", "impact.spring";
+    /// Springs of the sheet during an impact in time.
+    SheetSprings = "--springs", "impact.springs";
     /// Largest impulse in a gear.
     GearLimit = "--gear-limit", "impact.gear_limit";
     /// Largest displacement of the contact point.

@@ -1,9 +1,11 @@
 //! Numbers and positions with units as text; excerpts of texts for messages.
 
 pub(crate) mod drives;
+pub(crate) mod force_curve;
 pub(crate) mod message_text;
 #[cfg(feature = "flags")]
 pub(crate) mod named;
+pub(crate) mod point_spring;
 pub(crate) mod position;
 pub(crate) mod quantities;
 pub(crate) mod rates;

@@ -3,10 +3,11 @@
 use super::catalogue::near_keys;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
-use crate::forces::{ForceElements, SpringForce, StopForce};
+use crate::forces::{ForceElements, SpringForce};
 use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES};
 use crate::options::Side;
 use crate::units::{Frame, short};
+use percuss_contact::ForceCurve;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
@@ -398,7 +399,7 @@ impl Entries {
     }
 
     /// Reads the curve of a stop.
-    fn stop_force(&mut self, findings: &mut Findings, section: &str, unit: LengthUnit) -> Option<StopForce> {
+    fn stop_force(&mut self, findings: &mut Findings, section: &str, unit: LengthUnit) -> Option<ForceCurve> {
         let counts: Vec<usize> = (2..=MAX_CURVE_POINTS).collect();
         let [deflections_key, forces_key] = ["deflections", "forces"].map(|key| format!("{section}.{key}"));
         let is_given = self.has(&deflections_key) || self.has(&forces_key);
@@ -429,8 +430,9 @@ impl Entries {
                 findings.warning("implausible-curve", force_spot, message);
             }
         }
+        let has_negative = forces.iter().any(|(forces, _)| forces.iter().any(|force| *force < 0.0));
         if let Some((forces, spot)) = &forces {
-            if forces.iter().any(|force| *force < 0.0) {
+            if has_negative {
                 let message = "the forces of a stop are compressions: numbers of 0 or more are expected";
                 findings.error("bad-curve", spot, message.to_owned());
             } else if let Some(pair) = forces.windows(2).find(|pair| pair[1] < pair[0]) {
@@ -441,8 +443,8 @@ impl Entries {
                 findings.warning("implausible-curve", spot, message);
             }
         }
-        let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| StopForce::new(x, f));
-        if let (None, true, Some(spot)) = (&curve, is_given, spot) {
+        let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| ForceCurve::new(x, f).ok());
+        if let (None, true, Some(spot)) = (&curve, is_given && !has_negative, spot) {
             let message = format!(
                 "{deflections_key} and {forces_key} are expected as two lists of the same length, the deflections from 0 and \
                  increasing"

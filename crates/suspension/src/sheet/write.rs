@@ -310,13 +310,18 @@ pub fn template_keys() -> String {
         "from the pad to the stop; without it, the line between the two points",
         "all",
     );
-    row("spring.rate", "with a unit: `\"28 N/mm\"`; for `percuss kinematics`", "all");
+    row(
+        "spring.rate",
+        "with a unit: `\"28 N/mm\"`; for `percuss kinematics`, and for impacts in time",
+        "all",
+    );
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");
     let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
     row("third_spring.rate`, `.preload", "rate and preload of the spring between both sides", &third);
     row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
-        "the stop's force over its compression: two lists of the same length, the compressions from 0",
+        "the stop's force over its compression: two lists of the same length, the compressions from 0; for `percuss kinematics`, and the \
+         stiffness of the contact in `percuss damp` and `percuss impact`",
         "all",
     );
     row(

@@ -1,5 +1,6 @@
 //! Impact in time: facts, table of the bearings, figure and CSV.
 
+use crate::commands::damp::stiffness_text;
 use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
@@ -7,7 +8,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
-use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, ReactionPlace};
+use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, PointSpringRecord, ReactionPlace};
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
 const SHOWN_FORCE: f64 = 1e-3;
@@ -64,10 +65,64 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
             ),
         ));
     }
+    if let Some(text) = acting(found) {
+        facts.push(("acting", text));
+    }
+    if !found.springs.is_empty() || found.gravity_world != [0.0; 3] {
+        let energy = &found.energy;
+        let text = format!(
+            "{} J kinetic before, {} J after; the contact takes {} J, the other forces give {} J; balance to {:.0e} J",
+            short_number(energy.kinetic_before),
+            short_number(energy.kinetic_after),
+            short_number(energy.taken_by_contact),
+            short_number(energy.work_of_other_forces),
+            energy.residual.abs()
+        );
+        facts.push(("energy", text));
+    }
     if found.loop_gap > 0.0 {
         facts.push(("loops", format!("closed to {:.1e} m during the motion", found.loop_gap)));
     }
     facts
+}
+
+/// Springs between points that act, and those of the sheet that are left out; `None` without both.
+fn acting(found: &ImpactTimeRecord) -> Option<String> {
+    let spring = |spring: &PointSpringRecord| {
+        let rate = short_number(1e-3 * spring.rate);
+        let force = match spring.force_at_touch {
+            0.0 => "the change of its force since the touch".to_owned(),
+            force => format!("{} N at the touch", short_number(force)),
+        };
+        format!("{} ({rate} N/mm, {force})", spring.name)
+    };
+    let mut parts: Vec<String> = found.springs.iter().map(spring).collect();
+    if !found.springs_left_out.is_empty() {
+        parts.push(format!("left out: {}", found.springs_left_out.join(", ")));
+    }
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// What acts during the impact in time, as a sentence.
+pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> String {
+    let mut parts: Vec<String> =
+        found.springs.iter().map(|spring| format!("the spring {}", spring.name)).collect();
+    if found.gravity_world != [0.0; 3] {
+        parts.insert(0, "gravity".to_owned());
+    }
+    if report.has_joint_springs {
+        parts.push("the given joint springs".to_owned());
+    }
+    let left_out = match found.springs_left_out.is_empty() {
+        true => String::new(),
+        false => format!(" Left out: {}.", found.springs_left_out.join(", ")),
+    };
+    match parts.is_empty() {
+        true => format!(
+            "The impact in time includes the contact force alone: neither gravity nor springs.{left_out}"
+        ),
+        false => format!("The impact in time includes {}.{left_out}", parts.join(", ")),
+    }
 }
 
 /// Peak forces of the bearings in time beside their estimates.
@@ -146,11 +201,12 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         .max_by(|&a, &b| found.penetration[a].total_cmp(&found.penetration[b]))
         .map(|k| Mark { x: 1e3 * found.times[k], label: "deepest".into() });
     let is_moment = report.mass.contact.is_moment;
-    let ContactUnits { mass: mass_unit, speed, force, length, small_length, .. } =
-        ContactUnits::new(is_moment);
+    let ContactUnits { mass: mass_unit, speed, force, small_length, .. } = ContactUnits::new(is_moment);
     let law = report.contact_law.as_ref().map_or_else(String::new, |law| {
-        let (stiffness, closing) = (number(law.stiffness), number(report.closing_speed));
-        format!("{}, stiffness {stiffness} {force}/{length}, {closing} {speed}", law.law)
+        let units = ContactUnits::new(is_moment);
+        let stiffness = stiffness_text(law.stiffness, law.exponent, law.stiffness_curve.as_ref(), &units);
+        let stiffness = if law.stiffness.is_some() { format!("stiffness {stiffness}") } else { stiffness };
+        format!("{}, {stiffness}, {} {speed}", law.law, number(report.closing_speed))
     });
     let figure = Figure {
         title: format!(

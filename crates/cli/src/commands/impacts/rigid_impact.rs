@@ -1,6 +1,7 @@
 //! Command `percuss impact`.
 
 use crate::args::{CheckFormat, ImpactArgs};
+use crate::commands::damp::stiffness_text;
 use crate::commands::impacts::{in_time, reflected, simultaneous};
 use crate::commands::mass::conditions::facts as mass_facts;
 use crate::document::{self, Document};
@@ -142,9 +143,9 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
     }
     let friction = if report.friction.is_some() { "" } else { "friction, " };
     let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
-    let forces = match report.in_time {
-        None => "Gravity, springs and dampers have no effect during an instantaneous impact.",
-        Some(_) => "The impact in time includes the given gravity and joint springs.",
+    let forces = match &report.in_time {
+        None => "Gravity, springs and dampers have no effect during an instantaneous impact.".to_owned(),
+        Some(found) => in_time::forces_sentence(report, found),
     };
     if is_page {
         return out;
@@ -158,7 +159,7 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
 /// Impulse, energy, masses and additional results.
 fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let is_moment = report.mass.contact.is_moment;
-    let ContactUnits { name: mass_name, mass: mass_unit, impulse, speed, force, length, .. } =
+    let ContactUnits { name: mass_name, mass: mass_unit, impulse, speed, force, .. } =
         ContactUnits::new(is_moment);
     let mut facts = vec![
         ("impulse", format!("{} {impulse}", number(report.impulse))),
@@ -211,8 +212,8 @@ fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             };
             format!("; normal force, as of {} kg without friction (same work of compression){direction}", number(mass))
         });
-        let power = if law.exponent == 1.0 { String::new() } else { format!("^{}", number(law.exponent)) };
-        let stiffness = format!("{} {force}/{length}{power}", number(law.stiffness));
+        let units = ContactUnits::new(is_moment);
+        let stiffness = stiffness_text(law.stiffness, law.exponent, law.stiffness_curve.as_ref(), &units);
         facts.push((
             if is_moment { "peak moment" } else { "peak force" },
             format!(

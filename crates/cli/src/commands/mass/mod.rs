@@ -158,10 +158,17 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out.facts(report.damper.iter().flat_map(damp::facts));
     add_contributions(report, &mut out);
     add_explanation(report, &mut out);
-    out.paragraph(
-        "Not included: friction, compliance of the links, several impacts at once.\nGravity, springs, dampers and speed have no effect: a \
-         finite force does no work in an instantaneous impact. See docs/explanation/LIMITS.md.",
-    );
+    let forces = match &report.damper {
+        None => {
+            "Gravity, springs, dampers and speed have no effect: a finite force does no work in an instantaneous impact."
+        }
+        Some(_) => {
+            "Gravity, springs, dampers and speed have no effect on the effective mass; the damper is that of the contact alone."
+        }
+    };
+    out.paragraph(format!(
+        "Not included: friction, compliance of the links, several impacts at once.\n{forces} See docs/explanation/LIMITS.md."
+    ));
     report.damper.iter().for_each(|damper| damp::add_exports(damper, &mut out));
     out.text()
 }

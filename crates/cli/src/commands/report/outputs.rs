@@ -16,7 +16,7 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
         && let Some(path) = &damping.output
         && let Some(report) = study.damper()?
     {
-        damp::write_history(&report, damping, path)?;
+        damp::write_history(&report, path)?;
     }
     if let (Some(requested), Some(report)) = (&study.kinematics, &results.report.kinematics)
         && let Some(path) = &requested.output

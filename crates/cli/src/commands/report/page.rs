@@ -4,6 +4,7 @@ use super::findings::add_warnings;
 use super::results::StudyResults;
 use super::{answers, contact, mechanism};
 use crate::args::RunArgs;
+use crate::commands::impacts::in_time::forces_sentence;
 use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
 use crate::commands::{damp, map, mass};
 use crate::files::html::{Head, Page};
@@ -56,9 +57,9 @@ pub(super) fn text(
         .as_ref()
         .and_then(|report| report.damper.as_ref())
         .or(results.report.damping.as_ref());
-    if let (Some(damper), Some(damping)) = (damper, &study.damping) {
+    if let Some(damper) = damper.filter(|_| study.damping.is_some()) {
         page.section("The damper");
-        damp::document(damper, damping)?.show(&mut page);
+        damp::document(damper)?.show(&mut page);
         add_warnings(&damper.diagnostics, &mut page);
     }
     if let Some(report) = &results.report.restitution {
@@ -168,11 +169,14 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
     let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
     let several = if is_several { "" } else { ", several impacts at once" };
+    let in_time = impact.and_then(|impact| Some((impact, impact.in_time.as_ref()?)));
+    let in_time =
+        in_time.map_or_else(String::new, |(impact, found)| format!(" {}", forces_sentence(impact, found)));
     page.paragraph(
         "",
         &format!(
             "Not included: {friction}compliance of the links{several}. Gravity, springs and dampers have no effect: a finite force \
-             does no work in an instantaneous impact. The effective mass does not depend on the speed."
+             does no work in an instantaneous impact. The effective mass does not depend on the speed.{in_time}"
         ),
     );
 }

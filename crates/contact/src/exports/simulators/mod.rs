@@ -1,6 +1,7 @@
 //! Parameters of each simulator, one file per simulator.
 
 mod engines;
+pub(super) mod equivalent;
 mod multibody;
 pub(super) mod simulated;
 

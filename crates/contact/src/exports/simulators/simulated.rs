@@ -10,13 +10,13 @@ use crate::{CompliantContact, ContactLawError, Damper, Separation, limits};
 #[non_exhaustive]
 pub enum ContactModel {
     /// Spring and damper.
-    Compliant(CompliantContact, Damper),
+    Compliant(CompliantContact<'static>, Damper),
     /// Spring, and a damper that acts only during the approach.
-    ApproachDamper(CompliantContact, Damper),
+    ApproachDamper(CompliantContact<'static>, Damper),
     /// Spring k xᵖ, and a damping that increases to c over the depth d (the function IMPACT of Adams).
     ImpactFunction {
         /// Effective mass and spring.
-        contact: CompliantContact,
+        contact: CompliantContact<'static>,
         /// c, N·s/m.
         damping: f64,
         /// d, m.
@@ -129,7 +129,8 @@ impl SimulatedContact {
                 // Approach as with the damper. Return on the spring alone: the speed ω x_m of the largest penetration x_m = (v/ω)√e_b, after
                 // a quarter of a period.
                 let approach = damper.impact(contact, speed)?;
-                let frequency = (contact.stiffness() / contact.mass()).sqrt();
+                let (stiffness, _) = contact.power_law().unwrap_or((f64::NAN, 1.0));
+                let frequency = (stiffness / contact.mass()).sqrt();
                 let quarter = std::f64::consts::FRAC_PI_2 / frequency;
                 SimulatedImpact {
                     duration: Some(approach.time_of_max_penetration + quarter),
@@ -139,7 +140,7 @@ impl SimulatedContact {
                 }
             }
             ContactModel::ImpactFunction { contact, damping, depth } => {
-                let (p, k) = (contact.exponent(), contact.stiffness());
+                let (k, p) = contact.power_law().unwrap_or((f64::NAN, 1.0));
                 let undamped = ImpactFunction::undamped_penetration(p, mass, k, speed)?;
                 let function = ImpactFunction::new(p, depth / undamped)?;
                 // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
@@ -176,7 +177,7 @@ impl SimulatedContact {
             ContactModel::Compliant(contact, _)
             | ContactModel::ApproachDamper(contact, _)
             | ContactModel::ImpactFunction { contact, .. } => {
-                Some((force / contact.stiffness()).powf(1.0 / contact.exponent()))
+                contact.power_law().map(|(stiffness, exponent)| (force / stiffness).powf(1.0 / exponent))
             }
             ContactModel::Rigid { .. } => None,
         })
@@ -280,7 +281,7 @@ impl<'a> Given<'a> {
         &self,
         stiffness: f64,
         exponent: f64,
-    ) -> Result<CompliantContact, ExportError> {
+    ) -> Result<CompliantContact<'static>, ExportError> {
         Ok(CompliantContact::new(self.mass, stiffness)?.with_exponent(exponent)?)
     }
 
@@ -290,7 +291,7 @@ impl<'a> Given<'a> {
         stiffness: f64,
         damping: f64,
         separation: Separation,
-    ) -> Result<(CompliantContact, Damper), ExportError> {
+    ) -> Result<(CompliantContact<'static>, Damper), ExportError> {
         let contact = self.contact(stiffness, 1.0)?;
         let damper = Damper::kelvin_voigt_from_coefficient(contact, damping, separation)?;
         Ok((contact, damper))

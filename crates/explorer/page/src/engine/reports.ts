@@ -40,9 +40,9 @@ export interface ContactRecord {
 
 export interface DampingReport {
   schema: string; percuss: string; inputs: Input[]; effective_mass: number; unit: string; is_moment: boolean;
-  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number; exponent: number;
-  speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean; separation: string | null;
-  damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
+  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number | null; exponent: number | null;
+  stiffness_curve: ForceCurveRecord | null; speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean;
+  separation: string | null; damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
   contact_duration: number | null; max_penetration: number | null; time_of_max_penetration: number | null; peak_force: number | null;
   time_of_peak_force: number | null; energy_lost: number | null; rebound_speed: number | null; drift: Drift | null;
   over_stroke: VaryingMassImpact | null; body_alone: BodyAlone | null; exports: Record<string, ExportRecord>;
@@ -61,6 +61,10 @@ export interface DirectionMass {
 
 export interface Drift {
   per_metre: number | null; over_penetration: number | null; ends_at: number | null;
+}
+
+export interface EnergyRecord {
+  kinetic_before: number; kinetic_after: number; taken_by_contact: number; work_of_other_forces: number; residual: number;
 }
 
 export interface ErrorBudgetRecord {
@@ -82,6 +86,10 @@ export interface ExportRecord {
   parameters: Record<string, number | number[] | string>; units: Record<string, string>; snippet: string | null; snippets: Snippet[];
   time_step: number | null; error_bound: number | null; single_precision_error: number | null; penetrations: Penetration[];
   missing: string[]; assumptions: string[]; cannot: string[]; sources: string[]; error: string | null;
+}
+
+export interface ForceCurveRecord {
+  stop: string | null; deflections: number[]; forces: number[];
 }
 
 export interface FrictionRecord {
@@ -108,9 +116,9 @@ export interface HoldRecord {
 }
 
 export interface ImpactLawRecord {
-  law: string; stiffness: number; exponent: number; duration: number | null; max_penetration: number | null; peak_force: number;
-  mass_in_compression: number | null; direction_changes: boolean; mass_change_over_penetration: number | null;
-  motion_force: MotionForceRecord | null;
+  law: string; stiffness: number | null; exponent: number | null; stiffness_curve: ForceCurveRecord | null; duration: number | null;
+  max_penetration: number | null; peak_force: number; mass_in_compression: number | null; direction_changes: boolean;
+  mass_change_over_penetration: number | null; motion_force: MotionForceRecord | null;
 }
 
 export interface ImpactReport {
@@ -126,8 +134,9 @@ export interface ImpactReport {
 
 export interface ImpactTimeRecord {
   restitution: number; duration: number; max_penetration: number; peak_force: number; mass_change: number | null;
-  one_freedom: VaryingMassImpact | null; gravity_world: Triple; loop_gap: number; times: number[]; penetration: number[];
-  closing_speed: number[]; force: number[]; effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
+  one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[]; springs_left_out: string[];
+  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
+  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
 }
 
 export interface Input {
@@ -245,6 +254,10 @@ export interface PointMapReport {
 
 export interface PointSensitivity {
   point: string; per_metre: Triple | null; per_metre_error: number | null;
+}
+
+export interface PointSpringRecord {
+  name: string; rate: number; force_at_touch: number; force_at_end: number;
 }
 
 export interface PosedMass {

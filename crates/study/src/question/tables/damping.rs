@@ -6,6 +6,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Field;
 use crate::question::spelled_contact::JointStop;
+use crate::values::force_curve::GivenCurve;
 use crate::values::quantities::{Plain, PositiveMass, Ratio, Speed, Stiffness, Time};
 use crate::values::value::{self, Words};
 use percuss_contact::exports::{ExportError, Options, Tool};
@@ -86,20 +87,35 @@ pub struct DampingQuestion {
     /// Required coefficient of restitution, from 0 to 1.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "E", allow_hyphen_values = true, requires = "stiffness", help_heading = DAMPER)
+        arg(long, value_name = "E", allow_hyphen_values = true, help_heading = DAMPER)
     )]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "K", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
     )]
-    #[schemars(required)]
     pub stiffness: Option<Stiffness>,
+    /// Table of deflection and force of the contact, in place of a stiffness.
+    ///
+    /// Two columns, CSV; units at the numbers or in brackets in a header, otherwise m and N. Linear between the points; beyond the last
+    /// point the last slope continues. Default: the curve of the stop in a suspension sheet.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "FILE",
+            value_parser = GivenCurve::read,
+            requires = "restitution",
+            conflicts_with_all = ["stiffness", "exponent"],
+            help_heading = DAMPER
+        )
+    )]
+    pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p.
     ///
     /// 1 is a linear spring (the default), 1.5 a Hertz contact.
@@ -119,7 +135,8 @@ pub struct DampingQuestion {
     pub speed: Option<Speed>,
     /// Law of the damper (damp --list-laws).
     ///
-    /// `percuss damp --list-laws` lists the laws. Default: kelvin-voigt.
+    /// `percuss damp --list-laws` lists the laws. Default: kelvin-voigt; hunt-crossley on a force curve, because a linear damper gives a soft
+    /// stop its largest force at zero penetration.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "NAME", requires = "restitution", help_heading = DAMPER)
@@ -206,17 +223,20 @@ impl DampingQuestion {
 
     /// First required key that is missing.
     pub fn missing(&self) -> Option<&'static str> {
-        let required = [("restitution", self.restitution.is_some()), ("stiffness", self.stiffness.is_some())];
-        required.into_iter().find(|(_, is_given)| !is_given).map(|(key, _)| key)
+        self.restitution.is_none().then_some("restitution")
     }
 
-    /// The question with checked keys; `None` without a restitution or a stiffness.
+    /// The question with checked keys; `None` without a restitution.
     ///
     /// # Errors
-    /// [`InvalidKey`]: a law whose name fixes another exponent or separation, or a figure without a speed.
+    /// [`InvalidKey`]: a stiffness beside a force curve, a law whose name fixes another exponent or separation, or a figure without a speed.
     pub fn checked(&self) -> Result<Option<&Self>, InvalidKey> {
         if self.missing().is_some() {
             return Ok(None);
+        }
+        if self.stiffness_curve.is_some() && (self.stiffness.is_some() || self.exponent.is_some()) {
+            let why = "it is given beside `stiffness` or `exponent`; expected one of the two";
+            return Err(InvalidKey::new("damping.stiffness_curve", why));
         }
         self.check_law().map_err(|error| InvalidKey::new("damping.law", error.to_string()))?;
         if self.separation.is_some() && self.law() != Law::KelvinVoigt {
@@ -244,6 +264,9 @@ impl DampingQuestion {
                 return contradicts(LawParameter::Exponent, fixed.to_string(), got.to_string());
             }
             _ => {}
+        }
+        if let (Some(fixed), Some(_)) = (alias.exponent, &self.stiffness_curve) {
+            return contradicts(LawParameter::Exponent, fixed.to_string(), "a force curve".to_owned());
         }
         match (alias.separation, self.separation.map(Separation::from)) {
             (Some(fixed), Some(got)) if fixed != got => {
@@ -283,9 +306,19 @@ impl DampingQuestion {
         self.speed.map(|speed| speed.0.value)
     }
 
-    /// The law of the damper.
+    /// The law of the damper; without a given law, Hunt–Crossley on a force curve, otherwise Kelvin–Voigt. A given end of the contact implies
+    /// Kelvin–Voigt.
     pub fn law(&self) -> Law {
-        self.law.map_or(Law::KelvinVoigt, |law| law.law)
+        let default = match self.stiffness_curve.is_some() && self.separation.is_none() {
+            true => Law::HuntCrossley,
+            false => Law::KelvinVoigt,
+        };
+        self.law.map_or(default, |law| law.law)
+    }
+
+    /// True if the question has a stiffness or a force curve.
+    pub(crate) fn has_stiffness(&self) -> bool {
+        self.stiffness.is_some() || self.stiffness_curve.is_some()
     }
 
     /// Alias by which the law was requested.

@@ -6,8 +6,10 @@ use super::headings::{ADDITIONAL, IMPACT};
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::spelled_contact::FurtherContact;
 use crate::values::drives::{self, GivenGearLimits, GivenSpring};
+use crate::values::force_curve::GivenCurve;
 #[cfg(feature = "flags")]
 use crate::values::named;
+use crate::values::point_spring::GivenPointSpring;
 use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, NumberOrText, PositionText, Words};
@@ -46,6 +48,20 @@ impl RestitutionLawName {
             Self::Algebraic => RestitutionLaw::Algebraic,
         }
     }
+}
+
+/// Springs of the suspension sheet during an impact in time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum SheetSprings {
+    /// The change of their forces since the touch.
+    #[default]
+    Change,
+    /// Their whole forces, with the preload of the sheet.
+    Full,
+    /// Left out.
+    None,
 }
 
 /// Request of a centre of percussion.
@@ -165,17 +181,32 @@ pub struct ImpactQuestion {
     pub base_twist: Vec<f64>,
     /// Stiffness of the contact (N/m; 200N/mm): adds peak forces of all bearings.
     ///
-    /// Peak force of a bearing: its reaction per impulse of the contact, times the peak force of the contact.
+    /// Default: the force curve of the stop in a suspension sheet, if any. Peak force of a bearing: its reaction per impulse of the contact, times the peak force of the contact.
     #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT))]
     pub stiffness: Option<Stiffness>,
+    /// Table of deflection and force of the contact, in place of a stiffness.
+    ///
+    /// Two columns, CSV; units at the numbers or in brackets in a header, otherwise m and N. Linear between the points; beyond the last
+    /// point the last slope continues. Default: the curve of the stop in a suspension sheet.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "FILE",
+            value_parser = GivenCurve::read,
+            conflicts_with_all = ["stiffness", "exponent"],
+            help_heading = IMPACT
+        )
+    )]
+    pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
     )]
     pub exponent: Option<Plain>,
-    /// Contact law (damp --list-laws).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT))]
+    /// Contact law (damp --list-laws); default: kelvin-voigt, on a force curve hunt-crossley.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = IMPACT))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
@@ -183,7 +214,7 @@ pub struct ImpactQuestion {
     ///
     /// The equations of motion of the whole mechanism, without friction. Adds the restitution that is reached, the change of the
     /// effective mass, and the peak force of every bearing beside its estimate.
-    #[cfg_attr(feature = "flags", arg(long, requires = "stiffness", conflicts_with = "friction", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, conflicts_with = "friction", help_heading = IMPACT))]
     pub in_time: bool,
     /// Gravity during the impact in time (m/s², world axes); default: none.
     #[cfg_attr(
@@ -215,6 +246,20 @@ pub struct ImpactQuestion {
     #[serde(deserialize_with = "drives::by_joint")]
     #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
     pub joint_spring: Vec<(String, GivenSpring)>,
+    /// Springs of the suspension sheet during the impact in time: change, full, none.
+    ///
+    /// change (the default): the change of their forces since the touch; the forces at the touch are in balance with weight, tyre and other
+    /// loads. full: the whole forces, with the preload of the sheet, without a load that balances them. none: left out.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "in_time", help_heading = IMPACT))]
+    pub springs: Option<SheetSprings>,
+    /// Spring between two points during the impact in time: LINK:X,Y,Z=LINK:X,Y,Z=RATE[=FREE].
+    ///
+    /// A link without a point has its origin. RATE in N/m or with a unit; FREE is the length without force; default: the length at the touch,
+    /// so that only the change of the force acts. May be repeated.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "A=B=RATE", requires = "in_time", help_heading = IMPACT))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub spring: Vec<GivenPointSpring>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT gives the inertia over a range of
@@ -311,8 +356,11 @@ impl ImpactQuestion {
         if !self.gravity.is_empty() && !self.in_time {
             return refuse("impact.gravity", "it requires `in_time`: a rigid impact is instantaneous");
         }
-        if self.in_time && self.stiffness.is_none() {
-            return refuse("impact.in_time", "it requires `stiffness`, that of the contact");
+        if self.stiffness_curve.is_some() && (self.stiffness.is_some() || self.exponent.is_some()) {
+            return refuse(
+                "impact.stiffness_curve",
+                "it is given beside `stiffness` or `exponent`; expected one of the two",
+            );
         }
         if self.in_time && self.friction.is_some() {
             return refuse("impact.in_time", "the impact in time has no friction; expected no `friction`");
@@ -321,9 +369,10 @@ impl ImpactQuestion {
             return refuse("impact.joint_spring", "it requires `in_time`: a rigid impact is instantaneous");
         }
         let needs = [
+            ("impact.springs", self.springs.is_some(), "in_time", self.in_time),
+            ("impact.spring", !self.spring.is_empty(), "in_time", self.in_time),
             ("impact.restitution_law", self.restitution_law.is_some(), "friction", self.friction.is_some()),
             ("impact.exponent", self.exponent.is_some(), "stiffness", self.stiffness.is_some()),
-            ("impact.law", self.law.is_some(), "stiffness", self.stiffness.is_some()),
             ("impact.stiffness_ratio", !self.stiffness_ratio.is_empty(), "also", !self.also.is_empty()),
             ("impact.contact_exponent", self.contact_exponent.is_some(), "also", !self.also.is_empty()),
         ];
@@ -365,14 +414,14 @@ impl ImpactQuestion {
         self.gravity.as_slice().try_into().ok()
     }
 
-    /// Contact law with the restitution of the impact at a closing speed; `None` without a stiffness.
+    /// Contact law with the restitution of the impact at a closing speed; `None` without a stiffness and a force curve.
     pub(crate) fn contact_law(&self, closing_speed: f64) -> Option<DampingQuestion> {
         let Self { restitution, stiffness, exponent, law, separation, .. } = *self;
-        let speed = Some(closing_speed.into());
-        stiffness?;
-        Some(DampingQuestion {
+        let (speed, stiffness_curve) = (Some(closing_speed.into()), self.stiffness_curve.clone());
+        (stiffness.is_some() || stiffness_curve.is_some()).then_some(DampingQuestion {
             restitution,
             stiffness,
+            stiffness_curve,
             speed,
             exponent,
             law,

@@ -268,6 +268,7 @@ fn greatest_speed_of_torques(
             "a limit in N·m or N requires the stiffness of the contact, which determines the peak torque";
         StudyError::input(Field::GearLimit, why)
     };
+    // For a force curve, the steps are those of a linear spring.
     let exponent = question.contact_law(1.0).ok_or_else(refuse)?.exponent();
     let response = &evaluated.result.response;
     let Some(mass) = response.effective_mass.kilograms() else { return Ok(None) };

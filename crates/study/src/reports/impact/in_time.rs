@@ -5,20 +5,21 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::no_damper;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
+use crate::damper::sheet_forces::{SheetSpring, sheet_springs};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::tables::impact::ImpactQuestion;
+use crate::question::tables::impact::{ImpactQuestion, SheetSprings};
 use crate::reports::impact::additions::find_joint;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::{CREATED_RESTITUTION, STROKES};
 use crate::values::drives::GivenSpring;
-use percuss_contact::{Damper, Separation, VaryingMassImpact};
+use percuss_contact::{Damper, Separation, StiffnessLaw, VaryingMassImpact};
 use percuss_dynamics::Pose;
 use percuss_impact::{
-    ImpactInTime, JointSpring, RigidImpact, TimeConditions, impact_in_time, peak_over_time,
+    ImpactInTime, JointSpring, PointSpring, RigidImpact, TimeConditions, impact_in_time, peak_over_time,
 };
 use percuss_spatial::Vector3;
 use schemars::JsonSchema;
@@ -55,6 +56,34 @@ pub struct JointMotionRecord {
     pub rates: Vec<Vec<f64>>,
 }
 
+/// Spring between two points during an impact in time.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PointSpringRecord {
+    /// Named contact of the suspension sheet, or both links of a given spring.
+    pub name: String,
+    /// Rate, N/m.
+    pub rate: f64,
+    /// Force at the touch, N, positive in compression; 0 if only the change of the force acts.
+    pub force_at_touch: f64,
+    /// Force at the end of the contact, N.
+    pub force_at_end: f64,
+}
+
+/// Energies of an impact in time, J. Kinetic energies include a free body on the other side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EnergyRecord {
+    /// Kinetic energy at the touch.
+    pub kinetic_before: f64,
+    /// Kinetic energy at the end.
+    pub kinetic_after: f64,
+    /// Work that the contact takes.
+    pub taken_by_contact: f64,
+    /// Work of gravity, springs and dampers on the mechanism.
+    pub work_of_other_forces: f64,
+    /// Error of the balance: after − before + taken by the contact − work of the other forces.
+    pub residual: f64,
+}
+
 /// Impact in time with a compliant contact.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactTimeRecord {
@@ -74,6 +103,12 @@ pub struct ImpactTimeRecord {
     pub one_freedom: Option<VaryingMassImpact>,
     /// Gravity, world axes, m/s².
     pub gravity_world: [f64; 3],
+    /// Springs between points that act.
+    pub springs: Vec<PointSpringRecord>,
+    /// Springs of the suspension sheet that are left out.
+    pub springs_left_out: Vec<String>,
+    /// Energies of the motion.
+    pub energy: EnergyRecord,
     /// Largest gap of the loops during the motion, m: error of the integration.
     pub loop_gap: f64,
     /// Times since the touch, s.
@@ -108,6 +143,7 @@ pub(crate) fn in_time(
     let compliant = contact(&law, mass)?;
     let damper = contact_damper(&law, compliant)?;
     let gravity = impact.gravity().unwrap_or_default();
+    let (lines, springs_left_out) = point_springs(evaluated, impact)?;
     let conditions = TimeConditions {
         gravity: Vector3::from(gravity),
         other_mass: prepared.other_mass(),
@@ -116,13 +152,19 @@ pub(crate) fn in_time(
             Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. }
         ),
         springs: springs(pose, impact)?,
+        point_springs: lines.iter().map(|(_, spring)| *spring).collect(),
+        corners: match compliant.stiffness() {
+            StiffnessLaw::Curve(curve) => curve.deflections()[1..].to_vec(),
+            StiffnessLaw::Power { .. } => Vec::new(),
+        },
         samples_within_steps: SAMPLES_WITHIN_STEPS,
     };
     let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
     let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)
         .map_err(|error| impact_error(error, impact))?;
     let is_single = pose.degrees_of_freedom() == 1 && prepared.other_mass().is_none();
-    let one_freedom = if is_single && impact.gravity.is_empty() && impact.joint_spring.is_empty() {
+    let is_free = impact.gravity.is_empty() && impact.joint_spring.is_empty() && lines.is_empty();
+    let one_freedom = if is_single && is_free {
         let path = PenetrationPath { prepared, contact: touched };
         STROKES.into_iter().find_map(|factor| {
             let depth = factor * found.max_penetration;
@@ -141,6 +183,15 @@ pub(crate) fn in_time(
         mass_change: found.mass_at_max_penetration.zip(own.kilograms()).map(|(most, m)| most / m - 1.0),
         one_freedom,
         gravity_world: gravity,
+        springs: spring_records(pose, &found, &lines),
+        springs_left_out,
+        energy: EnergyRecord {
+            kinetic_before: found.energy.kinetic_before,
+            kinetic_after: found.energy.kinetic_after,
+            taken_by_contact: found.energy.taken_by_contact,
+            work_of_other_forces: found.energy.work_of_other_forces,
+            residual: found.energy.residual(),
+        },
         loop_gap: found.samples.iter().map(|s| s.loop_gap).fold(0.0, f64::max),
         times: found.samples.iter().map(|s| s.time).collect(),
         penetration: found.samples.iter().map(|s| s.penetration).collect(),
@@ -157,11 +208,79 @@ pub(crate) fn restitution_finding(found: &ImpactTimeRecord) -> Option<Finding> {
     let reached = found.restitution;
     (reached > 1.0 + CREATED_RESTITUTION).then(|| {
         let message = format!(
-            "the impact in time reaches a restitution of {reached:.4}, above 1: gravity, joint springs or the change of the effective mass \
+            "the impact in time reaches a restitution of {reached:.4}, above 1: gravity, springs or the change of the effective mass \
              accelerate the separation; check them, or use a stiffer contact"
         );
         Finding::about_result(FindingKind::RestitutionAboveOne, message)
     })
+}
+
+/// Spring between points with its name.
+type NamedSpring = (String, PointSpring);
+
+/// Springs between points: those of the sheet and the given ones, each with its name; and the springs of the sheet that are left out.
+fn point_springs(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+) -> Result<(Vec<NamedSpring>, Vec<String>), StudyError> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let (mut acting, mut left_out) = (Vec::new(), Vec::new());
+    let mode = impact.springs.unwrap_or_default();
+    for SheetSpring { name, ends, force } in sheet_springs(prepared.model) {
+        let free_length = match mode {
+            SheetSprings::None => {
+                left_out.push(name.to_owned());
+                continue;
+            }
+            SheetSprings::Change => None,
+            SheetSprings::Full => {
+                let missing = || {
+                    let why = format!(
+                        "{name}: the sheet has no preload, which determines the whole force of the spring"
+                    );
+                    StudyError::input(Field::SheetSprings, why)
+                };
+                let preload = force.preload.ok_or_else(missing)?;
+                let drawn =
+                    prepared.system.pose(&prepared.system.configuration()).map_err(StudyError::from)?;
+                let [a, b] = ends.map(|(link, point)| drawn.link(link).point(&point));
+                Some((b - a).norm() + preload / force.rate)
+            }
+        };
+        acting.push((name.to_owned(), PointSpring { ends, rate: force.rate, free_length }));
+    }
+    let link = |name: &str| {
+        pose.mechanism().find_link(name).map_err(|error| StudyError::input(Field::PointSpring, error))
+    };
+    for given in &impact.spring {
+        let [(a, p), (b, q)] = &given.ends;
+        let ends = [(link(a)?, Vector3::from(*p)), (link(b)?, Vector3::from(*q))];
+        let spring = PointSpring { ends, rate: given.rate, free_length: given.free_length };
+        acting.push((format!("{a} to {b}"), spring));
+    }
+    Ok((acting, left_out))
+}
+
+/// Springs between points with their forces at the touch and at the end.
+fn spring_records(touch: &Pose, found: &ImpactInTime, springs: &[NamedSpring]) -> Vec<PointSpringRecord> {
+    let mut end = touch.clone();
+    let moved = found.samples.last().is_some_and(|last| end.move_to(&last.positions, last.base).is_ok());
+    let record = |(name, spring): &NamedSpring| {
+        let length = |pose: &Pose| {
+            let [a, b] = spring.ends.map(|(link, point)| pose.link(link).point(&point));
+            (b - a).norm()
+        };
+        let free = spring.free_length.unwrap_or_else(|| length(touch));
+        let force = |pose: &Pose| spring.rate * (free - length(pose));
+        let force_at_end = if moved { force(&end) } else { f64::NAN };
+        PointSpringRecord {
+            name: name.clone(),
+            rate: spring.rate,
+            force_at_touch: force(touch),
+            force_at_end,
+        }
+    };
+    springs.iter().map(record).collect()
 }
 
 /// Springs of the joints.

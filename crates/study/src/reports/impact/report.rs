@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::damper::damping::damper;
+use crate::damper::sheet_forces::with_sheet_curve;
 use crate::evaluation::contact_point::{contact_without_point, require_contact_point};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
@@ -32,6 +33,7 @@ use crate::reports::impact::reflected::{
 use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous, unit_finding};
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
+use crate::values::force_curve::ForceCurveRecord;
 use percuss_dynamics::{Base, Pose};
 use percuss_impact::{
     DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, forces_of_motion, held_point_mass,
@@ -81,10 +83,12 @@ pub struct OtherBodyRecord {
 pub struct ImpactLawRecord {
     /// Contact law.
     pub law: &'static str,
-    /// Stiffness, N/m^p.
-    pub stiffness: f64,
-    /// Exponent p.
-    pub exponent: f64,
+    /// Stiffness, N/m^p; null for a force curve.
+    pub stiffness: Option<f64>,
+    /// Exponent p; null for a force curve.
+    pub exponent: Option<f64>,
+    /// Force curve of the contact; null for a stiffness.
+    pub stiffness_curve: Option<ForceCurveRecord>,
     /// Duration of the contact, s; null if infinite, and with friction.
     pub duration: Option<f64>,
     /// Largest penetration, m.
@@ -163,6 +167,9 @@ pub struct ImpactReport {
     pub reaction_residual: f64,
     /// Compliant contact, if a contact law was requested.
     pub contact_law: Option<ImpactLawRecord>,
+    /// True if springs of joints are given for the impact in time.
+    #[serde(skip)]
+    pub has_joint_springs: bool,
     /// Impact in time with the contact law, if requested.
     pub in_time: Option<ImpactTimeRecord>,
     /// Greatest closing speed by limits of joint rates and gears, if requested.
@@ -193,6 +200,7 @@ pub fn impact(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
     let response = &result.response;
+    let (impact, of_curve) = &with_curve_of_sheet(&evaluated, impact)?;
     let units = DampingQuestion { speed: impact.speed, ..impact.contact_law(1.0).unwrap_or_default() };
     units.check_dimensions(Field::ImpactStiffness, Field::ClosingSpeed, response.contact.is_moment)?;
     let has_point = contact_without_point(&evaluated).is_none();
@@ -224,6 +232,7 @@ pub fn impact(
             Some(record)
         }
     };
+    diagnostics.extend(of_curve.clone().map(DiagnosticRecord::from));
     let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
@@ -278,6 +287,7 @@ pub fn impact(
         joint_constraints: joint_constraint_records(pose.mechanism(), &rigid.reactions),
         reaction_residual: rigid.reactions.residual,
         in_time,
+        has_joint_springs: !impact.joint_spring.is_empty(),
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         limits_without_effect: limits_without_effect(&evaluated, impact),
@@ -287,6 +297,23 @@ pub fn impact(
         mass,
         diagnostics,
     })
+}
+
+/// Question with the force curve of the stop in the suspension sheet, unless a stiffness is given, and a finding about it.
+fn with_curve_of_sheet(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+) -> Result<(ImpactQuestion, Option<Finding>), StudyError> {
+    // The closing speed has no influence on the curve.
+    let law =
+        impact.contact_law(1.0).unwrap_or(DampingQuestion { law: impact.law, ..DampingQuestion::default() });
+    let (law, finding) = with_sheet_curve(evaluated, &law)?;
+    if !law.has_stiffness() && (impact.in_time || impact.law.is_some()) {
+        let why = "it is missing; an impact in time and a contact law require the stiffness of the contact, or a force curve (of a stop in a \
+                   suspension sheet, or given)";
+        return Err(StudyError::input(Field::ImpactStiffness, why));
+    }
+    Ok((ImpactQuestion { stiffness_curve: law.stiffness_curve, ..impact.clone() }, finding))
 }
 
 /// Refuses results that require a contact point, for a contact without one.
@@ -460,6 +487,7 @@ fn peak_force(
         law: damper.law,
         stiffness: damper.stiffness,
         exponent: damper.exponent,
+        stiffness_curve: damper.stiffness_curve,
         duration: damper.contact_duration.filter(|_| compression.is_none()),
         max_penetration: damper.max_penetration,
         peak_force: damper.peak_force.unwrap_or_default(),

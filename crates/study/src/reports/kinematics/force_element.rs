@@ -3,9 +3,10 @@
 use crate::reports::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
 use crate::reports::kinematics::wheel::WheelParts;
 use nalgebra::Vector3;
+use percuss_contact::ForceCurve;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, LinkId, Mechanism, NamedContact};
-use percuss_suspension::{ForceElements, SpringForce, StopForce};
+use percuss_suspension::{ForceElements, SpringForce};
 
 /// Spring, damper or stop.
 #[derive(Clone, Debug)]
@@ -26,7 +27,7 @@ pub(crate) struct ForceElement {
     /// Length as drawn, m, of a spring or damper.
     drawn_length: f64,
     pub spring: Option<SpringForce>,
-    pub stop: Option<StopForce>,
+    pub stop: Option<ForceCurve>,
 }
 
 /// Force of an element and its motion ratio at a pose, along a motion with one parameter.

@@ -15,7 +15,8 @@ use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::values::quantities::schema_of;
 use crate::values::value::NumberOrText;
-use percuss_suspension::{LengthUnit, StopForce};
+use percuss_contact::ForceCurve;
+use percuss_suspension::LengthUnit;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -228,7 +229,7 @@ fn beyond_data(
                 .find(|value| value.name == column && (element.is_shared || value.side == element.side));
             value.and_then(|value| value.value.clone().ok())
         };
-        let end = element.stop.as_ref().map(StopForce::end);
+        let end = element.stop.as_ref().map(ForceCurve::end);
         let is_beyond = |force: &f64| match end {
             Some((_, last_force)) => *force > last_force,
             None => *force < 0.0,

@@ -33,8 +33,7 @@ pub(crate) const FACTS: Facts = Facts {
 /// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both
 /// depend on the speed; the restitution is for one speed.
 pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
-    let (mass, stiffness, p) =
-        (request.contact.mass(), request.contact.stiffness(), request.contact.exponent());
+    let (mass, (stiffness, p)) = (request.contact.mass(), request.power_law());
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     export.set("stiffness", stiffness, "N/m^p");

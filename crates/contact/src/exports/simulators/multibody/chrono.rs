@@ -68,14 +68,15 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let effective = own * (other / (own + other));
     let mut export = Export::new(TOOL);
     export.set("m_eff", effective, "kg");
-    if request.contact.exponent() == 1.5 {
+    let (_, exponent) = request.power_law();
+    if exponent == 1.5 {
         export_hertz(&mut export, request, effective)?;
-    } else if request.contact.exponent() == 1.0 {
+    } else if exponent == 1.0 {
         export_hooke(&mut export, request, effective)?;
     } else {
         return Err(ExportError::Exponent {
             tool: TOOL,
-            exponent: request.contact.exponent(),
+            exponent,
             takes: "Hooke has 1, Hertz 3/2",
             remedy: "choose one of the two",
         });
@@ -128,7 +129,7 @@ fn export_hooke(export: &mut Export, request: &Request, effective: f64) -> Resul
 fn export_hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
     let cr = corrected_restitution(request, effective)?;
     // F = 4/3 E* √R x^(3/2).
-    let modulus = 0.75 * request.contact.stiffness();
+    let modulus = 0.75 * request.power_law().0;
     check_single_precision("Chrono's modulus E_eff, Pa", modulus / BULLET_RADIUS.sqrt())?;
     export.set("cr", cr, "");
     export.set("E_eff·sqrt(R_eff)", modulus, "N/m^(3/2)");

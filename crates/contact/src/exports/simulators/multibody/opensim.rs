@@ -38,17 +38,18 @@ pub(crate) const FACTS: Facts = Facts {
 /// Greatest step of the integrator: 0.1 x₀/v, x₀ the penetration without damping; shorter for a smaller error.
 pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let contact = request.contact;
-    if contact.exponent() != 1.5 {
+    let (stiffness, exponent) = request.power_law();
+    if exponent != 1.5 {
         return Err(ExportError::Exponent {
             tool: TOOL,
-            exponent: contact.exponent(),
+            exponent,
             takes: "Hertz's spring has 3/2",
             remedy: "give the exponent 1.5 and the stiffness in N/m^1.5 that stores the same energy at the same penetration",
         });
     }
     let number = hunt_crossley::dissipation_number(request.restitution)?;
     let mut export = Export::new(TOOL);
-    let modulus = 3.0 / std::f64::consts::SQRT_2 * contact.stiffness();
+    let modulus = 3.0 / std::f64::consts::SQRT_2 * stiffness;
     export.set("stiffness·sqrt(R)", modulus, "N/m^(3/2)");
     export.add_assumption("Both geometries are in the force's one ContactParameters. A half space counts with R of the sphere alone.");
     export.add_assumption("No friction: static, dynamic and viscous friction 0.");
@@ -60,7 +61,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         return Ok(export);
     };
     let dissipation = 2.0 * number / (3.0 * speed);
-    let depth = ImpactFunction::undamped_penetration(1.5, contact.mass(), contact.stiffness(), speed)?;
+    let depth = ImpactFunction::undamped_penetration(1.5, contact.mass(), stiffness, speed)?;
     let finer = (request.options.accuracy / limits::DEFAULT_ACCURACY).min(1.0);
     let largest = limits::LONGEST_STEP * finer.sqrt() * depth / speed;
     let accuracy = limits::OPENSIM_ACCURACY * finer;

@@ -1,0 +1,95 @@
+//! Spring of a tool in place of a force curve.
+
+use crate::exports::{Export, ExportError, Request, Tool};
+use crate::stepping::runge_kutta_step;
+use crate::{CompliantContact, ContactLawError, Impact, Law, LawParameter, Separation, StiffnessLaw};
+
+/// Steps of the integration of Adams' function over the time x_max/v.
+const STEPS: f64 = 2000.0;
+
+/// Parameters of a tool for a spring k xᵖ with the penetration of the force curve, which has Hunt–Crossley damping. Adams gets the exponent of
+/// the force and the work of the curve at this penetration; the other tools their own exponent, 1 or 3/2. An assumption states the peak force.
+pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportError> {
+    let Some(speed) = request.speed else {
+        let why = "the spring in place of the force curve depends on it";
+        return Err(ExportError::Missing { tool, what: LawParameter::Speed, why });
+    };
+    let (mass, curve) = (request.contact.mass(), request.contact.stiffness());
+    let law = |law: Law, contact: CompliantContact| -> Result<Impact, ContactLawError> {
+        let separation = match request.options.stop {
+            Some(_) => Separation::GapCloses,
+            None => Separation::ForceVanishes,
+        };
+        law.damper(contact, request.restitution, Some(speed), separation)?.impact(contact, speed)
+    };
+    let exact = law(Law::HuntCrossley, request.contact)?;
+    let depth = exact.max_penetration;
+    let StiffnessLaw::Curve(points) = curve else { return tool.export(request) };
+    let work = points.work(0.0, depth);
+    let best = (curve.force(depth) * depth / work - 1.0)
+        .clamp(*CompliantContact::EXPONENTS.start(), *CompliantContact::EXPONENTS.end());
+    let mut refused = None;
+    for p in if tool == Tool::ADAMS { [best, best] } else { [1.0, 1.5] } {
+        let replaced = |stiffness: f64| -> Result<(Request, Export), ExportError> {
+            let contact = CompliantContact::new(mass, stiffness)?.with_exponent(p)?;
+            let replaced = Request { contact, ..*request };
+            Ok((replaced, tool.export(&replaced)?))
+        };
+        let guess = (p + 1.0) * work / depth.powf(p + 1.0);
+        let found = replaced(guess).and_then(|(found, export)| match export.penetrations.first() {
+            // The penetration of every tool is proportional to k^(−1/(p+1)).
+            Some(given) => replaced(guess * (given.value / depth).powf(p + 1.0)),
+            None => Ok((found, export)),
+        });
+        let (replaced, mut export) = match found {
+            Err(error @ ExportError::Exponent { .. }) => {
+                refused = Some(error);
+                continue;
+            }
+            found => found?,
+        };
+        if export.penetrations.is_empty() {
+            return Ok(export);
+        }
+        let peak = if tool == Tool::ADAMS {
+            peak_of_impact_function(&export, mass, speed)
+        } else {
+            let is_hunt_crossley = [Tool::DRAKE, Tool::OPENSIM].contains(&tool);
+            let of_tool = if is_hunt_crossley { Law::HuntCrossley } else { Law::KelvinVoigt };
+            law(of_tool, replaced.contact)?.peak_force
+        };
+        let (stiffness, exponent) = replaced.power_law();
+        let power = if exponent == 1.0 { String::new() } else { format!("^{exponent:.4}") };
+        let error = 100.0 * (peak / exact.peak_force - 1.0);
+        export.add_assumption(format!(
+            "Not the force curve: a spring of {stiffness:.6e} N/m{power} with the penetration of the curve with Hunt-Crossley damping, \
+             {:.3} mm at {speed:?} m/s, and with the required restitution. Its peak force is {peak:.1} N in place of {:.1} N ({error:+.1} %); \
+             at another speed penetration and peak force are wrong.",
+            1e3 * depth,
+            exact.peak_force
+        ));
+        return Ok(export);
+    }
+    Err(refused.unwrap_or(ExportError::Missing {
+        tool,
+        what: LawParameter::Stiffness,
+        why: "the tool has no spring in place of the force curve",
+    }))
+}
+
+/// Largest force of Adams' function at the exported parameters, N.
+fn peak_of_impact_function(export: &Export, mass: f64, speed: f64) -> f64 {
+    let number = |name| export.number(name).unwrap_or(f64::NAN);
+    let (k, p, damping, ramp) = (number("stiffness"), number("exponent"), number("cmax"), number("d"));
+    let force = |(x, v): (f64, f64)| {
+        let part = (x / ramp).clamp(0.0, 1.0);
+        k * x.max(0.0).powf(p) + damping * part * part * (3.0 - 2.0 * part) * v
+    };
+    let step = export.penetrations.first().map_or(f64::NAN, |depth| depth.value) / speed / STEPS;
+    let (mut state, mut peak) = ((0.0, speed), 0.0f64);
+    while state.1 > 0.0 {
+        state = runge_kutta_step(state, step, &|state| (state.1, -force(state) / mass));
+        peak = peak.max(force(state));
+    }
+    peak
+}

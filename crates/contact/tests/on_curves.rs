@@ -1,0 +1,171 @@
+//! Impacts on force curves.
+
+use percuss_contact::exports::{Request, Tool};
+use percuss_contact::{
+    CompliantContact, Damper, ForceCurve, Law, Separation, hunt_crossley, impact_with_varying_mass,
+};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+
+/// Curve with random pieces; sometimes with a force at the touch or without a force at its start.
+fn random_curve(rng: &mut StdRng) -> ForceCurve {
+    let count = rng.random_range(2..8);
+    let (mut x, mut f) = (vec![0.0], vec![if rng.random_bool(0.2) { 150.0 } else { 0.0 }]);
+    for i in 1..count {
+        x.push(x[i - 1] + rng.random_range(5e-4..8e-3));
+        let rise = if i == 1 && rng.random_bool(0.2) { 0.0 } else { rng.random_range(10.0..2500.0) };
+        f.push(f[i - 1] + rise);
+    }
+    ForceCurve::new(x, f).expect("a curve")
+}
+
+/// Second algorithm: short steps of third order over the points of the curve. The largest force can be at one of them. Returns restitution,
+/// largest penetration, largest force, duration, work of the damper.
+fn integrated(
+    (force, corners): (&dyn Fn(f64, f64) -> f64, &[f64]),
+    (mass, speed): (f64, f64),
+    ends_without_force: bool,
+    step: f64,
+) -> [f64; 5] {
+    let rates = |(x, v): (f64, f64)| (v, -force(x, v) / mass);
+    let (mut state, mut time, mut lost) = ((0.0, speed), 0.0, 0.0);
+    let (mut deepest, mut peak) = (0.0f64, force(0.0, speed));
+    let free = |x: f64| force(x, 0.0);
+    loop {
+        // Rule of Ralston and Rabinowitz, third order.
+        let a = rates(state);
+        let b = rates((state.0 + 0.5 * step * a.0, state.1 + 0.5 * step * a.1));
+        let c = rates((state.0 + 0.75 * step * b.0, state.1 + 0.75 * step * b.1));
+        let mean = |a: f64, b: f64, c: f64| (2.0 * a + 3.0 * b + 4.0 * c) / 9.0;
+        let next = (state.0 + step * mean(a.0, b.0, c.0), state.1 + step * mean(a.1, b.1, c.1));
+        let remaining = |(x, v): (f64, f64)| if ends_without_force { force(x, v) } else { x };
+        let closes = next.0 <= 0.0 && force(0.0, next.1) > 0.0;
+        let (before, after) = if closes { (state.0, next.0) } else { (remaining(state), remaining(next)) };
+        let power = |(x, v): (f64, f64)| (force(x, v) - free(x)) * v;
+        if next.1 < 0.0 && after <= 0.0 {
+            let part = before / (before - after);
+            let v = state.1 + part * (next.1 - state.1);
+            lost += part * step * power(state);
+            return [-v / speed, deepest, peak, time + part * step, lost];
+        }
+        lost += 0.5 * step * (power(state) + power(next));
+        for x in corners.iter().filter(|x| state.0 < **x && **x <= next.0) {
+            peak = peak.max(force(*x, state.1 + (x - state.0) / (next.0 - state.0) * (next.1 - state.1)));
+        }
+        (state, time) = (next, time + step);
+        deepest = deepest.max(state.0);
+        peak = peak.max(force(state.0, state.1));
+    }
+}
+
+#[test]
+fn impacts_on_random_curves_are_those_of_an_integration() {
+    let mut rng = StdRng::seed_from_u64(7);
+    for case in 0..40 {
+        let curve = random_curve(&mut rng);
+        let (mass, speed) = (rng.random_range(5.0..120.0), rng.random_range(0.3..2.0));
+        let e = rng.random_range(0.1..0.95);
+        let contact = CompliantContact::on_curve(mass, &curve).expect("a contact");
+        for (law, separation) in [
+            (Law::HuntCrossley, Separation::ForceVanishes),
+            (Law::KelvinVoigt, Separation::ForceVanishes),
+            (Law::KelvinVoigt, Separation::GapCloses),
+        ] {
+            let damper = law.damper(contact, e, Some(speed), separation).expect("a damper");
+            let found = damper.impact(contact, speed).expect("an impact");
+            let force = |x: f64, v: f64| damper.force(contact, x, v);
+            let ends_without_force = law == Law::KelvinVoigt && separation == Separation::ForceVanishes;
+            // 40,000 steps: errors of the last step and of the peaks of 1e-8.
+            let step = found.duration.expect("an end") / 4e4;
+            let [restitution, depth, peak, duration, lost] =
+                integrated((&force, curve.deflections()), (mass, speed), ends_without_force, step);
+            let what = format!("{case} {law:?} {separation:?}: {found:?}");
+            assert!((found.restitution - e).abs() < 1e-9, "{what}");
+            assert!((restitution - e).abs() < 1e-6, "{restitution} {what}");
+            assert!((depth / found.max_penetration - 1.0).abs() < 1e-6, "{depth} {what}");
+            assert!((peak / found.peak_force - 1.0).abs() < 1e-5, "{peak} {what}");
+            assert!((duration / found.duration.unwrap() - 1.0).abs() < 1e-5, "{duration} {what}");
+            // The work of the damper, and the energy that the spring keeps if the force vanishes at a penetration.
+            if !ends_without_force {
+                assert!((lost / found.energy_lost - 1.0).abs() < 1e-5, "{lost} {what}");
+            }
+            let samples = damper.history(contact, speed, 300).expect("a history");
+            let last = samples.last().expect("an end");
+            assert!((last.time - found.duration.unwrap()).abs() < 1e-9 * last.time, "{what}");
+            assert!((last.rate + e * speed).abs() < 1e-6 * speed, "{what}");
+            let profile = [(0.0, mass), (0.1, mass)];
+            let stepped =
+                impact_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end");
+            assert!((stepped.restitution - e).abs() < 2e-6, "{stepped:?} {what}");
+            assert!((stepped.peak_force / found.peak_force - 1.0).abs() < 1e-5, "{stepped:?} {what}");
+        }
+    }
+}
+
+/// A straight curve is a linear spring, and the restitution of Hunt and Crossley's law does not depend on the curve.
+#[test]
+fn a_straight_curve_is_a_linear_spring() {
+    let curve = ForceCurve::new(vec![0.0, 0.001, 0.004, 0.02], vec![0.0, 100.0, 400.0, 2000.0]).unwrap();
+    let (on_curve, linear) =
+        (CompliantContact::on_curve(30.0, &curve).unwrap(), CompliantContact::new(30.0, 1e5).unwrap());
+    for e in [0.05, 0.3, 0.9, 1.0] {
+        for law in [Law::HuntCrossley, Law::KelvinVoigt] {
+            let impact = |contact: CompliantContact| {
+                let damper = law.damper(contact, e, Some(0.7), Separation::ForceVanishes).expect("a damper");
+                damper.impact(contact, 0.7).expect("an impact")
+            };
+            let (a, b) = (impact(on_curve), impact(linear));
+            let tolerance = if law == Law::HuntCrossley { 1e-11 } else { 2e-6 };
+            for (x, y) in [
+                (a.restitution, b.restitution),
+                (a.max_penetration, b.max_penetration),
+                (a.peak_force, b.peak_force),
+                (a.duration.unwrap(), b.duration.unwrap()),
+                (a.time_of_max_penetration, b.time_of_max_penetration),
+            ] {
+                assert!((x / y - 1.0).abs() < tolerance, "{law:?} {e}: {x} {y}");
+            }
+        }
+    }
+    let number = hunt_crossley::dissipation_number(0.3).unwrap();
+    let damper = Law::HuntCrossley.damper(on_curve, 0.3, Some(0.7), Separation::ForceVanishes).unwrap();
+    assert_eq!(damper, Damper::HuntCrossley { dissipation: number / 0.7 });
+}
+
+/// The spring of every tool has the restitution and the penetration of the curve.
+#[test]
+fn tools_get_a_spring_with_the_penetration_of_the_curve() {
+    let curve = ForceCurve::new(vec![0.0, 0.005, 0.01, 0.015], vec![0.0, 300.0, 1500.0, 6000.0]).unwrap();
+    let contact = CompliantContact::on_curve(73.4, &curve).unwrap();
+    let request = Request::new(contact, 0.3).at(1.0);
+    let damper = Law::HuntCrossley.damper(contact, 0.3, Some(1.0), Separation::ForceVanishes).unwrap();
+    let depth = damper.impact(contact, 1.0).unwrap().max_penetration;
+    let mut compared = 0;
+    for tool in Tool::ALL {
+        let mut request = request;
+        (request.options.own_mass, request.options.other_own_mass) = (Some(40.0), Some(1000.0));
+        let Ok(export) = tool.export(&request) else { continue };
+        for penetration in export.penetrations.iter().take(1) {
+            assert!((penetration.value / depth - 1.0).abs() < 1e-9, "{}: {export:?}", tool.name());
+            assert!(export.assumptions.iter().any(|a| a.contains("in place of")), "{}", tool.name());
+            compared += 1;
+        }
+    }
+    assert!(compared >= 10, "{compared} tools");
+}
+
+#[test]
+fn points_that_are_no_curve_are_refused() {
+    let refused =
+        |x: &[f64], f: &[f64]| ForceCurve::new(x.to_vec(), f.to_vec()).expect_err("no curve").to_string();
+    assert!(refused(&[0.0], &[0.0]).contains("at least 2"));
+    assert!(refused(&[0.0, 0.01], &[0.0]).contains("2 deflections and 1 forces"));
+    assert!(refused(&[0.001, 0.01], &[0.0, 1.0]).contains("expected 0"));
+    assert!(refused(&[0.0, 0.01, 0.01], &[0.0, 1.0, 2.0]).contains("increasing"));
+    assert!(refused(&[0.0, 0.01], &[0.0, -1.0]).contains("compression"));
+    assert!(refused(&[0.0, f64::NAN], &[0.0, 1.0]).contains("finite"));
+    let weak = ForceCurve::new(vec![0.0, 0.01, 0.02], vec![0.0, 100.0, 50.0]).unwrap();
+    let contact = CompliantContact::on_curve(50.0, &weak).unwrap();
+    let damper = Damper::hunt_crossley(1.0).unwrap();
+    let error = damper.impact(contact, 3.0).expect_err("a mass that is not stopped").to_string();
+    assert!(error.contains("never does the work"), "{error}");
+}
