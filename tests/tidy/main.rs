@@ -55,7 +55,10 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ("percuss-units", &[]),
     ("percuss-mechanism", &["percuss-spatial"]),
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
-    ("percuss-suspension", &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units"]),
+    (
+        "percuss-suspension",
+        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units", "percuss-dynamics"],
+    ),
     ("percuss-dynamics", &["percuss-spatial", "percuss-kernel", "percuss-mechanism"]),
     ("percuss-generate", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
     ("percuss-impact", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
