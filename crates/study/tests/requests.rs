@@ -35,7 +35,7 @@ fn every_question_has_its_key_in_the_report() {
         "contact": contact, "mass": {"explain": true}, "damping": {"stiffness": 1e4, "restitution": 0.5},
         "impact": {"restitution": 0.5, "speed": 1}, "extremes": {"range": ["hinge=-1:1"]},
         "sweep": {"vary": "hinge=0:1:2"}, "map": {"link": "rod", "point": [0, 0, -0.8], "directions": 8},
-        "safe_speed": {"energy": 1}, "check": {}, "generate": {"language": "rust", "gradient": true}, "convert": {"to": "mjcf"},
+        "safe_speed": {"energy": 1}, "restitution": {"stiffness": 1e4, "damping": 10, "speed": 1}, "check": {}, "generate": {"language": "rust", "gradient": true}, "convert": {"to": "mjcf"},
     });
     let report = ask(&model, &request.to_string()).unwrap_or_else(|error| panic!("{}", error.message()));
     let report: Value = serde_json::from_str(&report.to_json()).expect("JSON");

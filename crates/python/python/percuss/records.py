@@ -1705,7 +1705,7 @@ class RestRecord(Record):
 class RestitutionReport(Record):
     """Report of "percuss restitution", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.restitution/1"]
     """"percuss.restitution/1"."""
     percuss: str
     """Version of percuss."""
