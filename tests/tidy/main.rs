@@ -57,7 +57,14 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
     (
         "percuss-suspension",
-        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units", "percuss-contact"],
+        &[
+            "percuss-spatial",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-units",
+            "percuss-contact",
+            "percuss-dynamics",
+        ],
     ),
     ("percuss-dynamics", &["percuss-spatial", "percuss-kernel", "percuss-mechanism"]),
     ("percuss-generate", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),

@@ -2427,7 +2427,8 @@ percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table
 
 /*
  Results of the tables of a request: effective mass, damper and parameters of simulators, impact, extremes, sweep, comparison,
- kinematics, map, safe speed. request: JSON object with the tables of a study (docs/study.schema.json), without the path of a model and
+ kinematics, map, safe speed, contents of the model (table check), source code (table generate), the model in another
+ format (convert) or with an impact for MuJoCo (export): files as text. request: JSON object with the tables of a study (docs/study.schema.json), without the path of a model and
  without output files; the table "model" may have changes of the model. The keys of the report are the tables: {"mass": …,
  "impact": …}, each with the report of the command in docs/reference/OUTPUTS.md. SI units. Paths in the request are relative to the working directory.
  Free the report with percuss_report_free.

@@ -19,8 +19,8 @@ enum Block<'a> {
     Heading(String),
     Facts(Vec<Fact>),
     Table(Table),
-    /// Names of the columns, and names with shares of a whole.
-    Shares([&'static str; 2], Vec<(String, f64)>),
+    /// Links with their shares of the kinetic energy.
+    Shares(Vec<(String, f64)>),
     /// Picture for a page, and its content for readers without it.
     Picture {
         svg: Box<dyn Fn() -> String + 'a>,
@@ -68,9 +68,9 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// Adds bars of shares of a whole.
-    pub fn shares(&mut self, columns: [&'static str; 2], shares: Vec<(String, f64)>) {
-        self.blocks.push(Block::Shares(columns, shares));
+    /// Adds bars of the shares of links in the kinetic energy.
+    pub fn shares(&mut self, shares: Vec<(String, f64)>) {
+        self.blocks.push(Block::Shares(shares));
     }
 
     /// Adds a picture, which only a page shows.
@@ -126,7 +126,7 @@ impl<'a> Document<'a> {
                 Block::Heading(title) => out += &format!("{}\n", line(title)),
                 Block::Facts(facts) => out += &fact_lines(facts),
                 Block::Table(table) => out += &table.to_string(),
-                Block::Shares(_, shares) => out += &bars(shares),
+                Block::Shares(shares) => out += &bars(shares),
                 Block::Note(text) | Block::Paragraph(text) => out += &(wrap_lines(&lines(text)) + "\n"),
                 Block::Problem(text) => out += &(wrap_hanging(&line(text), 2) + "\n"),
                 Block::Code(title, text) => {
@@ -149,7 +149,7 @@ impl<'a> Document<'a> {
                     page.facts(facts.iter().map(|(name, value)| (name.trim_start(), value.clone())));
                 }
                 Block::Table(table) => page.table(table.rows()),
-                Block::Shares(columns, shares) => page.table_of_shares(*columns, shares),
+                Block::Shares(shares) => page.table_of_shares(shares),
                 Block::Picture { svg, content, caption, is_large: false } => {
                     page.picture(&svg(), content, caption)
                 }

@@ -1,12 +1,12 @@
 //! Entry point of all readers of models: the root element of the file selects the format.
 
 use crate::reading::limits::LONGEST_HEAD;
-use crate::reading::report::Report;
+use crate::reading::report::{NOT_READ, Report};
 use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::sdf;
 use crate::urdf::load::{LoadOptions, Loaded};
-use crate::{DEFAULT_MAX_SIZE, LoadError, Source, mjcf, urdf};
+use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source, mjcf, urdf};
 use std::path::Path;
 
 /// Reads a model: URDF (root `<robot>`), MJCF (root `<mujoco>`) or SDFormat (root `<sdf>`), closed loops and couplings included.
@@ -27,7 +27,7 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
     let text = &*tolerant_text(&text, &mut report);
-    match xml::root_name(text) {
+    let loaded = match xml::root_name(text) {
         Some("sdf") => sdf::load::load_text(source, text, options, report),
         Some("mujoco") => {
             source.refuse_model("an MJCF", &mut report);
@@ -37,8 +37,21 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
             source.refuse_model("a URDF", &mut report);
             urdf::load::load_text(&source.name, text, options, report)
         }
-    }
+    };
+    let is_finding = |finding: &Diagnostic| finding.code != NOT_READ;
+    let without_unread = |mut error: LoadError| {
+        error.diagnostics.retain(is_finding);
+        error
+    };
+    let mut loaded = loaded.map_err(without_unread)?;
+    let is_unread = |finding: &&Diagnostic| UNREAD.contains(&finding.code);
+    loaded.unread = loaded.diagnostics.iter().filter(is_unread).cloned().collect();
+    loaded.diagnostics.retain(is_finding);
+    Ok(loaded)
 }
+
+/// Codes of the findings about parts of a file that are no part of a mechanism.
+const UNREAD: [&str; 5] = [NOT_READ, "ignored", "unknown-element", "unknown-attribute", "stray-text"];
 
 /// Endings of file names of other formats, and their names.
 const FOREIGN_ENDINGS: [(&[&str], &str); 13] = [

@@ -22,9 +22,6 @@ mod values;
 /// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
 
-/// Generated source code, for the interfaces that write it.
-pub use percuss_generate as generated;
-
 pub use checks::design_variant::DesignError;
 pub use checks::model_check::{
     CheckReport, ClosureRecord, JointRecord, LinkRecord, RelationTermRecord, check,
@@ -32,10 +29,6 @@ pub use checks::model_check::{
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
-pub use damper::export_report::ExportReport;
-pub use damper::exported_impact::{
-    ExportedImpact, ImpactExportError, ImpactFileOptions, export_impact, export_stop,
-};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
@@ -49,9 +42,7 @@ pub use map::map_report::{
 pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
 pub use model::changes::Changes;
-pub use model::conversion::{ChangeRecord, ConversionReport, changes};
 pub use model::loading::{Input, Model, Origin, SheetPoint};
-pub use model::named_states::named_states;
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
@@ -67,6 +58,8 @@ pub use question::row_source::{PositionFile, RowSource};
 pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
 pub use question::tables::contact::{BaseName, ConditionsTable, ContactTable, FrameName, PoseTable};
 pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
+pub use question::tables::exports::{CodeQuestion, LanguageName};
+pub use question::tables::exports::{ConversionQuestion, ExportQuestion, ModelFormat};
 pub use question::tables::extremes::{
     ExtremesQuestion, GivenNormals, GivenPath, GivenQuantity, GivenRange, Keep,
 };
@@ -76,8 +69,7 @@ pub use question::tables::impact::{ImpactQuestion, PercussionRequest, Restitutio
 pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
-pub use question::tables::model::{Acceptable, ModelTable};
-pub use question::tables::report::StudyReport;
+pub use question::tables::model::{Acceptable, CheckQuestion, ModelTable};
 pub use question::tables::restitution::{RestitutionQuestion, ToolParameter};
 pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
 pub use question::tables::sweep::{
@@ -85,7 +77,7 @@ pub use question::tables::sweep::{
 };
 pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
-pub use question::travel::varied_values::{VariedColumn, VariedValues};
+pub use question::travel::varied_values::{PathPlace, VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
 pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
@@ -102,10 +94,13 @@ pub use reports::drawing::scene::{
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
-pub use reports::generated_code::{CodeError, generate_code};
+pub use reports::exports::code::{CodeError, CodeReport, TextFile, generate_code};
+pub use reports::exports::conversion::{ChangeRecord, ConversionError, ConversionReport, convert};
+pub use reports::exports::impact::{ImpactExportError, export};
+pub use reports::exports::impact_report::ExportReport;
 pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, PathRecord, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{
@@ -132,7 +127,6 @@ pub use reports::kinematics::target_search::{
     FoundCoordinate, KinematicTarget, ReachedTarget, TargetReport, TargetSearch, UnknownCoordinate,
     search_targets,
 };
-pub use reports::kinematics::values::KinematicUnit;
 pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
@@ -146,10 +140,12 @@ pub use study_file::answer::{AskError, MapResult, RequestReport, report_schema, 
 pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyFile, StudyFileError};
 pub use study_file::keys::{StudyKeys, UnknownKey};
+pub use study_file::report::StudyReport;
 pub use study_file::request::ask;
 pub use study_file::schema::{study_key_page, study_keys, study_schema};
 pub use study_file::starter::{starting_contact, starting_study};
-pub use study_file::tables_of_page::{PanelTables, StudyTables, VariantTables};
+pub use study_file::tables_of_page::{PageTables, PanelTables, VariantTables};
+pub use study_file::text::StudyTables;
 pub use study_file::variant::Variant;
 pub use sweep::row_gradient::{GradientLayout, RowGradient};
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};

@@ -70,11 +70,6 @@ pub(crate) const FIRST_BLOCK: usize = 8;
 /// Number of consecutive rows with poses per thread.
 pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 
-/// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
-/// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
-pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
-/// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
-pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;
 /// Largest number of designs that a search for coordinates evaluates: some seconds.
 pub(crate) const MOST_EVALUATIONS: usize = 400;
 /// Intervals of a scan of the range of a coordinate, if Newton's method does not find the required value.
@@ -106,6 +101,9 @@ pub(crate) const LONG_HALVING: f64 = 0.125;
 pub(crate) const LEAST_PART_OF_LONG_HALVING: f64 = 0.01;
 /// Accuracy of the smallest gap of a stop that is not reached, m.
 pub(crate) const NEAREST_ACCURACY: f64 = 1e-9;
+/// Largest gradient of the difference of two gaps, m per unit of the drivers, at a pose at which both are stationary. Roundings are some
+/// 1e-15, regular poses above 1e-4.
+pub(crate) const STATIONARY_GAPS: f64 = 1e-9;
 /// First, longest and shortest step along the path to the smallest gap, rad or characteristic lengths. The first step is short because
 /// only some 1e-3 of the path remains after the halvings of the gap.
 pub(crate) const FIRST_APPROACH_STEP: f64 = 1e-4;

@@ -1,12 +1,13 @@
 //! Files that are written from the JSON schemas of studies and reports.
 
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_study::{
     CheckReport, ContactListReport, DampingReport, Explanation, GivenContact, ImpactReport, KinematicsReport,
-    MassReport, PointMapReport, PosedMass, ReflectedReport, RequestReport, SafeSpeedReport, Scene,
-    SceneShapes, report_schema, study_key_page, study_keys, study_schema,
+    MassReport, Model, PointMapReport, PosedMass, ReflectedReport, RequestReport, SafeSpeedReport, Scene,
+    SceneShapes, check, report_schema, study_key_page, study_keys, study_schema,
 };
 use schemars::generate::SchemaSettings;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -121,7 +122,8 @@ impl Records {
             word.as_str().map(|word| format!("{quote}{word}{quote}"))
         };
         let alternatives: Vec<&Value> = list(schema, "anyOf").chain(list(schema, "oneOf")).collect();
-        let words = list(schema, "enum").chain(alternatives.iter().filter_map(|one| one.get("const")));
+        let words = list(schema, "enum").chain(schema.get("const"));
+        let words = words.chain(alternatives.iter().filter_map(|one| one.get("const")));
         let words: Vec<String> = words.filter_map(quoted).collect();
         if !words.is_empty() {
             return vec![(language.words)(&words)];
@@ -307,6 +309,79 @@ fn generated_files_are_fresh() {
             assert!(kept == text, "{file} differs from the schema; write it: {update}");
         }
     }
+}
+
+/// True if a document agrees with a schema: types, constants, words, required keys and the schemas of keys and items.
+fn agrees(document: &Value, schema: &Value, definitions: &Value) -> bool {
+    if let Some(path) = schema.get("$ref").and_then(Value::as_str) {
+        return agrees(document, &definitions[path.trim_start_matches("#/$defs/")], definitions);
+    }
+    let is_kind = |kind: &Value| match kind.as_str().expect("a type") {
+        "object" => document.is_object(),
+        "array" => document.is_array(),
+        "string" => document.is_string(),
+        "number" => document.is_number(),
+        "integer" => document.is_i64() || document.is_u64(),
+        "boolean" => document.is_boolean(),
+        "null" => document.is_null(),
+        other => panic!("unknown type {other}"),
+    };
+    let kinds: Vec<&Value> =
+        schema.get("type").into_iter().filter(|kind| kind.is_string()).chain(list(schema, "type")).collect();
+    let alternatives: Vec<&Value> = list(schema, "anyOf").chain(list(schema, "oneOf")).collect();
+    let of_key = |(key, of_key): (&String, &Value)| {
+        document.get(key).is_none_or(|value| agrees(value, of_key, definitions))
+    };
+    let items = schema.get("items").zip(document.as_array());
+    let words: Vec<&Value> = list(schema, "enum").collect();
+    (kinds.is_empty() || kinds.into_iter().any(is_kind))
+        && schema.get("const").is_none_or(|word| word == document)
+        && (words.is_empty() || words.contains(&document))
+        && list(schema, "required").all(|key| document.get(key.as_str().expect("a key")).is_some())
+        && schema.get("properties").and_then(Value::as_object).is_none_or(|keys| keys.iter().all(of_key))
+        && items.is_none_or(|(schema, items)| items.iter().all(|item| agrees(item, schema, definitions)))
+        && (alternatives.is_empty() || alternatives.iter().any(|one| agrees(document, one, definitions)))
+}
+
+#[test]
+fn the_schema_of_reports_refuses_wrong_documents() {
+    let schema = report_schema();
+    let is_valid = |document: &Value| agrees(document, &schema, &schema["$defs"]);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/point_mass_pendulum.urdf");
+    let model = Model::load(path, DEFAULT_MAX_SIZE, &LoadOptions::default()).expect("a model");
+    let report = serde_json::to_value(check(&model).expect("contents")).expect("JSON");
+    assert!(is_valid(&report));
+    let changed = |key: &str, value: Value| {
+        let mut report = report.clone();
+        report[key] = value;
+        report
+    };
+    let mut wrong = vec![json!({}), json!([{}]), json!(1), json!({"schema": "percuss.report/1"})];
+    for (key, value) in [
+        ("schema", json!("percuss.mass/1")),
+        ("schema", json!("percuss.report/2")),
+        ("schema", Value::Null),
+        ("total_mass", json!("1 kg")),
+        ("links", json!([{"name": "rod"}])),
+        ("degrees_of_freedom", json!(1.5)),
+    ] {
+        wrong.push(changed(key, value));
+    }
+    for key in report.as_object().expect("keys").keys() {
+        let mut report = report.clone();
+        report.as_object_mut().expect("keys").remove(key);
+        wrong.push(report);
+    }
+    for document in wrong {
+        assert!(!is_valid(&document), "{document}");
+    }
+    // A member of the list without its name would agree with other reports.
+    let names: BTreeSet<String> = list(&schema, "anyOf")
+        .filter_map(|report| report.get("$ref")?.as_str())
+        .map(|path| &schema["$defs"][path.trim_start_matches("#/$defs/")])
+        .map(|record| record["properties"]["schema"]["const"].to_string())
+        .collect();
+    assert!(names.len() > 15 && !names.contains("null"), "{names:?}");
 }
 
 #[test]

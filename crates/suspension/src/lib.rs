@@ -18,6 +18,7 @@ mod chrono;
 mod corner;
 mod findings;
 mod forces;
+pub mod kinematics;
 mod limits;
 mod options;
 mod sheet;

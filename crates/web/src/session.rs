@@ -360,7 +360,7 @@ fn curve(model: &Model, question: &MassQuestion, vary: &str) -> Result<Curve, Re
     question.set.retain(|(joint, _)| *joint != name);
     question.travel.clear();
     let report = sweep_report(model, &question, RowSource::Grid(vec![vary]))?;
-    let unit = report.heading.varied.first().map_or("", |column| column.unit);
+    let unit = report.heading.varied.first().map_or("", |column| column.unit.si_unit());
     let row = |row: percuss_study::SweepRow| CurveRow {
         at: row.varied.values().first().copied().unwrap_or_default(),
         status: row.status,

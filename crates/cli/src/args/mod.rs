@@ -18,7 +18,7 @@ mod value_parsers;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, RestitutionArgs, SafeSpeedArgs};
-pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, LanguageName, ModelFormat};
+pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};

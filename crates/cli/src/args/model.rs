@@ -41,26 +41,20 @@ impl ModelArgs {
 
     /// Reads the model of a suspension, whose masses may be missing.
     pub fn load_for_kinematics(&self) -> Result<Model, Failure> {
-        self.reading.load_with(Model::load_for_kinematics, &self.model, &self.reading.options())
-    }
-
-    /// Reads the model, with notes about the parts of its file that are no part of a mechanism.
-    pub fn load_for_conversion(&self) -> Result<Model, Failure> {
-        let options = LoadOptions { list_unread: true, ..self.reading.options() };
-        self.reading.load_with(Model::load_worksheet, &self.model, &options)
+        self.reading.load_with(Model::load_for_kinematics, &self.model)
     }
 }
 
 impl ReadingArgs {
     /// Reads a model.
     pub fn load(&self, path: &str) -> Result<Model, Failure> {
-        self.load_with(Model::load_worksheet, path, &self.options())
+        self.load_with(Model::load_worksheet, path)
     }
 
     /// Reads a model with the changes of the flags.
-    fn load_with(&self, read: ReadModel, path: &str, options: &LoadOptions) -> Result<Model, Failure> {
+    fn load_with(&self, read: ReadModel, path: &str) -> Result<Model, Failure> {
         let worksheet = self.changes.worksheet.as_deref();
-        let model = read(path, self.max_size, options, worksheet)?;
+        let model = read(path, self.max_size, &self.options(), worksheet)?;
         let changes = self.changes();
         if changes.is_empty() { Ok(model) } else { Ok(model.with_changes(&changes)?) }
     }

@@ -20,7 +20,8 @@ const WITHOUT_KEY: [(&str, &str); 12] = [
 ];
 
 /// Keys that have no flag, and why.
-const WITHOUT_FLAG: [(&str, &str); 5] = [
+const WITHOUT_FLAG: [(&str, &str); 6] = [
+    ("check", "a table without keys: the command check"),
     ("closure.", "a flag for a loop would be a file"),
     ("variant.", "percuss compare uses files in place of variants"),
     ("contact.name", "the command evaluates one contact, or lists those of the model by their names"),
@@ -44,7 +45,7 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 9] = [
+const KEPT: [(&str, &str); 12] = [
     ("mass", "mass"),
     ("damp", "damping"),
     ("restitution", "restitution"),
@@ -54,6 +55,9 @@ const KEPT: [(&str, &str); 9] = [
     ("impact", "impact"),
     ("extremes", "extremes"),
     ("compare", "sweep"),
+    ("generate", "generate"),
+    ("convert", "convert"),
+    ("export", "export"),
 ];
 /// Tables that several commands share.
 const SHARED: [&str; 5] = ["contact", "pose", "conditions", "model", "damping"];

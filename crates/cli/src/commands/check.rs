@@ -1,6 +1,6 @@
 //! Command `percuss check`.
 
-use crate::args::CheckArgs;
+use crate::args::{CheckArgs, CheckFormat};
 use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_diagnostics;
@@ -12,9 +12,13 @@ use std::fmt::Write;
 /// Runs the command.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
-    let report = check(&model)?;
-    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-    document::print(&report, args.format, || document(&report))
+    write(&check(&model)?, args.format, args.model.reading.strict)
+}
+
+/// Writes the findings and the report.
+pub fn write(report: &CheckReport, format: CheckFormat, strict: bool) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, strict)?;
+    document::print(report, format, || document(report))
 }
 
 /// Properties of a model, and tables of links, joints and loops.

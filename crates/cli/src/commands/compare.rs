@@ -332,7 +332,8 @@ fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Ve
         return (names, report.designs.iter().map(row).collect());
     }
     let mut header = vec!["row".to_owned()];
-    let units: Vec<ColumnUnit> = report.varied.iter().map(|column| style.unit(column.unit)).collect();
+    let units: Vec<ColumnUnit> =
+        report.varied.iter().map(|column| style.unit(column.unit.si_unit())).collect();
     header.extend(report.varied.iter().zip(&units).map(|(column, unit)| match &column.joint {
         _ if !style.names_units => column.name.clone(),
         Some(_) => csv::with_unit(&column.name, unit),

@@ -1,8 +1,10 @@
 //! Command `percuss run`.
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
+use crate::commands::check;
 use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::damp;
+use crate::commands::exports::{convert, export, generate};
 use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
 use crate::commands::map;
 use crate::commands::mass::{self, contact_list};
@@ -44,6 +46,7 @@ fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String
             }
             "kinematics.output" => drop(kinematics::file_ending(path)?),
             "map.output" => drop(map::formats(std::slice::from_ref(path))?),
+            "convert.output" | "export.output" => check_writable(path)?,
             _ => {}
         }
     }
@@ -63,9 +66,9 @@ fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
-    let rows = study.sweep.iter().map(SweepQuestion::rows);
-    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows()));
-    let rows = rows.chain(study.extremes.iter().filter_map(|requested| requested.rows()));
+    let rows = study.tables.sweep.iter().map(SweepQuestion::rows);
+    let rows = rows.chain(study.tables.safe_speed.iter().filter_map(|requested| requested.rows()));
+    let rows = rows.chain(study.tables.extremes.iter().filter_map(|requested| requested.rows()));
     let of_rows =
         rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path) } else { None });
     of_models.chain(poses).chain(of_rows)
@@ -120,7 +123,7 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let (Some(question), Some(of_rows)) = (&study.question, &of_rows) {
         prints.push(contact_print(study, question, of_rows, &designs, strict)?);
     }
-    if let Some(damping) = &study.damping
+    if let Some(damping) = &study.tables.damping
         && (damping.limit.is_some() || damping.output.is_some())
         && let Some(report) = with_findings(study.damper(), &study.model)?
     {
@@ -148,10 +151,10 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         prints.push(Box::new(move || extremes::write(&report, CheckFormat::Text, strict)));
     }
     let of_kinematics = with_findings(study.kinematics_report(), &study.model)?;
-    if let (Some(requested), Some(report)) = (&study.kinematics, of_kinematics) {
+    if let (Some(requested), Some(report)) = (&study.tables.kinematics, of_kinematics) {
         prints.push(Box::new(move || kinematics::show_of_study(&report, requested, strict)));
     }
-    if let Some(requested) = &study.map {
+    if let Some(requested) = &study.tables.map {
         let output = map_output(requested, MassFormat::Text, strict)?;
         output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
         let Some(result) = with_findings(study.map_result(), &study.model)? else { return Ok(()) };
@@ -159,6 +162,31 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     }
     if let Some(reports) = with_findings(study.safe_speeds(), &study.model)? {
         prints.push(Box::new(move || safe_speed::show(&reports, CheckFormat::Text, strict)));
+    }
+    if let Some(report) = with_findings(study.check_report(), &study.model)? {
+        prints.push(Box::new(move || check::write(&report, CheckFormat::Text, strict)));
+    }
+    let code = with_findings(study.generated_code(), &study.model)?;
+    if let (Some(report), Some(requested)) = (code, &study.tables.generate) {
+        let folder = requested.output.as_deref().unwrap_or_default();
+        prints.push(Box::new(move || {
+            generate::write_files(&report, folder)?;
+            write_out(&generate::summary(&report, folder))
+        }));
+    }
+    if let Some(mut report) = with_findings(study.conversion(), &study.model)? {
+        prints.push(Box::new(move || {
+            write_diagnostics(&report.diagnostics, strict)?;
+            convert::write_files(&mut report)?;
+            write_out(&convert::summary(&report))
+        }));
+    }
+    if let Some(mut report) = with_findings(study.exported_impact(), &study.model)? {
+        prints.push(Box::new(move || {
+            write_diagnostics(&report.diagnostics, strict)?;
+            export::write_files(&mut report)?;
+            write_out(&export::summary(&report))
+        }));
     }
     prints.into_iter().try_for_each(|print| print())
 }
@@ -171,20 +199,23 @@ fn contact_print<'a>(
     designs: &'a [Design],
     strict: bool,
 ) -> Result<Print<'a>, Failure> {
-    let of_pose = study.damping.is_some() || study.mass != MassOptions::default();
+    let of_pose = study.tables.damping.is_some() || study.mass != MassOptions::default();
     if !study.contacts.is_empty() {
         note_single_contact(study);
     }
-    if of_pose && (study.sweep.is_some() || !study.variants.is_empty()) {
+    if of_pose && (study.tables.sweep.is_some() || !study.variants.is_empty()) {
         note(
             "[damping] and [mass] apply to the contact at its pose, not to rows and variants: --format text \
              shows them",
         );
     }
-    let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
-    let table =
-        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
-    if study.sweep.is_none()
+    let output = study.tables.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
+    let table = study
+        .tables
+        .sweep
+        .as_ref()
+        .map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
+    if study.tables.sweep.is_none()
         && study.variants.is_empty()
         && let Some(list) = study.contact_list()?
     {
@@ -193,13 +224,13 @@ fn contact_print<'a>(
     if !study.variants.is_empty() || !study.contacts.is_empty() {
         let report = study.compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
         return Ok(Box::new(move || {
-            let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
+            let figure = study.tables.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
             let format = MassFormat::Text;
             let written = ComparisonOutput { output, table, figure: &figure, format, strict };
             compare::write(&report, designs, &written)
         }));
     }
-    let Some(sweep) = &study.sweep else {
+    let Some(sweep) = &study.tables.sweep else {
         let report = with_findings(study.mass_report(), &study.model)?;
         return Ok(Box::new(move || {
             write_mass(study, report, &StudyAdditions::default(), MassFormat::Text, strict)
@@ -232,12 +263,16 @@ fn contact_print<'a>(
 fn note_left_out(study: &StudyFile, format: MassFormat) {
     let is_json = format == MassFormat::Json;
     let tables = [
-        ("[restitution]", study.restitution.is_some()),
-        ("[impact]", study.impact.is_some() && !is_json),
-        ("[extremes]", study.extremes.is_some() && !is_json),
-        ("[kinematics]", study.kinematics.is_some()),
-        ("[map]", study.map.is_some()),
-        ("[safe_speed]", study.safe_speed.is_some()),
+        ("[restitution]", study.tables.restitution.is_some()),
+        ("[impact]", study.tables.impact.is_some() && !is_json),
+        ("[extremes]", study.tables.extremes.is_some() && !is_json),
+        ("[kinematics]", study.tables.kinematics.is_some()),
+        ("[map]", study.tables.map.is_some()),
+        ("[safe_speed]", study.tables.safe_speed.is_some()),
+        ("[check]", study.tables.check.is_some()),
+        ("[generate]", study.tables.generate.is_some()),
+        ("[convert]", study.tables.convert.is_some()),
+        ("[export]", study.tables.export.is_some()),
     ];
     let left_out: Vec<&str> =
         tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
@@ -253,10 +288,13 @@ fn note_left_out(study: &StudyFile, format: MassFormat) {
 /// Reports the tables whose results are omitted for a study without a contact: an output with `--format` contains the first of them.
 fn note_further_tables(study: &StudyFile) {
     let tables = [
-        ("[damping]", study.damping.is_some()),
-        ("[map]", study.map.is_some()),
-        ("[safe_speed]", study.safe_speed.is_some()),
-        ("[kinematics]", study.kinematics.is_some()),
+        ("[damping]", study.tables.damping.is_some()),
+        ("[map]", study.tables.map.is_some()),
+        ("[safe_speed]", study.tables.safe_speed.is_some()),
+        ("[kinematics]", study.tables.kinematics.is_some()),
+        ("[check]", study.tables.check.is_some()),
+        ("[convert]", study.tables.convert.is_some()),
+        ("[export]", study.tables.export.is_some()),
     ];
     let given: Vec<&str> =
         tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
@@ -287,10 +325,10 @@ fn write_additional_findings(
 fn note_single_contact(study: &StudyFile) {
     let tables = [
         ("[mass]", study.mass != MassOptions::default()),
-        ("[restitution]", study.restitution.is_some()),
-        ("[impact]", study.impact.is_some()),
-        ("[extremes]", study.extremes.is_some()),
-        ("[safe_speed]", study.safe_speed.is_some()),
+        ("[restitution]", study.tables.restitution.is_some()),
+        ("[impact]", study.tables.impact.is_some()),
+        ("[extremes]", study.tables.extremes.is_some()),
+        ("[safe_speed]", study.tables.safe_speed.is_some()),
     ];
     let single: Vec<&str> =
         tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
@@ -354,15 +392,19 @@ fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result
         write_diagnostics(&report.diagnostics, strict)?;
         return damp::print(&report, plain);
     }
-    if let (Some(requested), Some(result)) = (&study.map, study.map_result()?) {
+    if let (Some(requested), Some(result)) = (&study.tables.map, study.map_result()?) {
         let output = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
         return map::write(&result, &output);
     }
-    match study.safe_speeds()? {
-        Some(reports) => safe_speed::show(&reports, plain?, strict),
-        None => Err(Failure::bad_input(
-            "--format: only [kinematics] is given, which has no such output; omit --format, or use percuss kinematics",
-        )),
+    match (study.safe_speeds()?, study.check_report()?) {
+        (Some(reports), _) => safe_speed::show(&reports, plain?, strict),
+        (None, Some(report)) => check::write(&report, plain?, strict),
+        (None, None) => {
+            let only = if study.tables.kinematics.is_some() { "kinematics" } else { "convert" };
+            Err(Failure::bad_input(format!(
+                "--format: only [{only}] is given, which has no such output; omit --format, or use percuss {only}"
+            )))
+        }
     }
 }
 

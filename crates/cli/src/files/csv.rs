@@ -96,7 +96,8 @@ impl Cell {
 impl SweepTable {
     pub fn new(heading: &SweepHeading, mechanism: &Mechanism, style: TableStyle) -> Self {
         let mut header = vec!["row".to_owned()];
-        let varied_units: Vec<ColumnUnit> = heading.varied.iter().map(|c| style.unit(c.unit)).collect();
+        let varied_units: Vec<ColumnUnit> =
+            heading.varied.iter().map(|c| style.unit(c.unit.si_unit())).collect();
         header.extend(heading.varied.iter().zip(&varied_units).map(|(column, unit)| match &column.joint {
             _ if !style.names_units => column.name.clone(),
             // Notation of the column as read by `--input`.

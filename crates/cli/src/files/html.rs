@@ -203,14 +203,13 @@ impl Page {
         out.push_str("</table>\n");
     }
 
-    /// Adds a table of shares of a whole, with bars.
-    pub fn table_of_shares(&mut self, names: [&str; 2], parts: &[(String, f64)]) {
+    /// Adds a table of the shares of links in the kinetic energy, with bars.
+    pub fn table_of_shares(&mut self, parts: &[(String, f64)]) {
         let class = if parts.len() <= SHORT { "short" } else { "long" };
-        let [name, share] = names.map(escape_text);
         let out = self.body();
         let _ = writeln!(
             out,
-            "<table class=\"{class}\">\n<thead><tr><th>{name}</th><th class=\"number\">{share}</th><th></th></tr></thead>"
+            "<table class=\"{class}\">\n<thead><tr><th>link</th><th class=\"number\">share of the kinetic energy</th><th></th></tr></thead>"
         );
         for (name, part) in parts {
             let width = 100.0 * part.clamp(0.0, 1.0);

@@ -23,8 +23,10 @@ pub const MAX_CURVES: usize = 7;
 /// Scale factor from SI, and unit of the axis for a varied number; `length`: unit of lengths.
 pub fn axis_unit(column: &VariedColumn, length: LengthUnit) -> (f64, &'static str) {
     match column.unit {
-        "m" => (length.of_metres(1.0), length.name()),
-        "rad" => Dimension::Angle.display_unit().map_or((1.0, "rad"), |unit| (unit.per_si, unit.name)),
+        Dimension::Length => (length.of_metres(1.0), length.name()),
+        Dimension::Angle => {
+            Dimension::Angle.display_unit().map_or((1.0, "rad"), |unit| (unit.per_si, unit.name))
+        }
         _ => (1.0, ""),
     }
 }

@@ -10,6 +10,7 @@ use percuss_study::{
     DesignError, DiagnosticRecord, InvalidKey, Names, StudyError, StudyFileError, StudyKeys,
 };
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Failure of a command.
 #[derive(Debug)]
@@ -61,8 +62,10 @@ impl Failure {
                 Failure::BadInput(lines.into_iter().map(of_study).collect())
             }
             Failure::Output { path: file, why } => {
-                let key =
-                    outputs.iter().find(|(_, output)| *output == file).map_or("--output", |(key, _)| key);
+                // The output of generated code is a folder.
+                let is_in = |output: &str| Path::new(&file).parent() == Some(Path::new(output));
+                let key = outputs.iter().find(|(_, output)| *output == file || is_in(output));
+                let key = key.map_or("--output", |(key, _)| key);
                 Failure::BadInput(vec![format!("{}: error: {key} {file}: {why}", position(key))])
             }
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),

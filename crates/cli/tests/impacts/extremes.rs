@@ -306,7 +306,7 @@ fn extremes_along_a_path() {
     assert!(text.contains("place") && text.contains("path                 9 rows of"), "{text}");
     for (more, words) in [
         ("--path heave=-1mm:1mm:3 --range lower_arm_hinge=0:0.1", "--range"),
-        ("--path nothing.txt", "--path"),
+        ("--path nothing.txt", "nothing.txt"),
         ("--path missing.csv", "missing.csv"),
         ("--path lower_arm_hinge=0:0.1:3 --wheel-travel=-1mm:1mm:3", "one path"),
         ("--ignore time", "--path"),

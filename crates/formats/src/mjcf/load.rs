@@ -45,7 +45,6 @@ pub(crate) fn load_text(
     if !files.reports.iter().any(Report::has_errors) {
         let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
         let mut findings = Findings::new(&files.tree, files.reports);
-        findings.lists_unread = options.list_unread;
         roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {
@@ -62,7 +61,7 @@ pub(crate) fn load_text(
         Some(Parts { mechanism, shapes, poses, qpos, opened }) if !failed => {
             let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
             let files = included.chain(opened).collect();
-            Ok(Loaded { mechanism, shapes, poses, qpos: Some(qpos), diagnostics, files })
+            Ok(Loaded { mechanism, shapes, poses, qpos: Some(qpos), diagnostics, unread: Vec::new(), files })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -11,14 +11,12 @@ pub(crate) struct Findings<'t> {
     tree: &'t ElementTree,
     /// One report for each file of the tree.
     reports: Vec<Report>,
-    /// True to add notes about parts of the files that are no part of a mechanism.
-    pub lists_unread: bool,
 }
 
 impl<'t> Findings<'t> {
     /// Continues the reports of the files of a tree.
     pub fn new(tree: &'t ElementTree, reports: Vec<Report>) -> Self {
-        Self { tree, reports, lists_unread: false }
+        Self { tree, reports }
     }
 
     /// Adds a finding about an element.
@@ -77,12 +75,10 @@ impl<'t> Findings<'t> {
         self.reports[file].add_once(severity, code, kind.to_owned(), Place::Named(offset, &path), message);
     }
 
-    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`. No effect unless `lists_unread`.
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`.
     pub fn add_unread(&mut self, element: ElementId, kind: impl FnOnce() -> String) {
-        if self.lists_unread {
-            let kind = kind();
-            self.add_once(Severity::Note, NOT_READ, &kind, element, || kind.clone());
-        }
+        let kind = kind();
+        self.add_once(Severity::Note, NOT_READ, &kind, element, || kind.clone());
     }
 
     /// Reports of the files.

@@ -40,20 +40,23 @@ struct Finding {
 #[derive(Default)]
 pub struct Report {
     findings: Vec<Finding>,
-    /// Number of findings per severity, including those beyond the limit.
-    counts: [usize; 3],
+    /// Number of findings per severity, and of parts that are not read, including those beyond the limit.
+    counts: [usize; KINDS],
     /// Index in `findings` per code and kind; `None` beyond the limit.
     once: HashMap<(&'static str, String), Option<usize>>,
     is_xacro: bool,
-    lists_unread: bool,
     accept: Accept,
 }
 
+/// Number of kinds of findings.
+const KINDS: usize = 4;
+
 /// Index in `Report::counts`.
-fn severity_index(severity: Severity) -> usize {
+fn kind_index(severity: Severity, code: &str) -> usize {
     match severity {
         Severity::Error => 0,
         Severity::Warning => 1,
+        Severity::Note if code == NOT_READ => 3,
         Severity::Note => 2,
     }
 }
@@ -67,8 +70,9 @@ impl Report {
         place: Place<'_, '_>,
         message: impl FnOnce() -> String,
     ) {
-        self.counts[severity_index(severity)] += 1;
-        if self.counts[severity_index(severity)] > MOST_FINDINGS {
+        let count = &mut self.counts[kind_index(severity, code)];
+        *count += 1;
+        if *count > MOST_FINDINGS {
             return;
         }
         let (offset, element) = match place {
@@ -84,11 +88,6 @@ impl Report {
         self.findings.push(Finding { severity, code, offset, element, message: message(), repeats: 0 });
     }
 
-    /// Selects notes about parts of the file that are no part of a mechanism.
-    pub fn list_unread(&mut self, listed: bool) {
-        self.lists_unread = listed;
-    }
-
     /// Sets the findings that the user accepts.
     pub(crate) fn accept(&mut self, accept: Accept) {
         self.accept = accept;
@@ -99,13 +98,10 @@ impl Report {
         self.accept
     }
 
-    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`. No effect unless selected by
-    /// [`list_unread`](Self::list_unread).
+    /// Adds a note about a part of the file that is no part of a mechanism, once per `kind`.
     pub(crate) fn add_unread(&mut self, place: Place<'_, '_>, kind: impl FnOnce() -> String) {
-        if self.lists_unread {
-            let kind = kind();
-            self.add_once(Severity::Note, NOT_READ, kind.clone(), place, || kind);
-        }
+        let kind = kind();
+        self.add_once(Severity::Note, NOT_READ, kind.clone(), place, || kind);
     }
 
     /// Adds an error.
@@ -166,7 +162,7 @@ impl Report {
 
     /// True if an error was added.
     pub fn has_errors(&self) -> bool {
-        self.counts[severity_index(Severity::Error)] > 0
+        self.counts[kind_index(Severity::Error, "")] > 0
     }
 
     /// Converts the findings to diagnostics in the order of the file, findings without a position first.
@@ -181,14 +177,14 @@ pub(crate) fn finish_reports<'f>(
     files: impl IntoIterator<Item = (Report, &'f str, &'f str)>,
 ) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
-    let (mut counts, mut shown, mut first) = ([0; 3], [0; 3], None);
+    let (mut counts, mut shown, mut first) = ([0; KINDS], [0; KINDS], None);
     for (mut report, path, text) in files {
         first.get_or_insert(path);
         report.findings.sort_by_key(|finding| finding.offset);
         let mut line_counter = LineCounter { text: text.as_bytes(), position: 0, line: 1, line_start: 0 };
         (0..counts.len()).for_each(|severity| counts[severity] += report.counts[severity]);
         for finding in report.findings {
-            let own = &mut shown[severity_index(finding.severity)];
+            let own = &mut shown[kind_index(finding.severity, finding.code)];
             if *own == MOST_FINDINGS {
                 continue;
             }
@@ -209,12 +205,14 @@ pub(crate) fn finish_reports<'f>(
             });
         }
     }
-    for severity in [Severity::Error, Severity::Warning, Severity::Note] {
-        let omitted = counts[severity_index(severity)].saturating_sub(MOST_FINDINGS);
+    let more = |severity: Severity| (severity, "and-more");
+    let kinds = [Severity::Error, Severity::Warning, Severity::Note].map(more);
+    for (severity, code) in kinds.into_iter().chain([(Severity::Note, NOT_READ)]) {
+        let omitted = counts[kind_index(severity, code)].saturating_sub(MOST_FINDINGS);
         if omitted > 0 {
             diagnostics.push(Diagnostic {
                 severity,
-                code: "and-more",
+                code,
                 path: first.unwrap_or_default().to_owned(),
                 line: None,
                 column: None,

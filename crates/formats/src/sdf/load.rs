@@ -29,7 +29,6 @@ pub(crate) fn load_text(
     let Files { tree, reports } = read_files(&source.files, (file, wanted), text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
-    findings.lists_unread = options.list_unread;
     // After an error of a file the tree may be empty.
     let model = if failed { None } else { read_model(&tree, wanted, options, &mut findings) };
     let failed = findings.has_errors();
@@ -37,7 +36,15 @@ pub(crate) fn load_text(
     match model {
         Some((mechanism, shapes)) if !failed => {
             let files = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name)).collect();
-            Ok(Loaded { mechanism, shapes, poses: Vec::new(), qpos: None, diagnostics, files })
+            Ok(Loaded {
+                mechanism,
+                shapes,
+                poses: Vec::new(),
+                qpos: None,
+                diagnostics,
+                unread: Vec::new(),
+                files,
+            })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -29,9 +29,6 @@ pub struct LoadOptions {
     /// Pairs of links that mark a loop of an unknown kind (`closing_NAME_1`, `closing_NAME_2` in a URDF) are a warning instead of an
     /// error: the caller closes the loops.
     pub open_pairs: bool,
-    /// True for notes about parts of the file without an effect on the mechanism (`Silent` in the table of the dialect), which a
-    /// conversion loses: one note with the code [`NOT_READ`](crate::NOT_READ) for each kind of element or attribute.
-    pub list_unread: bool,
 }
 
 /// Mechanism with the findings in its file.
@@ -47,6 +44,10 @@ pub struct Loaded {
     pub qpos: Option<QposLayout>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
+    /// Findings about parts of the file that are no part of a mechanism, in the order of the file: warnings and notes that `diagnostics`
+    /// has too, and a note with the code [`NOT_READ`](crate::NOT_READ) for each kind of element or attribute that has no effect on the
+    /// mechanism.
+    pub unread: Vec<Diagnostic>,
     /// Further files that were read: included files and meshes.
     pub files: Vec<PathBuf>,
 }
@@ -91,15 +92,20 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     mut report: Report,
 ) -> Result<Loaded, LoadError> {
-    report.list_unread(options.list_unread);
     report.accept(options.accept);
     let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(name, text);
     match mechanism {
-        Some((mechanism, shapes)) if !failed => {
-            Ok(Loaded { mechanism, shapes, poses: Vec::new(), qpos: None, diagnostics, files: Vec::new() })
-        }
+        Some((mechanism, shapes)) if !failed => Ok(Loaded {
+            mechanism,
+            shapes,
+            poses: Vec::new(),
+            qpos: None,
+            diagnostics,
+            unread: Vec::new(),
+            files: Vec::new(),
+        }),
         Some(_) | None => Err(LoadError { diagnostics }),
     }
 }

@@ -464,7 +464,7 @@ def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
     """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
     request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
     the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
-    (a list). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError."""
+    (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError."""
     return records.RequestReport.of(json.loads(_percuss.ask(model, json_of(request, "request"))))
 
 

@@ -76,10 +76,27 @@ class BodyShare(Record):
     """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
 
 
+class ChangeRecord(Record):
+    """Part of a model that has another form in the written file, or none."""
+
+    effect: str
+    """"changed" or "lost"."""
+    element: str
+    """The part: a link, joint, loop, coupling or contact with its name, or an element of the file as an XML path."""
+    path: str | None
+    """File of the element; None for a part of the mechanism."""
+    line: int | None
+    """Line of the element, from 1."""
+    what: str
+    """Form in the written file, or what is lost."""
+    reason: str
+    """Reason."""
+
+
 class CheckReport(Record):
     """Report of "percuss check", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.check/1"]
     """"percuss.check/1"."""
     percuss: str
     """Version of percuss."""
@@ -138,10 +155,37 @@ class ClosureRecord(Record):
     """Joints of a relation Σ fᵢ qᵢ = c (or c plus a polynomial) with their coefficients fᵢ; empty for other closures."""
 
 
+class CodeReport(Record):
+    """Generated source code."""
+
+    schema: Literal["percuss.generate/1"]
+    """"percuss.generate/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    language: Literal["c", "rust"]
+    """Language."""
+    name: str
+    """Prefix of all names in the code."""
+    positions: int
+    """Number of positions."""
+    operations: int
+    """Number of arithmetic operations of one configuration, without sines and cosines."""
+    angles: int
+    """Number of pairs of sine and cosine."""
+    references: int
+    """Number of reference values in the self-test."""
+    files: list[TextFile]
+    """Files: header, source and self-test, or one Rust file."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file of the model."""
+
+
 class ComparisonReport(Record):
     """Report of "percuss compare", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.compare/1"]
     """"percuss.compare/1"."""
     percuss: str
     """Version of percuss."""
@@ -192,7 +236,7 @@ class ConditionsRecord(Record):
 class ContactListReport(Record):
     """Effective masses at all named contacts, as JSON."""
 
-    schema: str
+    schema: Literal["percuss.contacts/1"]
     """"percuss.contacts/1"."""
     percuss: str
     """Version of percuss."""
@@ -224,10 +268,41 @@ class ContactRecord(Record):
     N·m·s, forces in N·m."""
 
 
+class ConversionReport(Record):
+    """Report of "percuss convert", as JSON."""
+
+    schema: Literal["percuss.convert/1"]
+    """"percuss.convert/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    output: str
+    """Written file, or the name of the file in "files"."""
+    format: str
+    """Format of the written file: "mjcf", "sdf" or "urdf"."""
+    links: int
+    """Number of links."""
+    joints: int
+    """Number of joints."""
+    loops: int
+    """Number of loops."""
+    couplings: int
+    """Number of couplings and relations."""
+    contacts: int
+    """Number of named contacts."""
+    changes: list[ChangeRecord]
+    """Everything that changes or is lost."""
+    diagnostics: list[DiagnosticRecord]
+    """Other findings about the file."""
+    files: list[TextFile] | None
+    """The model as text; absent if it is written to a file."""
+
+
 class DampingReport(Record):
     """Report of "percuss damp", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.damp/1"]
     """"percuss.damp/1"."""
     percuss: str
     """Version of percuss."""
@@ -506,6 +581,44 @@ class ExportRecord(Record):
     """Reason for missing parameters; None if there are parameters."""
 
 
+class ExportReport(Record):
+    """Report of "percuss export", as JSON."""
+
+    schema: Literal["percuss.export/1"]
+    """"percuss.export/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    output: str
+    """Written model."""
+    script: str
+    """Written script."""
+    format: str
+    """Format of the model."""
+    stop: StopRecord | None
+    """Stop of a joint; its "motion" determines the units. None for a contact."""
+    effective_mass: float
+    """m̄ at the touch, kg."""
+    approach_speed: float
+    """Closing speed at the touch, m/s."""
+    restitution: float
+    """Required restitution."""
+    predicted_restitution: float | None
+    """Restitution with the mass as it changes over the penetration, for an infinitely short time step; None if the mechanism
+    cannot follow the impact."""
+    error_bound: float | None
+    """Bound of the difference between the restitution that the simulator reaches and the required one; None if unknown."""
+    time_step: float
+    """Time step, s."""
+    changes: list[ChangeRecord]
+    """Everything that changes or is lost."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""
+    files: list[TextFile] | None
+    """The model and the script as text; absent if they are written to files."""
+
+
 class Extreme(Record):
     """Contact with the smallest or largest m̄."""
 
@@ -572,7 +685,7 @@ class ExtremeRecord(Record):
 class ExtremesReport(Record):
     """Report of "percuss extremes", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.extremes/1"]
     """"percuss.extremes/1"."""
     percuss: str
     """Version of percuss."""
@@ -712,7 +825,7 @@ class ImpactLawRecord(Record):
 class ImpactReport(Record):
     """Report of "percuss impact", as JSON. All keys are always present; a value is None if not applicable."""
 
-    schema: str
+    schema: Literal["percuss.impact/1"]
     """"percuss.impact/1"."""
     percuss: str
     """Version of percuss."""
@@ -910,8 +1023,8 @@ class KinematicColumn(Record):
 class KinematicsReport(Record):
     """Kinematics of a suspension."""
 
-    schema: str
-    """Schema of this report."""
+    schema: Literal["percuss.kinematics/1"]
+    """"percuss.kinematics/1"."""
     percuss: str
     """Version of percuss."""
     inputs: list[Input]
@@ -1025,7 +1138,7 @@ class ListedContact(Record):
 class MapRecord(Record):
     """Report of "percuss map", as JSON. All keys are always present; a value is None if not applicable."""
 
-    schema: str
+    schema: Literal["percuss.map/1"]
     """"percuss.map/1"."""
     percuss: str
     """Version of percuss."""
@@ -1063,7 +1176,7 @@ class MassChange(Record):
 class MassReport(Record):
     """Report of "percuss mass", as JSON. All keys are always present; a value is None if not applicable."""
 
-    schema: str
+    schema: Literal["percuss.mass/1"]
     """"percuss.mass/1"."""
     percuss: str
     """Version of percuss."""
@@ -1298,7 +1411,7 @@ class PathPlace(Record):
     value: float
     """Value in the unit."""
     unit: str
-    """"rad" or "m"; empty for the components of a quaternion."""
+    """Unit: "rad" or "m"; empty for the components of a quaternion."""
 
 
 class PathRecord(Record):
@@ -1378,7 +1491,7 @@ class PointChange(Record):
 class PointMapReport(Record):
     """Report of "percuss map --point", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.map-point/1"]
     """"percuss.map-point/1"."""
     percuss: str
     """Version of percuss."""
@@ -1558,7 +1671,7 @@ class ReflectedRecord(Record):
 class ReflectedReport(Record):
     """Reflected inertias without a contact, as JSON."""
 
-    schema: str
+    schema: Literal["percuss.reflected/1"]
     """"percuss.reflected/1"."""
     percuss: str
     """Version of percuss."""
@@ -1590,18 +1703,26 @@ class RelationTermRecord(Record):
 class RequestReport(Record):
     """Results of all tables of a study. The key of a table is absent if the study does not have the table."""
 
-    schema: str
+    schema: Literal["percuss.report/1"]
     """"percuss.report/1"."""
     percuss: str
     """Version of percuss."""
+    check: CheckReport | None
+    """Contents of the model."""
     comparison: ComparisonReport | None
     """Comparison of several contacts and variants."""
     contacts: ContactListReport | None
     """All contacts of a study with several."""
+    convert: ConversionReport | None
+    """The model in another format."""
     damping: DampingReport | None
     """Damper at the stop of a joint."""
+    export: ExportReport | None
+    """The impact as a model for MuJoCo."""
     extremes: ExtremesReport | None
     """Extremes."""
+    generate: CodeReport | None
+    """Source code of the effective mass at the contact."""
     impact: ImpactReport | None
     """Impact."""
     kinematics: KinematicsReport | None
@@ -1634,7 +1755,7 @@ class RestRecord(Record):
 class RestitutionReport(Record):
     """Report of "percuss restitution", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.restitution/1"]
     """"percuss.restitution/1"."""
     percuss: str
     """Version of percuss."""
@@ -1675,7 +1796,7 @@ class RotorShare(Record):
 class SafeSpeedReport(Record):
     """Report of "percuss safe-speed", as JSON."""
 
-    schema: str
+    schema: Literal["percuss.safe-speed/2"]
     """"percuss.safe-speed/2"."""
     percuss: str
     """Version of percuss."""
@@ -1846,7 +1967,7 @@ class StopRecord(Record):
 class SweepReport(Record):
     """A sweep with all its rows."""
 
-    schema: str
+    schema: Literal["percuss.sweep/2"]
     """"percuss.sweep/2"."""
     percuss: str
     """Version of percuss."""
@@ -1907,6 +2028,15 @@ class SweepRow(Record):
     gradient: dict[str, list[float]] | None
     """Gradient of m̄, one number per velocity of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is
     absent unless gradients are requested."""
+
+
+class TextFile(Record):
+    """File as text."""
+
+    name: str
+    """Name of the file."""
+    text: str
+    """Content of the file."""
 
 
 class Tolerance(Record):
@@ -2003,7 +2133,7 @@ class VariedColumn(Record):
     name: str
     """Name of the column: the joint; "JOINT[0]", "JOINT[1]", … for a joint with several numbers; or "travel:LINK"."""
     unit: str
-    """"rad" or "m"; empty for the components of a quaternion."""
+    """Unit: "rad" or "m"; empty for the components of a quaternion."""
 
 
 class VaryingMassImpact(Record):

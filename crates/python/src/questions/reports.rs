@@ -297,7 +297,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     let study =
         interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
-    match (&study.question, &study.sweep) {
+    match (&study.question, &study.tables.sweep) {
         (Some(question), Some(sweep)) => {
             let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
             let question = study.question_of_rows(question);

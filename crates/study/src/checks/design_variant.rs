@@ -75,7 +75,7 @@ impl Model {
 
     /// Names of the hardpoints of the sheet; empty for a URDF.
     pub fn hardpoints(&self) -> &[String] {
-        self.origin.sheet.as_deref().map_or(&[], |origin| &origin.points)
+        self.origin.sheet.as_deref().map_or(&[], |origin| &origin.understood.points)
     }
 }
 

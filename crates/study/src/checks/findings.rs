@@ -4,7 +4,6 @@ use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::joint_limit_finding;
-use crate::model::wheel_points::wheel_centres;
 use crate::question::field::{Field, Names};
 use crate::thresholds::FAR_FROM_GUESS;
 use crate::values::position::{GivenPosition, position_dimension};
@@ -13,6 +12,7 @@ use percuss_dynamics::{
     Remark, RemarkFlags, RigidLoops, Singularity, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_suspension::kinematics::wheel_centres;
 use percuss_units::Dimension;
 
 /// Remainder of x modulo the period, from −period/2 to period/2.

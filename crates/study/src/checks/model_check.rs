@@ -17,6 +17,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct CheckReport {
     /// `percuss.check/1`.
+    #[schemars(extend("const" = "percuss.check/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

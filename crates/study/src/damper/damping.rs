@@ -99,6 +99,7 @@ pub struct BodyAlone {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DampingReport {
     /// `percuss.damp/1`.
+    #[schemars(extend("const" = "percuss.damp/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -3,8 +3,6 @@
 pub(crate) mod curvature;
 pub(crate) mod damped_contact;
 pub(crate) mod damping;
-pub(crate) mod export_report;
-pub(crate) mod exported_impact;
 pub(crate) mod joint_stop;
 pub(crate) mod penetration;
 pub(crate) mod restitution;

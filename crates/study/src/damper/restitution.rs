@@ -52,6 +52,7 @@ pub struct RestRecord {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RestitutionReport {
     /// `percuss.restitution/1`.
+    #[schemars(extend("const" = "percuss.restitution/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

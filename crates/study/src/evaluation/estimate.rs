@@ -1,6 +1,5 @@
 //! Classical estimate m_K / l̄² for comparison with the exact value.
 
-use crate::model::wheel_points::wheel_centres;
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
@@ -9,6 +8,7 @@ use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
+use percuss_suspension::kinematics::wheel_centres;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -1,7 +1,6 @@
 //! Named contact of a result: its gap and the travel of the wheels.
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
-use crate::model::wheel_points::wheel_centres;
 use crate::pose::touch::touching_stops;
 use crate::question::errors::question_error::StudyError;
 use crate::thresholds::TOUCH_TOLERANCE;
@@ -9,6 +8,7 @@ use nalgebra::DVector;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::Delassus;
 use percuss_mechanism::{ContactKind, JointKind, LinkId, Mechanism, NamedContact};
+use percuss_suspension::kinematics::wheel_centres;
 use percuss_units::LengthUnit;
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -11,7 +11,6 @@ use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::evaluation::stop_not_reached::stop_not_reached;
 use crate::model::loading::{Input, Model};
-use crate::model::wheel_points::{RACK, wheel_centres, wheel_of_patch};
 use crate::pose::pose_solver;
 use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
@@ -26,6 +25,7 @@ use percuss_dynamics::{
     ContactResponse, Direction, EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
 };
 use percuss_mechanism::{Closure, JointId, JointKind, LinkId, Mechanism, UnknownName};
+use percuss_suspension::kinematics::{RACK, wheel_centres, wheel_of_patch};
 use std::borrow::Cow;
 use std::sync::Arc;
 

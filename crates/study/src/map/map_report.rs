@@ -91,6 +91,7 @@ pub struct OmittedLink {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MapReport {
     /// `percuss.map/1`.
+    #[schemars(extend("const" = "percuss.map/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -35,6 +35,7 @@ pub struct DirectionMass {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct PointMapReport {
     /// `percuss.map-point/1`.
+    #[schemars(extend("const" = "percuss.map-point/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

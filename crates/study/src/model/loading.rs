@@ -9,7 +9,7 @@ use percuss_formats::{
     NamedPose, OpenFile, Shape, SharedFiles, Source, load,
 };
 use percuss_mechanism::{ClosureDescription, Mechanism};
-use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
+use percuss_suspension::{ImportOptions, Imported, LengthUnit, Understood, VehicleAxes};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -77,34 +77,16 @@ pub struct Origin {
     pub(crate) closures: Vec<ClosureDescription>,
     /// Store of the model file and of the files that it names.
     pub(crate) files: SharedFiles,
+    /// Findings about parts of the file that are no part of a mechanism, in the order of the file.
+    pub(crate) unread: Arc<Vec<DiagnosticRecord>>,
 }
 
-/// Sheet of a model, with facts from its import.
+/// Sheet of a model, with the summary of its import.
 #[derive(Debug)]
 pub(crate) struct OriginSheet {
     pub sheet: Sheet,
-    /// Names of the hardpoints.
-    pub points: Vec<String>,
-    pub unit: LengthUnit,
-    pub axes: VehicleAxes,
-    /// Arms and rods as drawn, by the names of their links without the side.
-    pub lines: Vec<Line>,
-    pub kinematics: SheetKinematics,
-}
-
-/// Steering axis and forces of a sheet.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct SheetKinematics {
-    /// Hardpoints, m, in the axes of the sheet and on the side of its points, with all moves.
-    pub coordinates: Vec<(String, [f64; 3])>,
-    /// Two points of the steering axis of the left side as drawn, m, each with its link; may be empty.
-    pub steering_axis: Vec<(String, [f64; 3])>,
-    /// True if both wheels are on one rigid axle.
-    pub axle: bool,
-    /// Forces of springs and stops.
-    pub forces: ForceElements,
-    /// Keys of masses that are missing in the sheet: they are zero.
-    pub missing_masses: Vec<String>,
+    /// Hardpoints with all moves, unit and axes, lines of the picture, steering axis and forces.
+    pub understood: Understood,
 }
 
 /// Point in the unit and the axes of a suspension sheet.
@@ -123,14 +105,14 @@ pub struct SheetPoint {
 impl Model {
     /// A point of the world (m) in the unit and the axes of the model's suspension sheet; `None` for a URDF.
     pub fn point_in_sheet(&self, point_world: &[f64; 3]) -> Option<SheetPoint> {
-        let OriginSheet { unit, axes, .. } = *self.origin.sheet.as_deref()?;
+        let Understood { unit, axes, .. } = self.origin.sheet.as_deref()?.understood;
         let point = axes.to_iso(Vector3::from(*point_world)).map(|x| unit.of_metres(x));
         Some(SheetPoint { point: point.into(), normal: None, unit, axes })
     }
 
     /// A direction of the world in the axes of the model's suspension sheet; `None` for a URDF.
     pub fn direction_in_sheet(&self, direction_world: &[f64; 3]) -> Option<[f64; 3]> {
-        let OriginSheet { axes, .. } = *self.origin.sheet.as_deref()?;
+        let axes = self.origin.sheet.as_deref()?.understood.axes;
         Some(axes.to_iso(Vector3::from(*direction_world)).into())
     }
 
@@ -142,7 +124,7 @@ impl Model {
 
     /// Unit of lengths in texts about results: inches for a sheet in inches, otherwise millimetres.
     pub fn length_unit(&self) -> LengthUnit {
-        self.origin.sheet.as_ref().map_or(LengthUnit::Millimetre, |sheet| sheet.unit.of_results())
+        self.origin.sheet.as_ref().map_or(LengthUnit::Millimetre, |sheet| sheet.understood.unit.of_results())
     }
 
     /// Folders of the model's meshes, with those of packages by name.
@@ -263,7 +245,11 @@ impl Model {
             shapes: Arc::new(loaded.shapes),
             poses: Arc::new(loaded.poses),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
-            origin: Origin { files: source.files.clone(), ..Origin::default() },
+            origin: Origin {
+                files: source.files.clone(),
+                unread: Arc::new(loaded.unread.into_iter().map(Into::into).collect()),
+                ..Origin::default()
+            },
         }
     }
 
@@ -303,18 +289,8 @@ impl Model {
         inputs: Vec<Input>,
     ) -> Result<(Self, Vec<String>), LoadError> {
         let Imported { mechanism, understood, diagnostics, inputs: names, .. } = sheet.import(moves)?;
-        let (sheet, points) = (sheet.clone(), understood.points);
-        let kinematics = SheetKinematics {
-            coordinates: understood.coordinates,
-            steering_axis: understood.steering_axis,
-            axle: understood.axle,
-            forces: understood.forces,
-            missing_masses: understood.missing_masses,
-        };
-        let (unit, axes, lines) = (understood.unit, understood.axes, understood.lines);
         let files = sheet.files().clone();
-        let sheet = OriginSheet { sheet, points, unit, axes, lines, kinematics };
-        let sheet = Some(Arc::new(sheet));
+        let sheet = Some(Arc::new(OriginSheet { sheet: sheet.clone(), understood }));
         let model = Self {
             poses: Arc::default(),
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),

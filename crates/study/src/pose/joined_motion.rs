@@ -1,10 +1,10 @@
 //! Closing speed of a contact in a motion of given points, such as wheel travel, heave or roll of a suspension.
 
-use crate::pose::determined_system::DeterminedSystem;
 use crate::thresholds::SPEED_ROUNDING;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Contact, Pose, Travel};
 use percuss_mechanism::{JointId, LinkId};
+use percuss_suspension::kinematics::DeterminedSystem;
 
 /// Closing speed of a contact, m/s, if each travel has its rate (m/s) and the joints `held` do not move.
 ///

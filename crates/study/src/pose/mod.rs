@@ -1,6 +1,5 @@
 //! The pose of a question: driving joints, travels, reachable range, positions in reports.
 
-pub(crate) mod determined_system;
 pub(crate) mod driver;
 pub(crate) mod joined_motion;
 pub(crate) mod joined_travels;

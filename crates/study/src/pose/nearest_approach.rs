@@ -3,7 +3,7 @@
 use crate::pose::joined_travels::{JoinedTravels, joint_unit, move_drivers, positions};
 use crate::thresholds::{
     APPROACH_ROUNDS, APPROACH_STEPS, FIRST_APPROACH_STEP, LEAST_APPROACH_STEP, LEAST_TANGENT_COSINE,
-    LONGEST_APPROACH_STEP, NEAREST_ACCURACY, OTHER_DRIVERS, TRAVEL_TOLERANCE, UNDETERMINED_MOTION,
+    LONGEST_APPROACH_STEP, NEAREST_ACCURACY, OTHER_DRIVERS, STATIONARY_GAPS, TRAVEL_TOLERANCE,
 };
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{Configuration, Pose};
@@ -173,7 +173,7 @@ fn tangent(across: &DVector<f64>, rates: &DVector<f64>, last: Option<&DVector<f6
     let length = across.norm();
     let line = match across.as_slice() {
         [_] => DVector::from_element(1, 1.0),
-        [x, y] if length > UNDETERMINED_MOTION => DVector::from_vec(vec![-y / length, *x / length]),
+        [x, y] if length > STATIONARY_GAPS => DVector::from_vec(vec![-y / length, *x / length]),
         _ => return last.cloned(),
     };
     let sense = last.map_or_else(|| rates.dot(&line), |last| last.dot(&line));

@@ -1,7 +1,6 @@
 //! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
 //! unreachable row.
 
-use crate::model::wheel_points::{is_on_wheel, sliding_rack, wheel_centres};
 use crate::pose::driver::Driver;
 use crate::pose::joined_motion::closing_speed;
 use crate::pose::joined_travels::JoinedTravels;
@@ -15,6 +14,7 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{Configuration, Contact, ContactResponse, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
+use percuss_suspension::kinematics::{is_on_wheel, sliding_rack, wheel_centres};
 
 /// Travel of a point from its starting pose.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
 //! Stops that a mechanism reaches by a motion: contacts with a gap, and limits of joints whose position follows from loops.
 
-use crate::model::wheel_points::SIDES;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::FurtherContact;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::{JointId, JointKind, Mechanism, NamedContact};
+use percuss_suspension::kinematics::SIDES;
 
 /// Stop that closes by a motion of the mechanism.
 #[derive(Clone, Debug)]

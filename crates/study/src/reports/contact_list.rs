@@ -16,6 +16,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ContactListReport {
     /// `percuss.contacts/1`.
+    #[schemars(extend("const" = "percuss.contacts/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

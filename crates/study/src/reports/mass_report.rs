@@ -148,6 +148,7 @@ impl ConditionsRecord {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MassReport {
     /// `percuss.mass/1`.
+    #[schemars(extend("const" = "percuss.mass/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

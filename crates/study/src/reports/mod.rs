@@ -6,7 +6,7 @@ pub(crate) mod compare;
 pub(crate) mod contact_list;
 pub(crate) mod drawing;
 pub(crate) mod explain;
-pub(crate) mod generated_code;
+pub(crate) mod exports;
 pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;

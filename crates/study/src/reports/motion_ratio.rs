@@ -1,7 +1,6 @@
 //! Motion ratios: closing speed of the contact per speed of a wheel or of a given point.
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
-use crate::model::wheel_points::{WHEEL_CENTRE, sliding_rack, wheel_points};
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
@@ -13,6 +12,7 @@ use percuss_dynamics::{
     Pose,
 };
 use percuss_mechanism::LinkId;
+use percuss_suspension::kinematics::{WHEEL_CENTRE, sliding_rack, wheel_points};
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -42,6 +42,7 @@ pub struct SafeSpeedReport {
     #[serde(skip)]
     pub lacks_rotors: bool,
     /// `percuss.safe-speed/2`.
+    #[schemars(extend("const" = "percuss.safe-speed/2"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -1,14 +1,12 @@
 //! Results of the tables of a study.
 
-use crate::checks::model_check::CheckReport;
+use crate::checks::model_check::{CheckReport, check};
 use crate::damper::damped_contact::{damp_contact, damp_stop};
 use crate::damper::damping::DampingReport;
-use crate::damper::export_report::ExportReport;
 use crate::damper::restitution::{RestitutionReport, restitution_at};
 use crate::map::map_report::{MapAnswer, MapReport};
 use crate::map::point_map::{PointMapReport, map_point};
 use crate::map::surface_map::map;
-use crate::model::conversion::ConversionReport;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
@@ -20,6 +18,10 @@ use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
 use crate::reports::compare::{CompareError, ComparisonReport, Design, compare};
 use crate::reports::contact_list::{ContactListReport, contact_list_of};
 use crate::reports::drawing::drawn_mechanism::DrawnMechanism;
+use crate::reports::exports::code::{CodeError, CodeReport, generate_code};
+use crate::reports::exports::conversion::{ConversionError, ConversionReport, convert};
+use crate::reports::exports::impact::{ImpactExportError, export};
+use crate::reports::exports::impact_report::ExportReport;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
 use crate::reports::impact::reflected::ReflectedReport;
 use crate::reports::impact::report::{ImpactReport, impact};
@@ -95,6 +97,7 @@ impl MapResult {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct RequestReport {
     /// `percuss.report/1`.
+    #[schemars(extend("const" = "percuss.report/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
@@ -134,6 +137,18 @@ pub struct RequestReport {
     /// Safe speeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe_speed: Option<Vec<SafeSpeedReport>>,
+    /// Contents of the model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub check: Option<CheckReport>,
+    /// Source code of the effective mass at the contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub generate: Option<CodeReport>,
+    /// The model in another format.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub convert: Option<ConversionReport>,
+    /// The impact as a model for MuJoCo.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub export: Option<ExportReport>,
 }
 
 impl RequestReport {
@@ -177,6 +192,7 @@ pub fn report_schema() -> Value {
         generator.subschema_for::<CheckReport>(),
         generator.subschema_for::<ConversionReport>(),
         generator.subschema_for::<ExportReport>(),
+        generator.subschema_for::<CodeReport>(),
     ];
     serde_json::json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -194,7 +210,7 @@ impl StudyFile {
     /// The first error of a table.
     pub fn ask(&self, name: &str) -> Result<RequestReport, AskError> {
         let contacts = self.contact_list()?;
-        let has_rows = self.sweep.is_some() || !self.variants.is_empty();
+        let has_rows = self.tables.sweep.is_some() || !self.variants.is_empty();
         let (mass, mass_problem) = match self.mass_of(self.detailed_question(contacts.as_ref())) {
             Err(error) if has_rows && error.has_no_result() => (None, Some(error.message(Names::KEYS))),
             mass => (mass?, None),
@@ -229,6 +245,10 @@ impl StudyFile {
             kinematics: self.kinematics_report()?,
             map: self.map_result()?,
             safe_speed: self.safe_speeds()?,
+            check: self.check_report()?,
+            generate: self.generated_code()?,
+            convert: self.conversion()?,
+            export: self.exported_impact()?,
         })
     }
 
@@ -241,7 +261,7 @@ impl StudyFile {
 
     /// Effective mass at a contact, with the results of `[mass]` and `[damping]`.
     fn mass_of(&self, question: Option<&MassQuestion>) -> Result<Option<MassReport>, StudyError> {
-        let damping = self.damping.as_ref();
+        let damping = self.tables.damping.as_ref();
         of_table("mass", question, |question| requested_mass(&self.model, question, damping, &self.mass))
     }
 
@@ -261,7 +281,7 @@ impl StudyFile {
         &self,
         question: Option<&MassQuestion>,
     ) -> Result<Option<(MassReport, DrawnMechanism)>, StudyError> {
-        let damping = self.damping.as_ref();
+        let damping = self.tables.damping.as_ref();
         of_table("mass", question, |question| mass_with_drawing(&self.model, question, damping, &self.mass))
     }
 
@@ -275,7 +295,7 @@ impl StudyFile {
         }
         let contacts: Vec<(String, MassQuestion)> =
             self.contacts.iter().map(|contact| (contact.name.clone(), contact.question.clone())).collect();
-        contact_list_of(&self.model, &contacts, self.damping.as_ref()).map(Some)
+        contact_list_of(&self.model, &contacts, self.tables.damping.as_ref()).map(Some)
     }
 
     /// Damper of `[damping]`: at the stop of a joint if the table names one, otherwise at the contact.
@@ -284,7 +304,7 @@ impl StudyFile {
     /// As for [`damp_stop`] and [`damp_contact`].
     pub fn damper(&self) -> Result<Option<DampingReport>, StudyError> {
         match (self.stop_damper()?, &self.question) {
-            (None, Some(contact)) => of_table("damping", self.damping.as_ref(), |damping| {
+            (None, Some(contact)) => of_table("damping", self.tables.damping.as_ref(), |damping| {
                 damp_contact(&self.model, contact, damping)
             }),
             (found, _) => Ok(found),
@@ -296,7 +316,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`damp_stop`].
     pub fn stop_damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        let stop = self.damping.as_ref().and_then(|damping| Some((damping, damping.limit.as_ref()?)));
+        let stop = self.tables.damping.as_ref().and_then(|damping| Some((damping, damping.limit.as_ref()?)));
         of_table("damping", stop, |(damping, stop)| {
             damp_stop(&self.model, stop, self.conditions.clone(), damping)
         })
@@ -310,7 +330,7 @@ impl StudyFile {
         &self,
         question: Option<&MassQuestion>,
     ) -> Result<Option<RestitutionReport>, StudyError> {
-        of_table("restitution", question.zip(self.restitution.as_ref()), |(question, asked)| {
+        of_table("restitution", question.zip(self.tables.restitution.as_ref()), |(question, asked)| {
             restitution_at(&self.model, question, asked)
         })
     }
@@ -320,7 +340,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`impact`].
     pub fn impact_report(&self, question: Option<&MassQuestion>) -> Result<Option<ImpactReport>, StudyError> {
-        of_table("impact", question.zip(self.impact.as_ref()), |(question, asked)| {
+        of_table("impact", question.zip(self.tables.impact.as_ref()), |(question, asked)| {
             impact(&self.model, question, asked)
         })
     }
@@ -333,7 +353,7 @@ impl StudyFile {
         &self,
         question: Option<&MassQuestion>,
     ) -> Result<Option<ExtremesReport>, StudyError> {
-        of_table("extremes", question.zip(self.extremes.as_ref()), |(question, asked)| {
+        of_table("extremes", question.zip(self.tables.extremes.as_ref()), |(question, asked)| {
             extremes(&self.model, question, asked)
         })
     }
@@ -358,7 +378,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`Sweep::new`].
     pub fn sweep_report(&self) -> Result<Option<SweepReport>, StudyError> {
-        of_table("sweep", self.sweep.as_ref().zip(self.question.as_ref()), |(requested, question)| {
+        of_table("sweep", self.tables.sweep.as_ref().zip(self.question.as_ref()), |(requested, question)| {
             let question = self.question_of_rows(question);
             self.prepared_sweep(requested, &question)?.report()
         })
@@ -400,7 +420,7 @@ impl StudyFile {
     /// # Errors
     /// As for [`kinematics`](crate::kinematics).
     pub fn kinematics_report(&self) -> Result<Option<KinematicsReport>, KinematicsError> {
-        self.kinematics.as_ref().map(|requested| kinematics(&self.model, requested)).transpose()
+        self.tables.kinematics.as_ref().map(|requested| kinematics(&self.model, requested)).transpose()
     }
 
     /// Map of `[map]`.
@@ -415,7 +435,7 @@ impl StudyFile {
             Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
             other => other,
         };
-        of_table("map", self.map.as_ref(), |asked| {
+        of_table("map", self.tables.map.as_ref(), |asked| {
             requested_map(&self.model, &self.conditions, asked).map_err(|error| error.with_field(of_map))
         })
     }
@@ -425,9 +445,43 @@ impl StudyFile {
     /// # Errors
     /// As for [`safe_speeds`](crate::safe_speeds).
     pub fn safe_speeds(&self) -> Result<Option<Vec<SafeSpeedReport>>, StudyError> {
-        of_table("safe_speed", self.safe_speed.as_ref(), |asked| {
+        of_table("safe_speed", self.tables.safe_speed.as_ref(), |asked| {
             safe_speeds(&self.model, &self.conditions, asked)
         })
+    }
+
+    /// Contents of the model, for a table `[check]`.
+    ///
+    /// # Errors
+    /// As for [`check`].
+    pub fn check_report(&self) -> Result<Option<CheckReport>, StudyError> {
+        self.tables.check.as_ref().map(|_| check(&self.model)).transpose()
+    }
+
+    /// Source code of `[generate]`, at the contact of the study.
+    ///
+    /// # Errors
+    /// As for [`generate_code`].
+    pub fn generated_code(&self) -> Result<Option<CodeReport>, CodeError> {
+        let asked = self.question.as_ref().zip(self.tables.generate.as_ref());
+        asked.map(|(question, asked)| generate_code(&self.model, question, asked)).transpose()
+    }
+
+    /// The model in the format of `[convert]`.
+    ///
+    /// # Errors
+    /// As for [`convert`].
+    pub fn conversion(&self) -> Result<Option<ConversionReport>, ConversionError> {
+        self.tables.convert.as_ref().map(|asked| convert(&self.model, asked)).transpose()
+    }
+
+    /// The impact of `[export]` with the damper of `[damping]`.
+    ///
+    /// # Errors
+    /// As for [`export`].
+    pub fn exported_impact(&self) -> Result<Option<ExportReport>, ImpactExportError> {
+        let asked = self.tables.damping.as_ref().zip(self.tables.export.as_ref());
+        asked.map(|(damping, asked)| export(&self.model, &self.conditions, damping, asked)).transpose()
     }
 }
 
@@ -447,27 +501,44 @@ pub enum AskError {
     /// Error of the kinematics.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
+    /// Error of the generated code.
+    #[error(transparent)]
+    Code(#[from] CodeError),
+    /// Error of the conversion.
+    #[error(transparent)]
+    Conversion(#[from] ConversionError),
+    /// Error of the exported impact.
+    #[error(transparent)]
+    Export(#[from] ImpactExportError),
 }
 
 impl AskError {
+    /// Error of the question, if it is the reason.
+    fn question(&self) -> Option<&StudyError> {
+        match self {
+            Self::Question(error)
+            | Self::Kinematics(KinematicsError::Study(error))
+            | Self::Code(CodeError::Question(error))
+            | Self::Export(ImpactExportError::Question(error)) => Some(error),
+            _ => None,
+        }
+    }
+
     /// True if the question is valid but has no result.
     pub fn has_no_result(&self) -> bool {
         match self {
-            Self::Question(error) | Self::Kinematics(KinematicsError::Study(error)) => error.has_no_result(),
             Self::Comparison(CompareError::Question { source, .. }) => source.has_no_result(),
-            _ => false,
+            other => other.question().is_some_and(StudyError::has_no_result),
         }
     }
 
     /// Message with the keys of the request.
     pub fn message(&self) -> String {
-        match self {
-            Self::Request(StudyFileError::Value { key, why, .. }) => format!("{key}: {why}"),
-            Self::Question(error) | Self::Kinematics(KinematicsError::Study(error)) => {
-                error.message(Names::KEYS)
-            }
-            Self::Comparison(error) => error.message(Names::KEYS),
-            other => other.to_string(),
+        match (self, self.question()) {
+            (_, Some(error)) => error.message(Names::KEYS),
+            (Self::Request(StudyFileError::Value { key, why, .. }), _) => format!("{key}: {why}"),
+            (Self::Comparison(error), _) => error.message(Names::KEYS),
+            (other, _) => other.to_string(),
         }
     }
 }

@@ -144,7 +144,7 @@ pub(crate) fn several_contacts(
             table.name.as_ref().or(table.at.as_ref()).or(table.link.as_ref()).cloned().unwrap_or_default();
         if all.iter().any(|other| other.name == name) {
             let why = format!(
-                "\"{}\" is given twice; give each contact a name by the key `name`",
+                "\"{}\" is given twice; give each contact a name by the key name",
                 truncate_for_message(&name)
             );
             return Err(InvalidKey::new("contact.name", why));

@@ -12,10 +12,7 @@ use crate::question::tables::contact::ContactTable;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::impact::ImpactQuestion;
-use crate::question::tables::kinematics::KinematicsQuestion;
-use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
-use crate::question::tables::report::StudyReport;
 use crate::question::tables::restitution::RestitutionQuestion;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
@@ -23,8 +20,8 @@ use crate::reports::compare::Design;
 use crate::study_file::closure::{ClosureText, closure_fault, with_closures};
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
-use crate::study_file::tables_of_page::StudyTables;
-use crate::study_file::text::StudyText;
+use crate::study_file::tables_of_page::PageTables;
+use crate::study_file::text::StudyTables;
 use crate::study_file::variant::{Variant, VariantModels};
 use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
@@ -36,10 +33,6 @@ use percuss_mechanism::BuildError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// Keys of output files.
-pub(crate) const OUTPUT_KEYS: [&str; 4] =
-    ["sweep.output", "damping.output", "map.output", "kinematics.output"];
 
 /// Content of a study file.
 #[derive(Clone, Debug)]
@@ -56,26 +49,10 @@ pub struct StudyFile {
     pub mass: MassOptions,
     /// Design variants.
     pub variants: Vec<Variant>,
-    /// Damper for a restitution, if requested.
-    pub damping: Option<DampingQuestion>,
-    /// Restitution of a spring and damper, if requested.
-    pub restitution: Option<RestitutionQuestion>,
-    /// Rigid impact, if requested.
-    pub impact: Option<ImpactQuestion>,
-    /// Search for extremes, if requested.
-    pub extremes: Option<ExtremesQuestion>,
-    /// Sweep, if requested.
-    pub sweep: Option<SweepQuestion>,
-    /// Kinematics over a travel, if requested.
-    pub kinematics: Option<KinematicsQuestion>,
-    /// Map of surfaces or directions, if requested.
-    pub map: Option<MapQuestion>,
-    /// Safe speed, if requested.
-    pub safe_speed: Option<SafeSpeedQuestion>,
-    /// Head of the report.
-    pub report: StudyReport,
-    /// Tables of the question, for a page.
+    /// All tables as in the file, with checked keys. Paths of the questions are relative to the working directory.
     pub tables: StudyTables,
+    /// Tables of the question, for a page.
+    pub page: PageTables,
     /// Folder of the study; paths in the study are relative to this folder.
     pub folder: PathBuf,
     /// Keys with their positions.
@@ -149,8 +126,14 @@ fn unknown_keys_message(path: &str, keys: &[UnknownKey], more: usize) -> String 
     keys.iter().map(line).chain(more).collect::<Vec<_>>().join("\n")
 }
 
-/// Error of the TOML parser or of a value, with the line and the key.
-fn parse_error(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
+/// Error of the TOML parser or of a value, with the line and the key; `begin`: first words of the message.
+fn parse_error(
+    path: &str,
+    begin: &str,
+    keys: &StudyKeys,
+    text: &str,
+    error: &toml::de::Error,
+) -> StudyFileError {
     let span = error.span().unwrap_or_default();
     let key = keys.key_at(&span).map_or_else(String::new, |key| format!("{key}: "));
     // `keys` is empty if the text is not valid TOML, so lines are counted in the text.
@@ -160,14 +143,14 @@ fn parse_error(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error
     let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
     let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
     let why = error.message().trim().replace('\n', "; ");
-    let message = format!("{key}{}\n{}", truncate_for_message(&why), lines.join("\n"));
+    let message = format!("{begin}{key}{}\n{}", truncate_for_message(&why), lines.join("\n"));
     StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
 }
 
 impl StudyFile {
     /// Question of the rows of the sweep: that of the contact, without the travel of the pose if the rows vary a travel.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
-        match &self.sweep {
+        match &self.tables.sweep {
             Some(sweep) => sweep.rows().question_of_rows(question),
             None => question.clone(),
         }
@@ -175,13 +158,18 @@ impl StudyFile {
 
     /// Keys and paths of the output files that the tables name.
     pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let sweep = self.sweep.as_ref().and_then(|sweep| sweep.output.clone());
-        let damping = self.damping.as_ref().and_then(|damping| damping.output.clone());
-        let map = self.map.as_ref().map_or_else(Vec::new, |map| map.output.clone());
-        let kinematics = self.kinematics.as_ref().and_then(|kinematics| kinematics.output.clone());
-        let files = [Vec::from_iter(sweep), Vec::from_iter(damping), map, Vec::from_iter(kinematics)];
-        let paths = OUTPUT_KEYS.into_iter().zip(files);
-        paths.flat_map(|(key, files)| files.into_iter().map(move |file| (key, file)))
+        let StudyTables { sweep, damping, map, kinematics, generate, convert, export, .. } = &self.tables;
+        let maps = map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
+        let files = [
+            ("sweep.output", sweep.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("damping.output", damping.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("kinematics.output", kinematics.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("generate.output", generate.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("convert.output", convert.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("export.output", export.as_ref().and_then(|asked| asked.output.as_ref())),
+        ];
+        let files = files.into_iter().filter_map(|(key, file)| Some((key, file?)));
+        files.chain(maps).map(|(key, file)| (key, file.clone()))
     }
 
     /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
@@ -205,20 +193,14 @@ impl StudyFile {
         given: Option<&Model>,
         max_size: u64,
     ) -> Result<Self, StudyFileError> {
-        let (keys, unknown) = StudyKeys::from_text(text).map_err(|error| {
-            let StudyFileError::Toml { path, line, message } =
-                parse_error(&path, &StudyKeys::default(), text, &error)
-            else {
-                unreachable!("it is one");
-            };
-            StudyFileError::Toml { path, line, message: format!("not TOML: {message}") }
-        })?;
+        let (keys, unknown) = StudyKeys::from_text(text)
+            .map_err(|error| parse_error(&path, "not TOML: ", &StudyKeys::default(), text, &error))?;
         if !unknown.first.is_empty() {
             return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.omitted });
         }
-        let study: StudyText =
-            toml::from_str(text).map_err(|error| parse_error(&path, &keys, text, &error))?;
-        StudyReader { path: &path, keys: &keys, given, max_size }.study(&study, source)
+        let study: StudyTables =
+            toml::from_str(text).map_err(|error| parse_error(&path, "", &keys, text, &error))?;
+        StudyReader { path: &path, keys: &keys, given, max_size }.study(study, source)
     }
 
     /// True if a file is a study: TOML with a table `model`.
@@ -236,7 +218,7 @@ impl StudyFile {
         let variants = self.variants.iter().map(|variant| {
             (variant.name.as_str(), &variant.model, &variant.question, variant.contact.as_ref())
         });
-        let rows = self.sweep.as_ref().map(SweepQuestion::rows);
+        let rows = self.tables.sweep.as_ref().map(SweepQuestion::rows);
         let mut designs = Vec::new();
         for (name, model, question, own_contact) in [own].into_iter().chain(variants) {
             let design = |name: String, question: MassQuestion, contact: Option<&ContactTable>| Design {
@@ -329,71 +311,102 @@ impl StudyReader<'_> {
     }
 
     /// Converts the parsed text to a study: loads the model and checks every part.
-    fn study(&self, study: &StudyText, source: &Source) -> Result<StudyFile, StudyFileError> {
+    fn study(&self, mut study: StudyTables, source: &Source) -> Result<StudyFile, StudyFileError> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
         let refused = |refusal| self.invalid_key_error(refusal);
-        // Parsing cannot fail here: the same text has been parsed before.
-        let panels = toml::from_slice(&source.bytes).unwrap_or_default();
         if let Some(missing) = study.damping.as_ref().and_then(DampingQuestion::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
         // The study closes the loops that the file only marks.
-        let options = LoadOptions {
-            accept: study.model.accepted(),
-            open_pairs: !study.closure.is_empty(),
-            ..LoadOptions::default()
-        };
-        let model = self.model(study, source, folder, &options)?;
+        let options = LoadOptions { accept: study.model.accepted(), open_pairs: !study.closure.is_empty() };
+        let model = self.model(&study, source, folder, &options)?;
         if let Some((key, why)) = study.hold_fault(&model.mechanism) {
             return Err(self.value(&key, &key, why));
         }
         let contacts = expand(&study.contact, &model.mechanism).map_err(refused)?;
         let contact = &contacts.first().cloned().unwrap_or_default();
         let question = study.question(contact, folder, max_size).map_err(refused)?;
-        let variants = self.variants(study, &model, &question, folder, &options)?;
-        let sweep = study.sweep.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
-        let sweep = sweep.transpose().map_err(refused)?;
-        let damping = self.damping(study, &model, &question, folder)?;
-        let map = study.map.as_ref().map(|asked| asked.checked(&question, folder));
-        let map = map.transpose().map_err(refused)?;
+        let variants = self.variants(&study, &model, &question, folder, &options)?;
+        // Parsing cannot fail here: the same text has been parsed before.
+        let panels = toml::from_slice(&source.bytes).unwrap_or_default();
+        let page = PageTables { panels, ..PageTables::from_text(&study, contact, folder) };
+        let sweep = study.sweep.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
+        study.sweep = sweep.transpose().map_err(refused)?;
+        study.damping = self.damping(&study, &model, &question, folder)?;
+        let map = study.map.take().map(|asked| asked.checked(&question, folder));
+        study.map = map.transpose().map_err(refused)?;
         study.restitution.as_ref().map_or(Ok(()), RestitutionQuestion::check).map_err(refused)?;
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
-        let impact = study.impact.clone();
-        let extremes = study.extremes.as_ref().map(|asked| asked.checked(Vec::new(), folder, max_size));
-        let extremes = extremes.transpose().map_err(refused)?;
-        let kinematics = study.kinematics.as_ref().map(|asked| asked.checked(&question, folder));
-        let kinematics = kinematics.transpose().map_err(refused)?;
-        let safe_speed = match &study.safe_speed {
-            None => None,
-            Some(text) => {
-                let missing = contact.missing();
-                if let Some(part) = missing.filter(|part| !(text.has_directions() && part.contains("normal")))
-                {
-                    return Err(self.value("contact", "contact", format!("{part} is missing")));
-                }
-                Some(text.checked(folder, max_size).map_err(refused)?)
+        let extremes = study.extremes.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
+        study.extremes = extremes.transpose().map_err(refused)?;
+        let kinematics = study.kinematics.take().map(|asked| asked.checked(&question, folder));
+        study.kinematics = kinematics.transpose().map_err(refused)?;
+        let generate = study.generate.take().map(|asked| asked.checked(folder));
+        study.generate = generate.transpose().map_err(refused)?;
+        let convert = study.convert.take().map(|asked| asked.checked(folder));
+        study.convert = convert.transpose().map_err(refused)?;
+        let export = study.export.take().map(|asked| asked.checked(folder));
+        study.export = export.transpose().map_err(refused)?;
+        let without_file = [
+            ("convert.output", study.convert.as_ref().is_some_and(|asked| asked.output.is_none())),
+            ("export.output", study.export.as_ref().is_some_and(|asked| asked.output.is_none())),
+        ];
+        if let Some((key, _)) = without_file.into_iter().find(|(_, is_missing)| *is_missing)
+            && self.given.is_none()
+        {
+            return Err(self.value(key, key, "the file is missing".to_owned()));
+        }
+        if study.export.is_some() && study.damping.is_none() {
+            let why = "the impact requires a damper: give [damping] with restitution and stiffness, or use [convert] for the mechanism alone";
+            return Err(self.value("export", "export", why.to_owned()));
+        }
+        if let Some(asked) = &study.safe_speed {
+            let missing = contact.missing();
+            if let Some(part) = missing.filter(|part| !(asked.has_directions() && part.contains("normal"))) {
+                return Err(self.value("contact", "contact", format!("{part} is missing")));
             }
-        };
+            study.safe_speed = Some(asked.checked(folder, max_size).map_err(refused)?);
+        }
         for (key, rows) in [
-            ("sweep.input", sweep.as_ref().map(SweepQuestion::rows)),
-            ("extremes.path", extremes.as_ref().and_then(ExtremesQuestion::rows)),
-            ("safe_speed.input", safe_speed.as_ref().and_then(SafeSpeedQuestion::rows)),
+            ("sweep.input", study.sweep.as_ref().map(SweepQuestion::rows)),
+            ("extremes.path", study.extremes.as_ref().and_then(ExtremesQuestion::rows)),
+            ("safe_speed.input", study.safe_speed.as_ref().and_then(SafeSpeedQuestion::rows)),
         ] {
             if let Some(RowSource::File(file)) = rows {
                 refuse_pipe(&file.path).map_err(|error| refused(InvalidKey::new(key, error.to_string())))?;
             }
         }
         // A study without a contact needs another query.
-        let stops = damping.as_ref().is_some_and(|damping: &DampingQuestion| damping.limit.is_some());
+        let StudyTables {
+            sweep,
+            damping,
+            impact,
+            extremes,
+            kinematics,
+            map,
+            safe_speed,
+            check,
+            generate,
+            convert,
+            ..
+        } = &study;
+        let stops = damping.as_ref().is_some_and(|damping| damping.limit.is_some());
+        let without_contact = map.is_some()
+            || safe_speed.is_some()
+            || kinematics.is_some()
+            || check.is_some()
+            || convert.is_some()
+            || stops;
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
             || sweep.is_some()
             || study.restitution.is_some()
             || impact.is_some()
             || extremes.is_some()
+            || generate.is_some()
             || (damping.is_some() && !stops)
-            || (map.is_none() && safe_speed.is_none() && kinematics.is_none() && !stops);
+            || !without_contact;
         let asks = match contact.missing() {
             None => !stops,
             Some(part) if of_contact => {
@@ -413,7 +426,7 @@ impl StudyReader<'_> {
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
         let contacts = several_contacts(&contacts, &question, variants.len()).map_err(refused)?;
-        let mass = study.mass.clone().unwrap_or_default();
+        let mass = study.mass.take().unwrap_or_default();
         mass.check().map_err(refused)?;
         Ok(StudyFile {
             model,
@@ -422,16 +435,8 @@ impl StudyReader<'_> {
             conditions: question,
             mass,
             variants,
-            damping,
-            restitution: study.restitution.clone(),
-            impact,
-            extremes,
-            sweep,
-            kinematics,
-            map,
-            safe_speed,
-            report: study.report.clone(),
-            tables: StudyTables { panels, ..StudyTables::from_text(study, contact, folder) },
+            tables: study,
+            page,
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })
@@ -440,7 +445,7 @@ impl StudyReader<'_> {
     /// Variants of the study, limited in number and memory.
     fn variants(
         &self,
-        study: &StudyText,
+        study: &StudyTables,
         model: &Model,
         question: &MassQuestion,
         folder: &Path,
@@ -504,7 +509,7 @@ impl StudyReader<'_> {
     /// Model with the changes and closures of the study.
     fn model(
         &self,
-        study: &StudyText,
+        study: &StudyTables,
         source: &Source,
         folder: &Path,
         options: &LoadOptions,
@@ -539,7 +544,7 @@ impl StudyReader<'_> {
     /// Damper of a study; `None` without a `damping` table.
     fn damping(
         &self,
-        study: &StudyText,
+        study: &StudyTables,
         model: &Model,
         conditions: &MassQuestion,
         folder: &Path,

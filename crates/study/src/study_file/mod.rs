@@ -6,6 +6,7 @@ pub(crate) mod closure;
 pub(crate) mod contacts;
 pub(crate) mod file;
 pub(crate) mod keys;
+pub(crate) mod report;
 pub(crate) mod request;
 pub(crate) mod schema;
 pub(crate) mod starter;

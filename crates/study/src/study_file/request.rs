@@ -3,7 +3,8 @@
 use crate::model::loading::Model;
 use crate::question::pose_file::UniqueKeys;
 use crate::study_file::answer::{AskError, RequestReport};
-use crate::study_file::file::{OUTPUT_KEYS, StudyFile, StudyFileError};
+use crate::study_file::file::{StudyFile, StudyFileError};
+use crate::study_file::schema::study_keys;
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use serde_json::Value;
@@ -55,7 +56,8 @@ fn read_request(model: &Model, request: &str) -> Result<StudyFile, StudyFileErro
     let Some(tables) = value.as_object_mut() else {
         return refuse(REQUEST, "a JSON object with the tables of a study is expected".to_owned());
     };
-    let outputs = OUTPUT_KEYS.into_iter().map(|key| (key, NO_FILE));
+    let keys = study_keys();
+    let outputs = keys.iter().filter(|key| key.ends_with(".output")).map(|key| (key.as_str(), NO_FILE));
     for (key, why) in NOT_IN_REQUESTS.into_iter().chain(outputs) {
         let mut steps = key.split('.');
         let table = tables.get(steps.next().unwrap_or_default());

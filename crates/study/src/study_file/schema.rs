@@ -1,7 +1,7 @@
 //! JSON schema of a study file, generated from the types that read the file, and the keys of the schema.
 
 use crate::question::field::TableKeys;
-use crate::study_file::text::StudyText;
+use crate::study_file::text::StudyTables;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 /// Generated once.
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let settings = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
-    let mut schema = settings.into_generator().into_root_schema_for::<StudyText>().to_value();
+    let mut schema = settings.into_generator().into_root_schema_for::<StudyTables>().to_value();
     remove_null(&mut schema);
     schema
 });

@@ -1,6 +1,6 @@
 //! Tables of a study for a page that shows and changes its question.
 
-use super::text::StudyText;
+use super::text::StudyTables;
 use super::variant::{VariantText, replace_by_name};
 use crate::question::mass_question::Hold;
 use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Tables of a study as its file has them. The path of the model starts at the current folder.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct StudyTables {
+pub struct PageTables {
     /// Model with its changes.
     pub model: ModelTable,
     /// Contact; empty if the study has none.
@@ -59,9 +59,9 @@ pub struct VariantTables {
     pub conditions: ConditionsTable,
 }
 
-impl StudyTables {
+impl PageTables {
     /// Tables of the text of a study in the given folder, at one of its contacts.
-    pub(crate) fn from_text(text: &StudyText, contact: &ContactTable, folder: &Path) -> Self {
+    pub(crate) fn from_text(text: &StudyTables, contact: &ContactTable, folder: &Path) -> Self {
         let path = folder.join(&text.model.path).to_string_lossy().into_owned();
         let mut tables = Self {
             model: ModelTable { path, ..text.model.clone() },

@@ -5,18 +5,20 @@ use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
 use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::exports::CodeQuestion;
+use crate::question::tables::exports::{ConversionQuestion, ExportQuestion};
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
-use crate::question::tables::model::ModelTable;
-use crate::question::tables::report::StudyReport;
+use crate::question::tables::model::{CheckQuestion, ModelTable};
 use crate::question::tables::restitution::RestitutionQuestion;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::contacts::{ContactsSchema, contacts};
+use crate::study_file::report::StudyReport;
 use crate::study_file::variant::VariantText;
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
@@ -27,10 +29,10 @@ use std::path::Path;
 
 /// A study of percuss: questions about a mechanism, kept in a TOML file. Numbers are in SI units; text with a
 /// unit is allowed ("350 mm", "30 deg"). Paths are relative to the study.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "percuss study")]
-pub(crate) struct StudyText {
+pub struct StudyTables {
     /// The mechanism.
     pub model: ModelTable,
     /// The base of the mechanism, locked joints, and armatures.
@@ -47,13 +49,13 @@ pub(crate) struct StudyText {
     pub mass: Option<MassOptions>,
     /// Additional loops that are not part of the model.
     #[serde(default)]
-    pub closure: Vec<ClosureText>,
+    pub(crate) closure: Vec<ClosureText>,
     /// Held points.
     #[serde(default)]
     pub hold: Vec<Hold>,
     /// Design variants of the same question: percuss compare.
     #[serde(default)]
-    pub variant: Vec<VariantText>,
+    pub(crate) variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
     pub damping: Option<DampingQuestion>,
     /// The restitution of a spring and damper, or of parameters of a simulator: percuss restitution.
@@ -70,14 +72,22 @@ pub(crate) struct StudyText {
     pub map: Option<MapQuestion>,
     /// Safe speed of the contact if it may hit a person: percuss safe-speed.
     pub safe_speed: Option<SafeSpeedQuestion>,
+    /// Contents of the model, for a request or a study about the model itself: percuss check. This table has no keys.
+    pub check: Option<CheckQuestion>,
+    /// Source code of the effective mass at the contact: percuss generate.
+    pub generate: Option<CodeQuestion>,
+    /// The model in another format: percuss convert.
+    pub convert: Option<ConversionQuestion>,
+    /// The impact at the contact with the damper of [damping], as a model for MuJoCo that runs: percuss export.
+    pub export: Option<ExportQuestion>,
     /// The head of the report: percuss run STUDY.toml --report FILE.html.
     #[serde(default)]
     pub report: StudyReport,
 }
 
-impl StudyText {
+impl StudyTables {
     /// True if the study asks for kinematics alone, for which the masses of a sheet may be missing.
-    pub fn is_kinematics_only(&self) -> bool {
+    pub(crate) fn is_kinematics_only(&self) -> bool {
         let of_masses = [
             self.mass.is_some(),
             self.damping.is_some(),
@@ -87,13 +97,17 @@ impl StudyText {
             self.sweep.is_some(),
             self.map.is_some(),
             self.safe_speed.is_some(),
+            self.check.is_some(),
+            self.generate.is_some(),
+            self.convert.is_some(),
+            self.export.is_some(),
         ];
         let has_contact = self.contact.iter().any(|contact| !contact.is_empty());
         self.kinematics.is_some() && !of_masses.contains(&true) && !has_contact && self.variant.is_empty()
     }
 
     /// Key and reason of the first invalid held point.
-    pub fn hold_fault(&self, mechanism: &Mechanism) -> Option<(String, String)> {
+    pub(crate) fn hold_fault(&self, mechanism: &Mechanism) -> Option<(String, String)> {
         self.hold.iter().enumerate().find_map(|(number, hold)| {
             let is_large = |x: &f64| x.abs() > LARGEST_COORDINATE;
             let large = |numbers: [f64; 3]| numbers.into_iter().find(is_large);
@@ -122,7 +136,7 @@ impl StudyText {
 
     /// Converts the study to a question at a contact, which may be incomplete. Paths are relative to the study's
     /// folder.
-    pub fn question(
+    pub(crate) fn question(
         &self,
         contact: &ContactTable,
         folder: &Path,

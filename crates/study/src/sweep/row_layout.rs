@@ -92,7 +92,7 @@ impl RowLayout {
             setting.travel = Some(LayoutTravel { points, offsets, set, moved });
             let column = VariedColumn {
                 name: ranges.last().map_or_else(String::new, Vary::name),
-                unit: "m",
+                unit: Dimension::Length,
                 joint: None,
             };
             setting.columns = setting.columns.iter().cloned().chain([column]).collect();
@@ -110,7 +110,7 @@ impl RowLayout {
             first = numbers.end;
             columns.extend((0..kind.positions()).map(|i| VariedColumn {
                 name: if kind.positions() == 1 { name.to_owned() } else { format!("{name}[{i}]") },
-                unit: position_dimension(kind, i).si_unit(),
+                unit: position_dimension(kind, i),
                 joint: Some(name.to_owned()),
             }));
             set.push(LayoutJoint { joint, name: name.to_owned(), numbers });

@@ -27,6 +27,7 @@ pub enum Continuation {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SweepHeading {
     /// `percuss.sweep/2`.
+    #[schemars(extend("const" = "percuss.sweep/2"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

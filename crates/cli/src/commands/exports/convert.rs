@@ -1,37 +1,32 @@
 //! Command `percuss convert`.
 
-use super::mesh_names::MeshNames;
-use crate::args::{CheckFormat, ConvertArgs, ModelArgs, ModelFormat};
+use crate::args::{CheckFormat, ConvertArgs, ModelArgs};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out, write_unescaped};
 use crate::terminal::wrap::fact_line;
-use percuss_formats::{ModelParts, ModelText, write_mjcf, write_sdf, write_urdf_model};
 use percuss_mechanism::Severity;
-use percuss_study::{ChangeRecord, ConversionReport, DiagnosticRecord, Model, named_states};
+use percuss_study::{
+    ChangeRecord, ConversionError, ConversionQuestion, ConversionReport, DiagnosticRecord, Model,
+    convert as convert_model,
+};
+use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     args.writing.apply();
-    let format = ModelFormat::of_output(args.to, &args.output)?;
-    if args.balance_inertia && format != ModelFormat::Mjcf {
-        return Err(Failure::bad_input(format!(
-            "--balance-inertia: only MJCF refuses moments with A + B < C, and the output is {}; leave the flag out",
-            format.name()
-        )));
-    }
-    convert(&args.model, (format, args.balance_inertia), &args.output, args.format)
+    convert(&args.model, &args.conversion.checked(Path::new(""))?, args.format)
 }
 
-/// Converts a model to a format, with balanced inertias or without, and prints the report of the changes in `report_format`.
+/// Converts a model, and prints the report of the changes in `report_format`.
 pub(super) fn convert(
     model_args: &ModelArgs,
-    (format, balances_inertia): (ModelFormat, bool),
-    output: &str,
+    asked: &ConversionQuestion,
     report_format: CheckFormat,
 ) -> Result<(), Failure> {
+    let output = asked.output.as_deref().unwrap_or_default();
     let to_stdout = output == "-";
     if to_stdout && report_format == CheckFormat::Json {
         return Err(Failure::bad_input(
@@ -41,26 +36,31 @@ pub(super) fn convert(
     if !to_stdout {
         check_writable(output)?;
     }
-    let model = model_args.load_for_conversion()?;
+    let model = model_args.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
-    refuse_warnings(&model, model_args.reading.strict)?;
-    // The mark by which percuss recognises its own files.
-    let heading = format!("imported by percuss from {}", model_args.model);
-    let meshes = MeshNames::new(&model_args.model, output, format);
-    let ModelText { text, changes } = write_model(&model, (format, balances_inertia), &meshes, &heading)?;
-    let report = ConversionReport::new(&model, changes, format.name(), output);
-    write_diagnostics(&report.diagnostics, model_args.reading.strict)?;
-    let text = append_hash(text);
+    let strict = model_args.reading.strict;
+    refuse_warnings(&model, strict)?;
+    let mut report = convert_model(&model, asked)?;
+    write_diagnostics(&report.diagnostics, strict)?;
     if to_stdout {
         let notes: Vec<DiagnosticRecord> = report.changes.iter().map(note).collect();
         write_diagnostics(&notes, false)?;
-        return write_unescaped(text.as_bytes());
+        return report
+            .files
+            .into_iter()
+            .try_for_each(|file| write_unescaped(append_hash(file.text).as_bytes()));
     }
-    write_file(output, text.as_bytes())?;
+    write_files(&mut report)?;
     match report_format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&summary(&report)),
     }
+}
+
+/// Writes the file of a report, which then has no text.
+pub fn write_files(report: &mut ConversionReport) -> Result<(), Failure> {
+    let mut files = std::mem::take(&mut report.files).into_iter();
+    files.try_for_each(|file| write_file(&file.name, append_hash(file.text).as_bytes()))
 }
 
 /// Refuses a model with warnings under `strict`, including the warnings about parts that are not read.
@@ -71,38 +71,8 @@ pub(super) fn refuse_warnings(model: &Model, strict: bool) -> Result<(), Failure
     }
 }
 
-/// Text of the written model, which starts with the comment `heading`, and everything changed or lost.
-fn write_model(
-    model: &Model,
-    (format, balances_inertia): (ModelFormat, bool),
-    meshes: &MeshNames,
-    heading: &str,
-) -> Result<ModelText, Failure> {
-    let (poses, lost) = named_states(model);
-    let find_mesh = |name: &str| meshes.find(name);
-    let parts = ModelParts {
-        mechanism: &model.mechanism,
-        shapes: &model.shapes,
-        find_mesh: &find_mesh,
-        poses: &poses,
-        balances_inertia,
-    };
-    let refuse = |format: &str, error: String| {
-        Failure::bad_input(format!("the model cannot be written as {format}: {error}"))
-    };
-    let mut written = match format {
-        ModelFormat::Mjcf => write_mjcf(parts, heading).map_err(|error| refuse("MJCF", error.to_string()))?,
-        ModelFormat::Sdf => {
-            write_sdf(parts, heading).map_err(|error| refuse("SDFormat", error.to_string()))?
-        }
-        ModelFormat::Urdf => write_urdf_model(parts, heading),
-    };
-    written.changes.extend(lost);
-    Ok(written)
-}
-
 /// Size of the model, and its changes.
-fn summary(report: &ConversionReport) -> String {
+pub fn summary(report: &ConversionReport) -> String {
     let mut out = format!(
         "{}: {} links, {} joints, {} loops\n",
         line(&report.output),
@@ -129,5 +99,11 @@ fn note(change: &ChangeRecord) -> DiagnosticRecord {
         column: None,
         element: Some(change.element.clone()),
         message: format!("{}: {} ({})", change.effect, change.what, change.reason),
+    }
+}
+
+impl From<ConversionError> for Failure {
+    fn from(error: ConversionError) -> Self {
+        Failure::bad_input(error.to_string())
     }
 }

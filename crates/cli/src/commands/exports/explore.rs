@@ -12,7 +12,7 @@ use percuss_explorer::{ENGINE, PageContent, page};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_render::MADE_BY;
 use percuss_study::{
-    Model, ModelTable, Names, PoseTable, SceneShapes, StudyFile, StudyTables, mass, scene_shapes,
+    Model, ModelTable, Names, PageTables, PoseTable, SceneShapes, StudyFile, mass, scene_shapes,
 };
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -34,7 +34,7 @@ const LARGEST_SHAPES: usize = 40 << 20;
 
 /// Question at first sight, from flags or from a study.
 struct FirstQuestion {
-    tables: StudyTables,
+    tables: PageTables,
     max_size: u64,
     strict: bool,
 }
@@ -60,7 +60,7 @@ pub fn run(args: &ExploreArgs) -> Result<(), Failure> {
 
 /// Text of the page of a study.
 pub fn study_page(study: &StudyFile, max_size: u64, strict: bool) -> Result<String, Failure> {
-    page_text(&FirstQuestion { tables: study.tables.clone(), max_size, strict })
+    page_text(&FirstQuestion { tables: study.page.clone(), max_size, strict })
 }
 
 /// Text of the page, which contains the model and the question.
@@ -116,23 +116,23 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
 }
 
 /// Tables of the flags. Without a contact, the page chooses the first one with a result.
-fn of_flags(args: &ExploreArgs) -> Result<StudyTables, Failure> {
+fn of_flags(args: &ExploreArgs) -> Result<PageTables, Failure> {
     let given = &args.contact;
     let conditions = given.conditions()?;
     let file = given.pose.file.clone();
     let pose = PoseTable { set: conditions.set, guess: conditions.guess, travel: conditions.travel, file };
-    Ok(StudyTables {
+    Ok(PageTables {
         model: ModelTable { path: args.model.model.clone(), ..args.model.reading.changes.clone() },
         contact: given.contact.clone(),
         pose,
         conditions: given.conditions.clone(),
         hold: given.hold.clone(),
-        ..StudyTables::default()
+        ..PageTables::default()
     })
 }
 
 /// Tables of a study. Flags of the question would exclude those of the study.
-fn of_study(args: &ExploreArgs) -> Result<StudyTables, Failure> {
+fn of_study(args: &ExploreArgs) -> Result<PageTables, Failure> {
     let path = &args.model.model;
     if args.contact.is_given() || !args.model.reading.changes().is_empty() {
         return Err(Failure::bad_input(format!(
@@ -140,12 +140,12 @@ fn of_study(args: &ExploreArgs) -> Result<StudyTables, Failure> {
              into the study"
         )));
     }
-    Ok(StudyFile::load(path, args.model.reading.max_size)?.tables)
+    Ok(StudyFile::load(path, args.model.reading.max_size)?.page)
 }
 
 /// Refuses an invalid question. A question without a result is explained by the page.
-fn check_question(tables: &StudyTables, model: &Model) -> Result<(), Failure> {
-    let StudyTables { contact, pose, conditions, hold, .. } = tables;
+fn check_question(tables: &PageTables, model: &Model) -> Result<(), Failure> {
+    let PageTables { contact, pose, conditions, hold, .. } = tables;
     if contact.is_empty() {
         return Ok(());
     }

@@ -1,20 +1,19 @@
 //! Command `percuss generate`.
 
-use crate::args::{GenerateArgs, LanguageName};
+use crate::args::GenerateArgs;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_out};
 use crate::terminal::text::shell_quoted;
 use crate::terminal::wrap::fact_line;
-use percuss_study::generated::Generated;
-use percuss_study::{CodeError, generate_code};
+use percuss_study::{CodeError, CodeReport, LanguageName, generate_code};
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     args.writing.apply();
-    let name = args.identifier()?;
+    let code = args.code.checked(Path::new(""))?;
     let contact = &args.contact.contact;
     if contact.estimate.is_some() || !contact.ratio_at.is_empty() {
         return Err(Failure::bad_input(
@@ -25,45 +24,56 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
-    let folder = Path::new(&args.output);
-    if !folder.is_dir() {
-        std::fs::create_dir_all(folder)
-            .map_err(|error| Failure::bad_input(format!("--output {}: {error}", args.output)))?;
+    let folder = code.output.as_deref().unwrap_or_default();
+    make_folder(folder)?;
+    let report = generate_code(&model, &question, &code)?;
+    write_files(&report, folder)?;
+    write_out(&summary(&report, folder))
+}
+
+/// Makes the folder of the files, if it does not exist.
+fn make_folder(folder: &str) -> Result<(), Failure> {
+    if Path::new(folder).is_dir() {
+        return Ok(());
     }
-    let generated = generate_code(&model, &question, &name, args.language(), args.additions())?;
-    let path = |file: &str| folder.join(file).to_string_lossy().into_owned();
-    for file in &generated.files {
-        check_writable(&path(&file.name))?;
-    }
-    for file in &generated.files {
-        write_file(&path(&file.name), file.text.as_bytes())?;
-    }
-    write_out(&summary(args, &name, &generated, &path))
+    std::fs::create_dir_all(folder).map_err(|error| Failure::output(folder, error.to_string()))
+}
+
+/// Path of a file in the folder.
+fn path_of(folder: &str, file: &str) -> String {
+    Path::new(folder).join(file).to_string_lossy().into_owned()
+}
+
+/// Paths of the files of a report.
+pub fn paths(report: &CodeReport, folder: &str) -> Vec<String> {
+    report.files.iter().map(|file| path_of(folder, &file.name)).collect()
+}
+
+/// Writes the files of a report, after a check of all of them.
+pub fn write_files(report: &CodeReport, folder: &str) -> Result<(), Failure> {
+    make_folder(folder)?;
+    let paths = paths(report, folder);
+    paths.iter().try_for_each(|path| check_writable(path))?;
+    report.files.iter().zip(&paths).try_for_each(|(file, path)| write_file(path, file.text.as_bytes()))
 }
 
 /// Files, size of the function, and the command of the self-test.
-fn summary(args: &GenerateArgs, name: &str, generated: &Generated, path: &dyn Fn(&str) -> String) -> String {
-    let files: Vec<String> = generated.files.iter().map(|file| path(&file.name)).collect();
-    let mut out = fact_line("written", &line(&files.join(", ")));
-    out += &fact_line(
-        "function",
-        &format!(
-            "{name}_mass: {} positions, {} operations, {} sines and cosines",
-            generated.positions, generated.operations, generated.angles
-        ),
-    );
-    let test = match args.language {
-        LanguageName::C => format!(
-            "cc -O2 {} {} -lm && ./a.out",
-            shell_quoted(&path(&format!("{name}.c"))),
-            shell_quoted(&path(&format!("{name}_test.c")))
-        ),
+pub fn summary(report: &CodeReport, folder: &str) -> String {
+    let CodeReport { name, positions, operations, angles, references, .. } = report;
+    let path = |file: String| shell_quoted(&path_of(folder, &file));
+    let mut out = fact_line("written", &line(&paths(report, folder).join(", ")));
+    let size = format!("{positions} positions, {operations} operations, {angles} sines and cosines");
+    out += &fact_line("function", &format!("{name}_mass: {size}"));
+    let test = match report.language {
+        LanguageName::C => {
+            format!("cc -O2 {} {} -lm && ./a.out", path(format!("{name}.c")), path(format!("{name}_test.c")))
+        }
         LanguageName::Rust => {
-            let file = shell_quoted(&path(&format!("{name}.rs")));
+            let file = path(format!("{name}.rs"));
             format!("rustc --edition 2021 --test -O {file} -o {name}_test && ./{name}_test")
         }
     };
-    out += &fact_line("self-test", &format!("{} configurations: {}", generated.references, line(&test)));
+    out += &fact_line("self-test", &format!("{references} configurations: {}", line(&test)));
     out
 }
 

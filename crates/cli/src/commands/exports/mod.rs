@@ -4,4 +4,3 @@ pub(crate) mod convert;
 pub(crate) mod explore;
 pub(crate) mod export;
 pub(crate) mod generate;
-mod mesh_names;

@@ -7,9 +7,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::units::ContactUnits;
-use percuss_study::{
-    Dimension, ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status, extremes,
-};
+use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status, extremes};
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
 const RESTING_GAP: f64 = 1e-6;
@@ -128,13 +126,8 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
 
 /// Name and value of the varied number of a path, in degrees or millimetres.
 fn on_path(place: &PathPlace) -> String {
-    let dimension = match place.unit {
-        "rad" => Some(Dimension::Angle),
-        "m" => Some(Dimension::Length),
-        _ => None,
-    };
-    let shown = dimension.and_then(Dimension::display_unit);
-    let (scale, unit) = shown.map_or((1.0, place.unit), |unit| (unit.per_si, unit.name));
+    let shown = place.unit.display_unit();
+    let (scale, unit) = shown.map_or((1.0, place.unit.si_unit()), |unit| (unit.per_si, unit.name));
     format!("{} {} {unit}", place.name, short_number(scale * place.value)).trim_end().to_owned()
 }
 

@@ -272,7 +272,7 @@ fn add_contributions(report: &MassReport, out: &mut Document<'_>) {
     shown.retain(|(_, share)| share.abs() >= limits::MIN_CONTRIBUTION);
     out.section("Contribution of each link");
     let rest = all - shown.len();
-    out.shares(["link", "share of the kinetic energy"], shown);
+    out.shares(shown);
     if rest > 0 {
         out.note(format!("  and {rest} of less than {} %", 100.0 * limits::MIN_CONTRIBUTION));
     }

@@ -26,7 +26,7 @@ pub(super) fn add_variants(
     page.section(title);
     compare::document(compared).show(page);
     // A comparison without a figure is covered by the sweep's table.
-    let figure = study.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
+    let figure = study.tables.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
     // Each of several contacts has its own figure below.
     let is_of_one = !compare::has_several_contacts(compared);
     if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {
@@ -96,7 +96,7 @@ const PANELS_PER_FIGURE: usize = 2;
 /// Section of the kinematics over a travel: a figure, and a table of evenly distributed rows.
 pub(super) fn add_kinematics(report: &KinematicsReport, study: &StudyFile, page: &mut Page) {
     page.section("Kinematics");
-    let is_selected = study.kinematics.as_ref().is_some_and(|requested| !requested.columns.is_empty());
+    let is_selected = study.tables.kinematics.as_ref().is_some_and(|requested| !requested.columns.is_empty());
     match kinematics_figure(report, is_selected) {
         Ok(figure) => {
             // Two panels fill the width of a page.

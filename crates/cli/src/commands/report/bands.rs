@@ -60,7 +60,7 @@ pub(super) fn tolerances_of_contacts(
     study: &StudyFile,
     compared: &ComparisonReport,
 ) -> Result<Vec<Tolerances>, Failure> {
-    let (Some(sweep), [varied]) = (&study.sweep, &compared.varied[..]) else { return Ok(Vec::new()) };
+    let (Some(sweep), [varied]) = (&study.tables.sweep, &compared.varied[..]) else { return Ok(Vec::new()) };
     let values: Vec<f64> = compared.rows.iter().filter_map(|row| row.varied.first().copied()).collect();
     let scale = axis_unit(varied, study.model.length_unit()).0;
     let of_contact =

@@ -12,7 +12,7 @@ mod results;
 mod sweep;
 
 use crate::args::RunArgs;
-use crate::commands::exports::explore::study_page;
+use crate::commands::exports::{explore::study_page, generate};
 use crate::commands::mass::{check_expected, headline};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
@@ -30,7 +30,7 @@ fn accompanying_file(path: &str, ending: &str) -> String {
 /// The page with its JSON, and the table of a sweep.
 pub fn files_of_page(study: &StudyFile, path: &str) -> Vec<String> {
     let mut files = vec![path.to_owned(), accompanying_file(path, "json")];
-    if study.sweep.is_some() {
+    if study.tables.sweep.is_some() {
         files.push(accompanying_file(path, "csv"));
     }
     files
@@ -43,13 +43,14 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
     }
     study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| record_input(&input.path));
-    if let Some(RowSource::File(file)) = study.sweep.as_ref().map(SweepQuestion::rows) {
+    if let Some(RowSource::File(file)) = study.tables.sweep.as_ref().map(SweepQuestion::rows) {
         record_input(&file.path);
     }
     // The checks precede the computation.
     let mut files = files_of_page(study, path);
     files.extend(args.explorer.clone());
-    files.extend(study.outputs().map(|(_, file)| file));
+    // The names of generated files follow from the model; their folder is no file.
+    files.extend(study.outputs().filter(|(key, _)| *key != "generate.output").map(|(_, file)| file));
     files.iter().try_for_each(|file| check_writable(file))?;
     // The page refuses a study before the computation.
     let explorer = match &args.explorer {
@@ -77,6 +78,9 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         write_file(path, text.as_bytes())?;
     }
     write_file(path, page.as_bytes())?;
+    if let (Some(requested), Some(report)) = (&study.tables.generate, &answers.report.generate) {
+        files.extend(generate::paths(report, requested.output.as_deref().unwrap_or_default()));
+    }
     let headline =
         answers.report.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
     let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));

@@ -57,7 +57,7 @@ pub(super) fn text(
         .as_ref()
         .and_then(|report| report.damper.as_ref())
         .or(results.report.damping.as_ref());
-    if let Some(damper) = damper.filter(|_| study.damping.is_some()) {
+    if let Some(damper) = damper.filter(|_| study.tables.damping.is_some()) {
         page.section("The damper");
         damp::document(damper)?.show(&mut page);
         add_warnings(&damper.diagnostics, &mut page);
@@ -96,7 +96,7 @@ pub(super) fn text(
 
 /// Title, object, author and date of a study, and the file.
 fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
-    let given = &study.report;
+    let given = &study.tables.report;
     let default = || match &results.report.mass {
         Some(_) if results.report.contacts.is_some() => {
             format!("Effective mass at {} contacts of {}", study.contacts.len(), study.model.mechanism.name())

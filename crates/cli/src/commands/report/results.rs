@@ -22,7 +22,7 @@ pub(super) struct StudyResults {
     /// Results of all tables except the sweep.
     pub report: RequestReport,
     pub mechanism: DrawnMechanism,
-    /// Contents of the model; only for a study without a contact.
+    /// Contents of the model, if the study requests them or has no contact.
     pub contents: Option<CheckReport>,
     pub sweep: Option<SweepSection>,
     /// Tolerances over the rows at each of several contacts.
@@ -35,6 +35,9 @@ impl From<AskError> for Failure {
             AskError::Request(error) => error.into(),
             AskError::Question(error) => error.into(),
             AskError::Kinematics(error) => error.into(),
+            AskError::Code(error) => error.into(),
+            AskError::Conversion(error) => error.into(),
+            AskError::Export(error) => error.into(),
             AskError::Comparison(error) => compare::failure(&error, Names::KEYS),
             other => Failure::bad_input(other.to_string()),
         }
@@ -46,15 +49,17 @@ impl StudyResults {
     pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
         let listed = study.contact_list()?;
         let (mass, drawn) = study.mass_with_drawing(study.detailed_question(listed.as_ref()))?.unzip();
-        let (mechanism, contents) = match drawn {
-            Some(mechanism) => (mechanism, None),
-            None => (draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
+        let has_contact = drawn.is_some();
+        let mechanism = drawn.map_or_else(|| draw_mechanism(&study.model, &study.conditions), Ok)?;
+        let mut report = study.results(&compare::study_name(&args.study), listed, mass)?;
+        let contents = match report.check.take() {
+            None if !has_contact => Some(check_of(&study.model)?),
+            requested => requested,
         };
-        let report = study.results(&compare::study_name(&args.study), listed, mass)?;
         let compared = report.comparison.as_ref();
         let tolerances =
             compared.map_or(Ok(Vec::new()), |compared| tolerances_of_contacts(study, compared))?;
-        let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
+        let sweep = study.tables.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
         Ok(Self { report, mechanism, contents, sweep, tolerances })
     }
 

@@ -14,10 +14,11 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_render::Picture;
 use percuss_study::{
-    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow,
-    Model, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    KinematicColumn, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow, Model,
+    TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
+use percuss_suspension::kinematics::KinematicUnit;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -30,7 +30,7 @@ export interface ConditionsRecord {
 }
 
 export interface ContactListReport {
-  schema: string; percuss: string; inputs: Input[]; contacts: ListedContact[]; diagnostics: DiagnosticRecord[];
+  schema: 'percuss.contacts/1'; percuss: string; inputs: Input[]; contacts: ListedContact[]; diagnostics: DiagnosticRecord[];
 }
 
 export interface ContactRecord {
@@ -39,10 +39,10 @@ export interface ContactRecord {
 }
 
 export interface DampingReport {
-  schema: string; percuss: string; inputs: Input[]; effective_mass: number; unit: string; is_moment: boolean;
-  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number | null; exponent: number | null;
-  stiffness_curve: ForceCurveRecord | null; speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean;
-  separation: string | null; damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
+  schema: 'percuss.damp/1'; percuss: string; inputs: Input[]; effective_mass: number; unit: string; is_moment: boolean;
+  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number; exponent: number;
+  speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean; separation: string | null;
+  damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
   contact_duration: number | null; max_penetration: number | null; time_of_max_penetration: number | null; peak_force: number | null;
   time_of_peak_force: number | null; energy_lost: number | null; rebound_speed: number | null; drift: Drift | null;
   over_stroke: VaryingMassImpact | null; body_alone: BodyAlone | null; exports: Record<string, ExportRecord>;
@@ -122,8 +122,8 @@ export interface ImpactLawRecord {
 }
 
 export interface ImpactReport {
-  schema: string; percuss: string; mass: MassReport; restitution: number; closing_speed: number; impulse: number; energy_loss: number;
-  friction: FrictionRecord | null; simultaneous: SimultaneousRecord | null; sticking_mass: number | null;
+  schema: 'percuss.impact/1'; percuss: string; mass: MassReport; restitution: number; closing_speed: number; impulse: number;
+  energy_loss: number; friction: FrictionRecord | null; simultaneous: SimultaneousRecord | null; sticking_mass: number | null;
   sticking_status: 'finite' | 'immovable' | 'massless' | null; mass_states: MassStateRecord[]; motion_before: string;
   rates: JointRateRecord[]; base: BaseRateRecord | null; other_body: OtherBodyRecord | null; reactions: ReactionRecord[];
   joint_constraints: JointConstraintRecord[]; reaction_residual: number; contact_law: ImpactLawRecord | null;
@@ -160,8 +160,8 @@ export interface KinematicColumn {
 }
 
 export interface KinematicsReport {
-  schema: string; percuss: string; inputs: Input[]; derivatives: string; variable: string | null; columns: KinematicColumn[];
-  rows: (Record<string, number | string | null>)[]; diagnostics: DiagnosticRecord[];
+  schema: 'percuss.kinematics/1'; percuss: string; inputs: Input[]; derivatives: string; variable: string | null;
+  columns: KinematicColumn[]; rows: (Record<string, number | string | null>)[]; diagnostics: DiagnosticRecord[];
 }
 
 export interface LawRecord {
@@ -182,7 +182,7 @@ export interface MassChange {
 }
 
 export interface MassReport {
-  schema: string; percuss: string; inputs: Input[]; effective_mass: number | null; unit: string;
+  schema: 'percuss.mass/1'; percuss: string; inputs: Input[]; effective_mass: number | null; unit: string;
   status: 'finite' | 'immovable' | 'massless'; singular_pose: boolean; degrees_of_freedom: number; generic_degrees_of_freedom: number;
   redundant_constraints: number; rank_gap: number | null; route: string; condition: number | null; effective_mass_error: number | null;
   error_budget: ErrorBudgetRecord; bodies: BodyShare[]; rotors: RotorShare[]; other_mass_share: number | null;
@@ -247,7 +247,7 @@ export interface PointChange {
 }
 
 export interface PointMapReport {
-  schema: string; percuss: string; inputs: Input[]; link: string; point_link: Triple;
+  schema: 'percuss.map-point/1'; percuss: string; inputs: Input[]; link: string; point_link: Triple;
   point_world: Triple; principal: DirectionMass[]; directions: DirectionMass[]; against: string | null;
   conditions: ConditionsRecord; singular_pose: boolean; pose: Record<string, number[]>; diagnostics: DiagnosticRecord[];
 }
@@ -301,10 +301,10 @@ export interface RotorShare {
 }
 
 export interface SafeSpeedReport {
-  schema: string; percuss: string; inputs: Input[]; region: string | null; region_mass: number | null; region_stiffness: number | null;
-  region_note: string | null; limited_by: string; force: number | null; energy: number; standard: SpeedRecord; reflected: SpeedRecord;
-  reachable: ReachableSpeedRecord | null; normal_world: Triple; moving_mass: number; load: number;
-  along: AlongRecord | null; diagnostics: DiagnosticRecord[];
+  schema: 'percuss.safe-speed/2'; percuss: string; inputs: Input[]; region: string | null; region_mass: number | null;
+  region_stiffness: number | null; region_note: string | null; limited_by: string; force: number | null; energy: number;
+  standard: SpeedRecord; reflected: SpeedRecord; reachable: ReachableSpeedRecord | null; normal_world: Triple;
+  moving_mass: number; load: number; along: AlongRecord | null; diagnostics: DiagnosticRecord[];
 }
 
 export interface SampleRecord {
@@ -313,8 +313,8 @@ export interface SampleRecord {
 }
 
 export interface Scene {
-  schema: string; percuss: string; name: string; root: number; links: SceneLink[]; joints: SceneJoint[]; closures: SceneClosure[];
-  contacts: SceneContact[]; wheels: SceneWheel[]; motions: string[]; sheet: SceneSheet | null; design: number[];
+  schema: 'percuss.scene/1'; percuss: string; name: string; root: number; links: SceneLink[]; joints: SceneJoint[];
+  closures: SceneClosure[]; contacts: SceneContact[]; wheels: SceneWheel[]; motions: string[]; sheet: SceneSheet | null; design: number[];
 }
 
 export interface SceneClosure {

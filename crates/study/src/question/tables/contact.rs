@@ -414,7 +414,7 @@ impl ContactTable {
                 let why = format!(
                     "the contact is a moment about an axis: remove `{key}`, or give a point and a normal instead of `about_axis`"
                 );
-                Err(InvalidKey::new("contact.about_axis", why))
+                Err(InvalidKey::with_names("contact.about_axis", why))
             }
             None => Ok(()),
         }

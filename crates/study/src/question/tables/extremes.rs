@@ -28,18 +28,19 @@ pub struct GivenPath(pub RowSource);
 
 impl FromStr for GivenPath {
     type Err = String;
-    /// Reads a range, or the name of a file that ends in .csv or .parquet; `-` is the standard input.
+    /// Reads a range `QUANTITY=FROM:TO:COUNT`, or the name of a file; `-` is the standard input. A name with an equals sign ends in .csv
+    /// or .parquet.
     fn from_str(text: &str) -> Result<Self, String> {
         let is_file = Path::new(text)
             .extension()
             .is_some_and(|end| ["csv", "parquet"].iter().any(|kind| end.eq_ignore_ascii_case(kind)));
-        if is_file || text == "-" {
+        if is_file || !text.contains('=') {
             let (path, ignore, max_size) = (text.to_owned(), Vec::new(), DEFAULT_MAX_SIZE);
             return Ok(Self(RowSource::File(PositionFile { path, ignore, max_size })));
         }
         let range = Vary::parse(text).map(|range| Self(range.into()));
         range.map_err(|error| {
-            format!("a file of positions (.csv, .parquet), or a range such as heave=-80mm:80mm:33, is expected: {error}")
+            format!("a file of positions, or a range such as heave=-80mm:80mm:33, is expected: {error}")
         })
     }
 }
@@ -284,7 +285,7 @@ impl ExtremesQuestion {
     /// [`InvalidKey`]: more than one path, a path with ranges or kept points, ignored columns without a file, a number of starts out of
     /// range.
     pub fn checked(&self, motions: Vec<Vary>, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         self.check_ignored()?;
         if motions.len() + usize::from(self.path.is_some()) > 1 {
             return refuse(
@@ -299,10 +300,8 @@ impl ExtremesQuestion {
         if let Some(twice) =
             names.clone().enumerate().find(|(i, name)| names.clone().take(*i).any(|other| other == *name))
         {
-            return refuse(
-                "extremes.range",
-                &format!("joint \"{}\" is given twice; give it one range", twice.1),
-            );
+            let why = format!("joint \"{}\" is given twice; give it one range", twice.1);
+            return Err(InvalidKey::new("extremes.range", why));
         }
         if path.is_some() && !(self.range.is_empty() && self.keep.is_empty()) {
             return refuse(

@@ -336,7 +336,7 @@ impl ImpactQuestion {
     /// # Errors
     /// [`InvalidKey`]: missing restitution, keys without an effect, or a law that contradicts the exponent.
     pub fn check(&self) -> Result<(), InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         if self.restitution.is_none() {
             return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
         }
@@ -378,7 +378,8 @@ impl ImpactQuestion {
         ];
         for (key, is_given, needed, is_there) in needs {
             if is_given && !is_there {
-                return refuse(key, &format!("it has no effect without `{needed}`"));
+                let why = format!("it has no effect without `{needed}`");
+                return Err(InvalidKey::with_names(key, why));
             }
         }
         if self.point_error.is_some() && self.percussion.is_empty() {

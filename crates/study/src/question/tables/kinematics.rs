@@ -1,6 +1,5 @@
 //! Question about the kinematics of a suspension: wheel angles, motion ratios and rates over a travel.
 
-use crate::model::wheel_points::RACK;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::path_in;
@@ -11,6 +10,7 @@ use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::question::travel::vary::{Vary, VaryError};
 use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
 use percuss_mechanism::JointKind;
+use percuss_suspension::kinematics::{RACK, Vehicle};
 use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::de::Error;
@@ -124,6 +124,21 @@ pub struct KinematicsQuestion {
 }
 
 impl VehicleData {
+    /// Data as plain numbers.
+    pub(crate) fn vehicle(&self) -> Vehicle {
+        Vehicle {
+            is_front: self.axle.map(|axle| axle == AxlePosition::Front),
+            brake_bias: self.brake_bias.map(|Ratio(bias)| bias),
+            drive_share: self.drive_share.map(|Ratio(share)| share),
+            cg_height: self.cg_height.map(|Length(height)| height),
+            wheelbase: self.wheelbase.map(|Length(length)| length),
+            inboard_brakes: self.inboard_brakes,
+            inboard_drive: self.inboard_drive,
+            sprung_mass: self.sprung_mass.map(|mass| mass.0),
+            tyre_rate: self.tyre_rate.map(|rate| rate.0.value),
+        }
+    }
+
     /// Checks the numbers.
     ///
     /// # Errors

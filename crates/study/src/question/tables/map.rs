@@ -114,7 +114,7 @@ impl MapQuestion {
     /// # Errors
     /// [`InvalidKey`]: no link, or keys that exclude each other.
     pub fn checked(&self, contact: &MassQuestion, folder: &Path) -> Result<Self, InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());
         let link = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
         if self.all && !self.link.is_empty() {

@@ -175,7 +175,7 @@ impl MassOptions {
     /// # Errors
     /// [`InvalidKey`]: keys that need or exclude each other.
     pub fn check(&self) -> Result<(), InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         let relative = |given: &&GivenTolerance| matches!(given, GivenTolerance::OfExpected(_));
         if self.tolerance.iter().filter(relative).count() > 1 || self.parts().is_none() {
             let why = "given twice for the same quantity; write each once, such as mass=2%,point=0.5mm";

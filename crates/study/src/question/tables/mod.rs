@@ -3,6 +3,7 @@
 
 pub(crate) mod contact;
 pub(crate) mod damping;
+pub(crate) mod exports;
 pub(crate) mod extremes;
 #[cfg(feature = "flags")]
 pub mod headings;
@@ -11,7 +12,6 @@ pub(crate) mod kinematics;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;
-pub(crate) mod report;
 pub(crate) mod restitution;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;

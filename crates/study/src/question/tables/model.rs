@@ -25,6 +25,11 @@ pub enum Acceptable {
     SecondInertial,
 }
 
+/// Contents of a model: links, joints, loops, mobility. The table has no keys.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CheckQuestion {}
+
 /// Model of a question, with changes.
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]

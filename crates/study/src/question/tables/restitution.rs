@@ -121,7 +121,7 @@ impl RestitutionQuestion {
     /// # Errors
     /// [`InvalidKey`]: neither or both of a stiffness and a simulator, a value out of range, or no speed.
     pub fn check(&self) -> Result<(), InvalidKey> {
-        let refuse = |key, why: String| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: String| Err(InvalidKey::with_names(key, why));
         let expected = "give `stiffness` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
         match (self.stiffness.is_some(), self.tool.is_some()) {
             (false, false) => return refuse("restitution", format!("nothing is given; {expected}")),

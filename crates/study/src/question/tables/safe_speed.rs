@@ -120,7 +120,7 @@ impl SafeSpeedQuestion {
     /// # Errors
     /// [`InvalidKey`]: not exactly one limit, or keys that exclude each other.
     pub fn check(&self) -> Result<(), InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         self.only_limit()?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it removes columns of `input`; give that file");
@@ -172,7 +172,7 @@ impl SafeSpeedQuestion {
                 "one limit is required: `force` (N), `pressure` (N/cm²) with `area` (cm²) of the region, `energy` (J) or \
                  `momentum` (N·s), from the edition of the standard that applies to you; given: {given}"
             );
-            InvalidKey::new("safe_speed", why)
+            InvalidKey::with_names("safe_speed", why)
         })
     }
 

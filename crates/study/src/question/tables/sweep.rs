@@ -226,7 +226,7 @@ impl SweepQuestion {
     /// # Errors
     /// [`InvalidKey`]: not exactly one source of rows, or a key that belongs to another one.
     pub fn checked(&self, motions: Vec<Vary>, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
-        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("sweep.ignore", "it removes columns of `input`; give that file");
         }

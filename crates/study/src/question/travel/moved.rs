@@ -1,11 +1,11 @@
 //! Moved part of a travel: a point, or the wheels of a vehicle.
 
-use crate::model::wheel_points::wheel_centres;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::thresholds::MAX_WHEEL_TRAVEL;
 use nalgebra::Vector3;
 use percuss_mechanism::{LinkId, Mechanism};
+use percuss_suspension::kinematics::wheel_centres;
 use percuss_units::{Dimension, QuantityError, parse_triple};
 
 /// Motion of the wheel centres of a vehicle, upwards.

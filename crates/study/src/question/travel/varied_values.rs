@@ -1,6 +1,7 @@
 //! Varied numbers of the rows of a sweep by name. The columns are stored once and shared by all rows.
 
 use crate::values::quantities::schema_of;
+use percuss_units::Dimension;
 use schemars::JsonSchema;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
@@ -11,11 +12,32 @@ pub struct VariedColumn {
     /// Name of the column: the joint; `JOINT[0]`, `JOINT[1]`, … for a joint with several numbers; or
     /// `travel:LINK`.
     pub name: String,
-    /// `rad` or `m`; empty for the components of a quaternion.
-    pub unit: &'static str,
+    /// Unit: `rad` or `m`; empty for the components of a quaternion.
+    #[serde(serialize_with = "si_unit")]
+    #[schemars(with = "String")]
+    pub unit: Dimension,
     /// Joint of the column; null for a travel.
     #[serde(skip)]
     pub joint: Option<String>,
+}
+
+/// Value of the varied number of a path, linear between two rows.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+pub struct PathPlace {
+    /// Name of the column: the joint, or the travel.
+    pub name: String,
+    /// Value in the unit.
+    pub value: f64,
+    /// Unit: `rad` or `m`; empty for the components of a quaternion.
+    #[serde(serialize_with = "si_unit")]
+    #[schemars(with = "String")]
+    pub unit: Dimension,
+}
+
+/// Serializes the SI unit of a dimension.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "signature required by serde")]
+fn si_unit<S: Serializer>(unit: &Dimension, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(unit.si_unit())
 }
 
 /// Varied numbers of a row. In JSON: an object by column name.

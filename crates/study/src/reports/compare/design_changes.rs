@@ -92,14 +92,14 @@ fn change(kind: ChangeKind, name: &str, reference: &[f64], value: &[f64]) -> Opt
 fn point_changes(reference: &Model, design: &Model) -> Vec<DesignChange> {
     let sheets = (reference.origin.sheet.as_deref(), design.origin.sheet.as_deref());
     let (Some(one), Some(other)) = sheets else { return Vec::new() };
-    if one.axes != other.axes {
+    if one.understood.axes != other.understood.axes {
         return Vec::new();
     }
     let of_point = |(name, at): &(String, [f64; 3])| {
-        let (_, there) = other.kinematics.coordinates.iter().find(|(known, _)| known == name)?;
+        let (_, there) = other.understood.coordinates.iter().find(|(known, _)| known == name)?;
         change(ChangeKind::Point, name, at, there)
     };
-    one.kinematics.coordinates.iter().filter_map(of_point).collect()
+    one.understood.coordinates.iter().filter_map(of_point).collect()
 }
 
 /// Masses, centres of mass and inertias of the links of both designs, and the links of one design only.

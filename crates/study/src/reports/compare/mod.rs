@@ -40,6 +40,7 @@ pub struct Design {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ComparisonReport {
     /// `percuss.compare/1`.
+    #[schemars(extend("const" = "percuss.compare/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -1,11 +1,11 @@
 //! Lines that stand for the links of a mechanism, in the frames of the links.
 
 use crate::model::loading::Model;
-use crate::model::wheel_points::SIDES;
 use crate::thresholds::TOUCH_TOLERANCE;
 use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Vector3;
 use percuss_suspension::Line;
+use percuss_suspension::kinematics::SIDES;
 
 /// Characteristic points of every link, m, in its frame: its joints and the ends of loops.
 pub(super) fn characteristic_points(mechanism: &Mechanism) -> Vec<Vec<Vector3<f64>>> {
@@ -64,7 +64,7 @@ fn arm_lines(model: &Model, id: LinkId) -> Vec<[Vector3<f64>; 2]> {
                 name.strip_suffix(side) == Some(&line.name) && is_left == (side == SIDES[0])
             })
     };
-    let lines = sheet.lines.iter().filter(is_of_link);
+    let lines = sheet.understood.lines.iter().filter(is_of_link);
     lines.map(|line| line.ends.map(|end| design_point_in_link(mechanism, id, end.into()))).collect()
 }
 
@@ -91,7 +91,7 @@ pub(super) fn hardpoint_name(
     let side = SIDES.into_iter().find(|side| part.ends_with(side)).unwrap_or_default();
     let tolerance = TOUCH_TOLERANCE * model.mechanism.characteristic_length();
     let is_here = |(_, coordinates): &&(String, [f64; 3])| {
-        let left = origin.axes.to_iso(Vector3::from(*coordinates));
+        let left = origin.understood.axes.to_iso(Vector3::from(*coordinates));
         [1.0, -1.0].into_iter().any(|mirror| {
             let world = Vector3::new(left.x, mirror * left.y, left.z);
             (design_point_in_link(&model.mechanism, link, world) - point).norm() <= tolerance
@@ -99,7 +99,7 @@ pub(super) fn hardpoint_name(
     };
     // If several hardpoints are at one point, the name that begins with the first word of the part's name is used.
     let stem = part.split('_').next().unwrap_or(part);
-    let mut here = origin.kinematics.coordinates.iter().filter(is_here).map(|(name, _)| name);
+    let mut here = origin.understood.coordinates.iter().filter(is_here).map(|(name, _)| name);
     let first = here.clone().next()?;
     let name = here.find(|name| name.starts_with(stem)).unwrap_or(first);
     Some(format!("{name}{side}"))

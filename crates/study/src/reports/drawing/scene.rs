@@ -26,6 +26,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Scene {
     /// `percuss.scene/1`.
+    #[schemars(extend("const" = "percuss.scene/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
@@ -371,7 +372,7 @@ fn sheet(model: &Model, points: &[Vec<Vector3<f64>>], pose: &Pose) -> Option<Sce
             (id, points[id.index()].iter().copied().chain(lines.into_iter().flatten()).collect())
         })
         .collect();
-    let axes: [f64; 3] = origin.axes.to_iso(Vector3::repeat(1.0)).into();
+    let axes: [f64; 3] = origin.understood.axes.to_iso(Vector3::repeat(1.0)).into();
     let carrier_of = |world: Vector3<f64>| {
         carriers.iter().find_map(|(id, ends)| {
             let point = design_point_in_link(mechanism, *id, world);
@@ -379,7 +380,7 @@ fn sheet(model: &Model, points: &[Vec<Vector3<f64>>], pose: &Pose) -> Option<Sce
         })
     };
     // If only the other side is built, its points are mirror images.
-    let is_mirrored = origin.kinematics.coordinates.iter().all(|(_, at)| {
+    let is_mirrored = origin.understood.coordinates.iter().all(|(_, at)| {
         let world = Vector3::from([0, 1, 2].map(|k| axes[k] * at[k]));
         at[1] == 0.0 || carrier_of(world).is_none()
     });
@@ -397,9 +398,9 @@ fn sheet(model: &Model, points: &[Vec<Vector3<f64>>], pose: &Pose) -> Option<Sce
         }
     };
     Some(SceneSheet {
-        unit: origin.unit.name(),
-        unit_length: origin.unit.to_metres(1.0),
-        axes: origin.axes.words(),
-        hardpoints: origin.kinematics.coordinates.iter().map(hardpoint).collect(),
+        unit: origin.understood.unit.name(),
+        unit_length: origin.understood.unit.to_metres(1.0),
+        axes: origin.understood.axes.words(),
+        hardpoints: origin.understood.coordinates.iter().map(hardpoint).collect(),
     })
 }

@@ -16,6 +16,7 @@ use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::extremes::{
     DEFAULT_STARTS, ExtremesQuestion, GivenQuantity, GivenRange, Keep, MOST_STARTS,
 };
+use crate::question::travel::varied_values::PathPlace;
 use crate::reports::impact::additions::{find_bearing, find_joint};
 use crate::sweep::sweep_rows::Sweep;
 use percuss_dynamics::{Contact, Gap, Pose};
@@ -78,17 +79,6 @@ pub struct ExtremeRecord {
     pub is_stopped: bool,
 }
 
-/// Value of the varied number of a path, linear between two rows.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct PathPlace {
-    /// Name of the column: the joint, or the travel.
-    pub name: String,
-    /// Value in the unit.
-    pub value: f64,
-    /// `rad` or `m`; empty for the components of a quaternion.
-    pub unit: &'static str,
-}
-
 /// Link or point that stays in place.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KeptRecord {
@@ -115,6 +105,7 @@ pub struct PathRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExtremesReport {
     /// `percuss.extremes/1`.
+    #[schemars(extend("const" = "percuss.extremes/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

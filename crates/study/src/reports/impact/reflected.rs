@@ -109,6 +109,7 @@ pub struct MimicJointRecord {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ReflectedReport {
     /// `percuss.reflected/1`.
+    #[schemars(extend("const" = "percuss.reflected/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -124,6 +124,7 @@ pub struct MotionForceRecord {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ImpactReport {
     /// `percuss.impact/1`.
+    #[schemars(extend("const" = "percuss.impact/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,

@@ -32,7 +32,7 @@ pub fn changed_sheet(model: &Model, moves: &[(String, [f64; 3])]) -> Result<Stri
         let Some(by) = shifts.get(key.trim()).filter(|_| section == "points") else { continue };
         let (open, close) =
             value.find('[').zip(value.find(']')).ok_or_else(|| refuse("a point is on several lines"))?;
-        let known = origin.kinematics.coordinates.iter().find(|(name, _)| name == key.trim());
+        let known = origin.understood.coordinates.iter().find(|(name, _)| name == key.trim());
         let Some((_, at)) = known else { continue };
         // The coordinates of the model contain its own moves.
         let own = model.origin.changes.moves.iter().filter(|(name, _)| name == key.trim());
@@ -42,7 +42,7 @@ pub fn changed_sheet(model: &Model, moves: &[(String, [f64; 3])]) -> Result<Stri
             if by[k] == 0.0 {
                 return old.get(k).cloned().unwrap_or_default();
             }
-            format!("{:?}", rounded(origin.unit.of_metres(at[k] - own[k] + by[k])))
+            format!("{:?}", rounded(origin.understood.unit.of_metres(at[k] - own[k] + by[k])))
         };
         let list = [0, 1, 2].map(number).join(", ");
         let rest = value[close..].to_owned();

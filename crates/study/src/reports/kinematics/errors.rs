@@ -2,6 +2,7 @@
 
 use crate::checks::design_variant::DesignError;
 use crate::question::errors::question_error::StudyError;
+use percuss_suspension::kinematics::{MissingWheel, MotionError};
 
 /// Error of a question about kinematics.
 #[derive(Debug, thiserror::Error)]
@@ -17,17 +18,11 @@ pub enum KinematicsError {
         path: String,
     },
     /// Sheet without a wheel that the kinematics can follow.
-    #[error("the model has no {missing}: the kinematics need a wheel on a spin joint")]
-    NoWheel {
-        /// Missing link or joint.
-        missing: String,
-    },
+    #[error(transparent)]
+    NoWheel(#[from] MissingWheel),
     /// Joint without a definition of its rates.
-    #[error("{why}")]
-    Unsupported {
-        /// Reason.
-        why: String,
-    },
+    #[error(transparent)]
+    Unsupported(#[from] MotionError),
     /// Search that cannot start.
     #[error("{why}")]
     Search {

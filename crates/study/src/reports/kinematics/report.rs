@@ -9,14 +9,12 @@ use crate::question::tables::kinematics::{KinematicVariable, KinematicsQuestion}
 use crate::question::travel::moved::WheelMotion;
 use crate::reports::kinematics::column_names::{column_name, is_of_every_contact, unknown_column};
 use crate::reports::kinematics::errors::KinematicsError;
-use crate::reports::kinematics::linkage_motion::Linkage;
-use crate::reports::kinematics::row_values::RowEvaluation;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
-use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::values::quantities::schema_of;
 use crate::values::value::NumberOrText;
 use percuss_contact::ForceCurve;
 use percuss_suspension::LengthUnit;
+use percuss_suspension::kinematics::{KinematicUnit, KinematicValue, KinematicValues};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -80,7 +78,8 @@ impl Serialize for KinematicsRow {
 /// Kinematics of a suspension.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct KinematicsReport {
-    /// Schema of this report.
+    /// `percuss.kinematics/1`.
+    #[schemars(extend("const" = "percuss.kinematics/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
@@ -158,9 +157,7 @@ pub(crate) fn evaluate_state(
         }
         Err(error) => return Err(error),
     };
-    let linkage =
-        Linkage::new(&pose).map_err(|error| KinematicsError::Unsupported { why: error.to_string() })?;
-    Ok(RowEvaluation::evaluate(kinematics, &question.vehicle, &pose, &linkage, rolls(question)))
+    Ok(kinematics.parts.values(&pose, &question.vehicle.vehicle(), rolls(question))?)
 }
 
 /// Kinematics of a suspension: all quantities at each value of the variable. Every row is closed from the pose as drawn,
@@ -185,7 +182,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
     let row = |(variable, found): (Option<f64>, Result<KinematicValues, String>)| {
         let value = |column: &KinematicColumn| {
             let values = found.as_ref().ok()?;
-            let same = |v: &&crate::reports::kinematics::values::KinematicValue| {
+            let same = |v: &&KinematicValue| {
                 v.name == column.quantity && v.side.trim_start_matches('_') == column.side
             };
             values.0.iter().find(same)?.value.clone().ok()
@@ -220,7 +217,7 @@ fn beyond_data(
     unit: LengthUnit,
 ) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for element in &kinematics.elements {
+    for element in &kinematics.parts.elements {
         let column = format!("force_{}", element.name);
         let force = |row: &KinematicValues| {
             let value = row
@@ -263,7 +260,7 @@ fn beyond_data(
 fn columns(found: &[Result<KinematicValues, String>]) -> Vec<KinematicColumn> {
     let rows: Vec<&KinematicValues> = found.iter().flatten().collect();
     let Some(first) = rows.first() else { return Vec::new() };
-    let column = |(i, value): (usize, &crate::reports::kinematics::values::KinematicValue)| {
+    let column = |(i, value): (usize, &KinematicValue)| {
         let all_missing = rows.iter().all(|row| row.0.get(i).is_none_or(|value| value.value.is_err()));
         KinematicColumn {
             quantity: value.name.clone(),

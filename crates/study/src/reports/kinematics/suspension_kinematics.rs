@@ -1,10 +1,10 @@
-//! Suspension prepared for kinematics: a movable copy of the mechanism, its wheels, steering axis, springs and stops.
+//! Suspension prepared for kinematics: a movable copy of the mechanism and its parts.
 
+use crate::checks::design_variant::DesignError;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{compile, configuration};
 use crate::model::loading::Model;
-use crate::model::wheel_points::{RACK, SIDES, sliding_rack};
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
@@ -13,14 +13,9 @@ use crate::question::tables::kinematics::KinematicVariable;
 use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::moved::Moved;
 use crate::reports::kinematics::errors::KinematicsError;
-use crate::reports::kinematics::force_element::{ForceElement, force_elements};
-use crate::reports::kinematics::linkage_motion::{Linkage, LinkageMotion, MotionError, MotionRow};
-use crate::reports::kinematics::movable::MovableModel;
-use crate::reports::kinematics::wheel::{SteeringAxis, WheelParts};
 use crate::values::position::GivenPosition;
-use nalgebra::Vector3;
 use percuss_dynamics::{Pose, System};
-use percuss_mechanism::{JointId, LinkId, Mechanism};
+use percuss_suspension::kinematics::{RACK, SuspensionParts, sliding_rack};
 
 /// Suspension prepared for kinematics.
 #[derive(Debug)]
@@ -28,93 +23,39 @@ pub(crate) struct SuspensionKinematics {
     model: Model,
     system: System,
     question: MassQuestion,
-    /// Pose as drawn.
-    pub drawn: Pose,
-    pub wheels: Vec<WheelParts>,
-    /// True if both wheels are on one rigid axle.
-    pub solid_axle: bool,
-    /// Springs, dampers and stops.
-    pub elements: Vec<ForceElement>,
-    /// Keys of masses that are missing in the sheet.
-    pub missing_masses: Vec<String>,
-    /// Reason for the absence of the wheel rate, if no spring has a rate.
-    pub missing_rate: &'static str,
-    /// Joint of the rack, fixed or sliding.
-    rack: Option<JointId>,
+    /// Wheels, force elements and rack.
+    pub parts: SuspensionParts,
     /// True if the rack of the sheet slides.
     rack_slides: bool,
-    /// Two points of the steering axis of each wheel, m, in the frames of their links; empty without such points.
-    steering_points: Vec<[(LinkId, Vector3<f64>); 2]>,
 }
 
 impl SuspensionKinematics {
-    /// Prepares the suspension of a model. `steers`: the rack moves.
+    /// Prepares a copy of the suspension with joints in place of massless rods, and with all changes of the model. `steers`: the rack
+    /// moves.
     pub fn new(model: &Model, steers: bool) -> Result<Self, KinematicsError> {
-        let no_sheet = || KinematicsError::NoSheet {
+        let origin = model.origin.sheet.as_deref().ok_or_else(|| KinematicsError::NoSheet {
             path: model.inputs.first().map_or_else(String::new, |input| input.path.clone()),
-        };
-        let MovableModel { model, origin, rack_slides } =
-            MovableModel::new(model, steers)?.ok_or_else(no_sheet)?;
-        let mechanism = &model.mechanism;
-        let rack = mechanism.find_joint(RACK).ok();
+        })?;
+        let rack_slides = sliding_rack(&model.mechanism).is_some();
+        let sheet = origin.sheet.as_movable(steers && !rack_slides);
+        let built = Model::from_sheet(&sheet, &[], model.inputs.clone()).map_err(DesignError::from)?;
+        let model = built.with_changes(&model.origin.changes)?;
         let mut question = MassQuestion::without_contact();
         // A rack that the sheet fixes does not move in the impact.
-        let is_locked = sliding_rack(mechanism).is_some() && !rack_slides;
+        let is_locked = sliding_rack(&model.mechanism).is_some() && !rack_slides;
         question.lock.extend(is_locked.then(|| RACK.to_owned()));
-        let system = compile(mechanism, &question, None)?;
+        let system = compile(&model.mechanism, &question, None)?;
         let drawn = system.pose(&system.configuration()).map_err(StudyError::from)?;
-        let wheels = wheels(mechanism, &drawn)?;
-        let mut steering_points = Vec::new();
-        for wheel in &wheels {
-            let point = |(link, at): &(String, [f64; 3])| {
-                let name = format!("{link}{}", wheel.side);
-                let link = mechanism.find_link(&name).or_else(|_| mechanism.find_link(link)).ok()?;
-                let at = Vector3::new(at[0], wheel.sign * at[1], at[2]);
-                Some((link, drawn.link(link).inverse_point(&at)))
-            };
-            let points: Vec<_> = origin.steering_axis.iter().filter_map(point).collect();
-            steering_points.extend(<[_; 2]>::try_from(points).ok());
-        }
-        let elements = force_elements(mechanism, &drawn, &wheels, &origin.forces);
-        let has_spring = elements.iter().any(ForceElement::is_spring);
-        let missing_rate = match (has_spring, origin.forces.springs.is_empty()) {
-            (true, _) => "spring.rate is missing in the sheet",
-            (false, true) => {
-                "the points of the spring (spring_seat, spring_chassis_seat) and spring.rate are missing in the sheet"
-            }
-            (false, false) => {
-                "the sheet has spring.rate, and the points of the spring are missing: spring_seat, spring_chassis_seat (of a coil-over: \
-                 those of the damper)"
-            }
-        };
-        let solid_axle = origin.axle;
-        Ok(Self {
-            model,
-            system,
-            question,
-            drawn,
-            wheels,
-            solid_axle,
-            elements,
-            missing_masses: origin.missing_masses,
-            missing_rate,
-            rack,
-            rack_slides,
-            steering_points,
-        })
+        let parts = SuspensionParts::new(drawn, &origin.understood)?;
+        Ok(Self { model, system, question, parts, rack_slides })
     }
 
     /// Finding about a rack that the sheet fixes and that steers in this evaluation.
     pub fn rack_finding(&self, steers: bool) -> Option<Finding> {
         let message = "the sheet fixes the rack (rack.slides = false); it moves for these rows only, and all other commands hold it; \
                        write slides = true in [rack] if the rack can move in an impact";
-        let is_moved = steers && self.rack.is_some() && !self.rack_slides;
+        let is_moved = steers && self.parts.rack.is_some() && !self.rack_slides;
         is_moved.then(|| Finding::about_result(FindingKind::RackMoved, message))
-    }
-
-    /// The mechanism.
-    pub fn mechanism(&self) -> &Mechanism {
-        &self.model.mechanism
     }
 
     /// Pose at given values of the variables, m.
@@ -126,7 +67,7 @@ impl SuspensionKinematics {
                     let travel = GivenTravel { moved: Moved::Wheels(*motion), distance: *value };
                     question.travel.push(travel);
                 }
-                KinematicVariable::Steer if self.rack.is_none() => return Err(KinematicsError::NoRack),
+                KinematicVariable::Steer if self.parts.rack.is_none() => return Err(KinematicsError::NoRack),
                 KinematicVariable::Steer => {
                     let position = GivenPosition::from_numbers(&[*value]);
                     let position = position.map_err(|source| {
@@ -140,93 +81,4 @@ impl SuspensionKinematics {
         let configuration = configuration(&self.model.mechanism, &question)?;
         Ok(pose_solver::pose(&self.system, &configuration, &question)?)
     }
-
-    /// Motion of the linkage with a rate of each wheel centre upward; wheels do not spin relative to their carriers, and
-    /// the rack stays.
-    pub fn wheel_motion<'l>(
-        &self,
-        linkage: &'l Linkage,
-        pose: &Pose,
-        rates: &[f64],
-    ) -> Result<LinkageMotion<'l>, MotionError> {
-        let mut conditions = self.held_joints(linkage, pose, 0.0);
-        for (wheel, rate) in self.wheels.iter().zip(rates) {
-            let centre = pose.link(wheel.centre).translation;
-            conditions.push((linkage.point_row(wheel.on_wheel(centre), Vector3::z()), *rate));
-        }
-        linkage.solve(&conditions)
-    }
-
-    /// Conditions of the bearings of the wheels and of the rack.
-    fn held_joints(&self, linkage: &Linkage, pose: &Pose, rack_rate: f64) -> Vec<(MotionRow, f64)> {
-        let mechanism = self.mechanism();
-        let mut conditions = Vec::new();
-        for wheel in &self.wheels {
-            let axis = pose.link(wheel.spindle).vector(mechanism.joint(wheel.spin).axis());
-            conditions.push((linkage.turn_row(wheel.carrier, wheel.spindle, axis), 0.0));
-        }
-        if let Some(rack) = self.rack {
-            let link = mechanism.joint(rack).child();
-            let row = linkage.point_row((Some(link), pose.link(link).translation), Vector3::y());
-            conditions.push((row, rack_rate));
-        }
-        conditions
-    }
-
-    /// Steering axis of a wheel: the line through two ball joints, or the instantaneous axis of the wheel carrier while the
-    /// rack moves and the spring (or else the damper) keeps its length.
-    pub fn steering_axis(
-        &self,
-        linkage: &Linkage,
-        pose: &Pose,
-        wheel: usize,
-    ) -> Result<SteeringAxis, String> {
-        let horizontal = || "no steering axis: the axis is horizontal".to_owned();
-        if let Some(points) = self.steering_points.get(wheel) {
-            let [first, second] = points.map(|(link, at)| pose.link(link).point(&at));
-            return SteeringAxis::through(first, second).ok_or_else(horizontal);
-        }
-        if self.rack.is_none() {
-            return Err("no steering axis: the template has no tie rod".to_owned());
-        }
-        let mut conditions = self.held_joints(linkage, pose, 1.0);
-        for parts in &self.wheels {
-            let of_side = || self.elements.iter().filter(|e| e.side == parts.side && e.is_line());
-            let held = of_side().find(|e| e.name == "spring").or_else(|| of_side().next());
-            let Some(held) = held else {
-                return Err(
-                    "no steering axis: a spring or a damper that keeps its length is required".to_owned()
-                );
-            };
-            let [first, second] = held.ends(pose);
-            conditions.push((linkage.distance_row(first, second), 0.0));
-        }
-        let motion = linkage.solve(&conditions).map_err(|error| format!("no steering axis: {error}"))?;
-        let parts = &self.wheels[wheel];
-        let centre = pose.link(parts.centre).translation;
-        let (omega, v) = (motion.angular_velocity(parts.spindle), motion.velocity(parts.on_wheel(centre)));
-        let point = centre + omega.cross(&v) / omega.norm_squared();
-        SteeringAxis::along(point, omega).ok_or_else(horizontal)
-    }
-}
-
-/// Wheels of a mechanism.
-fn wheels(mechanism: &Mechanism, drawn: &Pose) -> Result<Vec<WheelParts>, KinematicsError> {
-    let mut wheels = Vec::new();
-    for side in [""].into_iter().chain(SIDES) {
-        let Ok(centre) = mechanism.find_link(&format!("wheel_centre{side}")) else { continue };
-        let missing = |missing: String| KinematicsError::NoWheel { missing };
-        let name = format!("spin{side}");
-        let spin = mechanism.find_joint(&name).map_err(|_| missing(format!("joint \"{name}\"")))?;
-        let (spindle, carrier) = (mechanism.joint(spin).child(), mechanism.joint(spin).parent());
-        let at = drawn.link(centre).translation;
-        let patch = mechanism.find_link(&format!("contact_patch{side}")).ok();
-        let radius = patch.map(|patch| (drawn.link(patch).translation - at).norm());
-        let sign = if at.y < 0.0 { -1.0 } else { 1.0 };
-        wheels.push(WheelParts { side, sign, offset: at.y.abs(), centre, spindle, carrier, spin, radius });
-    }
-    if wheels.is_empty() {
-        return Err(KinematicsError::NoWheel { missing: "link \"wheel_centre\"".to_owned() });
-    }
-    Ok(wheels)
 }

@@ -11,13 +11,13 @@ use crate::reports::kinematics::column_names::{column_name, target_column, unkno
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
-use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::thresholds::{
     DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALL_PART,
     SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::near_names;
+use percuss_suspension::kinematics::{KinematicUnit, KinematicValue, KinematicValues};
 use percuss_units::{Dimension, LengthUnit, Quantity};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -123,7 +123,8 @@ pub struct ReachedTarget {
 /// Result of a search.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TargetReport {
-    /// Schema of this report.
+    /// `percuss.target/1`.
+    #[schemars(extend("const" = "percuss.target/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
@@ -412,9 +413,7 @@ fn nearest_crossing(tried: &[Trial]) -> Option<Trial> {
 
 /// Value of a quantity: by its full name, or without the side (the first side).
 fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
-    let full = |value: &&crate::reports::kinematics::values::KinematicValue| {
-        format!("{}{}", value.name, value.side) == name
-    };
+    let full = |value: &&KinematicValue| format!("{}{}", value.name, value.side) == name;
     let found = values.0.iter().find(full).or_else(|| values.0.iter().find(|value| value.name == name));
     match found {
         Some(value) => value.value.clone(),
@@ -503,7 +502,7 @@ pub fn search_targets(
         let goal = if unit == KinematicUnit::AnglePerLength { goal.to_radians() } else { goal };
         designs.required.push((goal, scale(unit)));
     }
-    let coordinates = model.origin.sheet.as_deref().map(|origin| origin.kinematics.coordinates.clone());
+    let coordinates = model.origin.sheet.as_deref().map(|origin| origin.understood.coordinates.clone());
     let coordinates = coordinates.unwrap_or_default();
     let old = |unknown: &UnknownCoordinate| {
         let found = coordinates.iter().find(|(point, _)| *point == unknown.point);
@@ -538,7 +537,7 @@ pub fn search_targets(
     }
     let found =
         if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
-    let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.unit);
+    let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.understood.unit);
     let coordinate = |(k, unknown): (usize, &UnknownCoordinate)| FoundCoordinate {
         coordinate: unknown.name(),
         unit: unit.name(),

@@ -12,8 +12,8 @@
 //! The coordinates of the mechanism do not enter: the rows depend on the frames of the links alone. Source: Shabana,
 //! *Dynamics of Multibody Systems*, 2013, §3.3 (constraint Jacobian and its quadratic velocity terms).
 
-use crate::model::wheel_points::RACK;
-use crate::pose::determined_system::DeterminedSystem;
+use crate::kinematics::determined_system::DeterminedSystem;
+use crate::kinematics::wheel_points::RACK;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::Pose;
 use percuss_mechanism::{ClosureKind, JointKind, LinkId, LoopFrame, Mechanism};
@@ -63,7 +63,7 @@ pub(crate) struct Linkage {
 
 /// Part of a mechanism for which the rows are not defined.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(crate) enum MotionError {
+pub enum MotionError {
     /// Joint or closure of an unsupported kind.
     #[error("\"{name}\" is of a kind that suspensions do not have")]
     Unsupported {

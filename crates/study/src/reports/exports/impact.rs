@@ -14,17 +14,22 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::{JointStop, StopEnd};
 use crate::question::tables::damping::{DampingQuestion, Tools};
+use crate::question::tables::exports::{ExportQuestion, ModelFormat};
+use crate::reports::exports::code::TextFile;
+use crate::reports::exports::conversion::{changes, heading};
+use crate::reports::exports::impact_report::ExportReport;
+use crate::reports::exports::mesh_names::MeshNames;
 use crate::thresholds::{
     BEFORE_END, FAR_LIMIT, IMPACT_RADIUS, LEAST_ACCURACY, LEAST_RADIUS_OVER_PENETRATION, NEGLIGIBLE_SHIFT,
     SHIFT_UNCERTAINTY, SLOW_IMPACT, STROKES,
 };
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_contact::exports::{MassDrift, Tool, Value};
+use percuss_contact::exports::{MassDrift, StopMotion, Tool, Value};
 use percuss_contact::restitution_with_prescribed_acceleration;
 use percuss_dynamics::{Base, Contact, Direction, Frame, PointVelocity};
 use percuss_formats::{
-    FindMesh, ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelParts, ModelText,
-    lost_pose, write_mjcf_impact,
+    ImpactContact, ImpactSurfaces, MechanismState, MjcfError, MjcfImpact, ModelParts, ModelText, lost_pose,
+    write_mjcf_impact,
 };
 use percuss_mechanism::{Built, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_spatial::{Transform, Twist, Vector3};
@@ -41,14 +46,6 @@ pub enum ImpactExportError {
     /// The mechanism or the contact has no form in MJCF.
     #[error("the model cannot be written as MJCF: {0}")]
     Mjcf(#[from] MjcfError),
-    /// A condition of the question has no form in the file.
-    #[error("{condition}: not written to a model of a simulator; {remedy}")]
-    Condition {
-        /// Flag of the condition.
-        condition: &'static str,
-        /// Remedy.
-        remedy: &'static str,
-    },
     /// The motion of the impact is not determined, because of a motion without mass.
     #[error(
         "link \"{link}\": its velocity is not determined, because of a motion without mass; give the link a mass"
@@ -65,77 +62,93 @@ pub enum ImpactExportError {
     },
 }
 
-/// Heading and mesh names of the file of an impact.
-#[derive(Clone, Copy)]
-pub struct ImpactFileOptions<'a> {
-    /// Comment at the head of the file; none if empty.
-    pub heading: &'a str,
-    /// Finds the mesh files and their names in the written model.
-    pub find_mesh: FindMesh<'a>,
-}
-
 /// An impact as a file of MuJoCo.
-#[derive(Clone, Debug)]
-pub struct ExportedImpact {
+#[derive(Debug)]
+struct ExportedImpact {
     /// The file, and notes about parts that have another form.
-    pub model: ModelText,
+    model: ModelText,
     /// Damper and parameters.
-    pub damping: DampingReport,
+    damping: DampingReport,
     /// Approach speed, m/s.
-    pub speed: f64,
+    speed: f64,
     /// Time step, s.
-    pub time_step: f64,
+    time_step: f64,
     /// Restitution with the mass as it changes over the penetration, for an infinitely short time step; `None` if the mechanism cannot
     /// follow the impact.
-    pub predicted: Option<f64>,
+    predicted: Option<f64>,
     /// Bound of the difference from the required restitution at this time step; `None` if unknown.
-    pub error_bound: Option<f64>,
+    error_bound: Option<f64>,
 }
 
-/// Writes the impact of a question as MJCF. Without a speed in `damping`, the closing speed is 10 mm/s. A contact `JOINT:lower` or
-/// `JOINT:upper` is exported as the stop of the joint, as by [`export_stop`].
+/// Script that runs an exported impact. It finds the model by its own name.
+const SCRIPT: &str = include_str!("impact_script.py");
+
+/// Exports the impact at a contact, or of a joint on its stop, as MJCF with a script that runs it. `question`: pose and held parts; its
+/// contact is ignored for the stop `damping.limit`, and a contact `JOINT:lower` or `JOINT:upper` is the stop of the joint. Without a speed
+/// in `damping`, the impact has 0.01 rad/s or 10 mm/s.
 ///
 /// # Errors
 /// [`ImpactExportError`]: an invalid question, a contact without a finite mass, a condition or a mechanism without a form in MJCF.
-pub fn export_impact(
+pub fn export(
     model: &Model,
     question: &MassQuestion,
     damping: &DampingQuestion,
-    file: &ImpactFileOptions<'_>,
-) -> Result<ExportedImpact, ImpactExportError> {
-    if let Some((stop, conditions)) = JointStop::of_question(question, &model.mechanism) {
-        return export_stop(model, &stop, conditions, damping, file);
-    }
-    export(model, question, damping, None, file)
+    asked: &ExportQuestion,
+) -> Result<ExportReport, ImpactExportError> {
+    let turns = match &damping.limit {
+        Some(stop) => stop.motion(model)? == StopMotion::Turn,
+        None => question.is_moment(&model.mechanism),
+    };
+    damping.check_units(turns)?;
+    let files = asked.files();
+    let of_stop = match &damping.limit {
+        Some(stop) => Some((stop.clone(), question.clone())),
+        None => JointStop::of_question(question, &model.mechanism),
+    };
+    let exported = match of_stop {
+        None => exported_impact(model, question, damping, None, &files[0])?,
+        Some((stop, conditions)) => {
+            let (question, record) = stop.question(model, conditions)?;
+            let mut damping = damping.clone();
+            damping.options.stop = Some(record.motion);
+            let mut exported = exported_impact(model, &question, &damping, Some(&stop), &files[0])?;
+            exported.damping.stop = Some(record);
+            exported
+        }
+    };
+    let (changes, of_file) = changes(model, exported.model.changes);
+    // The findings of the damper begin with those of the file.
+    let of_result =
+        exported.damping.diagnostics.iter().filter(|finding| !model.diagnostics.contains(finding));
+    let texts = [exported.model.text, SCRIPT.to_owned()];
+    let [output, script] = files.clone();
+    Ok(ExportReport {
+        schema: "percuss.export/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        output,
+        script,
+        format: "mjcf",
+        stop: exported.damping.stop.clone(),
+        effective_mass: exported.damping.effective_mass,
+        approach_speed: exported.speed,
+        restitution: exported.damping.damper.restitution,
+        predicted_restitution: exported.predicted,
+        error_bound: exported.error_bound,
+        time_step: exported.time_step,
+        changes,
+        diagnostics: of_file.into_iter().chain(of_result.cloned()).collect(),
+        files: files.into_iter().zip(texts).map(|(name, text)| TextFile { name, text }).collect(),
+    })
 }
 
-/// Writes the impact of a joint on its stop as MJCF. `conditions` supplies the pose and the held parts; its contact is ignored. Without a
-/// speed in `damping`, the impact has 0.01 rad/s or 10 mm/s.
-///
-/// # Errors
-/// As for [`export_impact`]; a joint without a stop.
-pub fn export_stop(
-    model: &Model,
-    stop: &JointStop,
-    conditions: MassQuestion,
-    damping: &DampingQuestion,
-    file: &ImpactFileOptions<'_>,
-) -> Result<ExportedImpact, ImpactExportError> {
-    let (question, record) = stop.question(model, conditions)?;
-    let mut damping = damping.clone();
-    damping.options.stop = Some(record.motion);
-    let mut exported = export(model, &question, &damping, Some(stop), file)?;
-    exported.damping.stop = Some(record);
-    Ok(exported)
-}
-
-/// Writes an impact at a contact, or of a joint on its stop.
-fn export(
+/// Impact at a contact, or of a joint on its stop, as the file `output`.
+fn exported_impact(
     model: &Model,
     question: &MassQuestion,
     damping: &DampingQuestion,
     stop: Option<&JointStop>,
-    file: &ImpactFileOptions<'_>,
+    output: &str,
 ) -> Result<ExportedImpact, ImpactExportError> {
     refuse_conditions(question)?;
     let speed = damping.speed().unwrap_or(SLOW_IMPACT);
@@ -198,15 +211,17 @@ fn export(
         time_step,
         restitution: damping.restitution(),
     };
+    let meshes = MeshNames::new(model, output, ModelFormat::Mjcf);
+    let find_mesh = |name: &str| meshes.find(name);
     // The floating mechanism has the links of the model, in the same order, and then the world.
     let parts = ModelParts {
         mechanism: floating.as_ref().unwrap_or(mechanism),
         shapes: &model.shapes,
-        find_mesh: file.find_mesh,
+        find_mesh: &find_mesh,
         poses: &[],
         balances_inertia: false,
     };
-    let mut written = write_mjcf_impact(parts, &impact, file.heading)?;
+    let mut written = write_mjcf_impact(parts, &impact, &heading(model))?;
     let only_impact = "the only keyframe of the file is the impact";
     written.changes.extend(model.poses.iter().map(|pose| lost_pose(&pose.name, only_impact)));
     Ok(ExportedImpact { model: written, speed, time_step, predicted, error_bound, damping: report })
@@ -309,23 +324,28 @@ fn unreached_finding(
 }
 
 /// Refuses conditions that hold for an answer and are no part of the model.
-fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
+fn refuse_conditions(question: &MassQuestion) -> Result<(), StudyError> {
     let in_model = "write it into the model file";
     let conditions = [
-        (!question.lock.is_empty(), "--lock", "replace the joint by a fixed joint in the model file"),
-        (!question.hold.is_empty(), "--hold", "add a loop to the model file"),
-        (!question.armature.is_empty(), "--armature", in_model),
+        (!question.lock.is_empty(), Field::Lock, "replace the joint by a fixed joint in the model file"),
+        (!question.hold.is_empty(), Field::Hold, "add a loop to the model file"),
+        (!question.armature.is_empty(), Field::Armature, in_model),
         (
             question.against_mass.is_some(),
-            "--against-mass",
+            Field::AgainstMass,
             "add the body to the model file and name it by --against",
         ),
-        (question.estimate.is_some(), "--estimate", "use percuss mass"),
+        (question.estimate.is_some(), Field::Estimate, "use percuss mass"),
     ];
     match conditions.into_iter().find(|(is_given, ..)| *is_given) {
-        Some((_, condition, remedy)) => Err(ImpactExportError::Condition { condition, remedy }),
+        Some((_, condition, remedy)) => Err(not_written(condition, remedy)),
         None => Ok(()),
     }
+}
+
+/// Refusal of a condition that has no form in the file.
+fn not_written(condition: Field, remedy: &str) -> StudyError {
+    StudyError::input(condition, format!("not written to a model of a simulator; {remedy}"))
 }
 
 /// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
@@ -353,9 +373,9 @@ fn with_floating_root(
     let name = mechanism.link(root).name();
     let joint = JointDescription::new(format!("{name}_floating"), JointKind::Floating, WORLD, name);
     let builder = mechanism.to_builder().link(LinkDescription::massless(WORLD)).joint(joint);
-    let Built { mechanism, .. } = builder.build().map_err(|_| ImpactExportError::Condition {
-        condition: "--base floating",
-        remedy: "add a floating joint to the model file; its root link cannot have the name \"world\", nor a joint the name ROOT_floating",
+    let Built { mechanism, .. } = builder.build().map_err(|_| {
+        let remedy = "add a floating joint to the model file; its root link cannot have the name \"world\", nor a joint the name ROOT_floating";
+        not_written(Field::Base, remedy)
     })?;
     let (pose, twist) = (state.link_poses[root.index()], state.link_twists[root.index()]);
     let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));

@@ -1,10 +1,11 @@
 //! Consistent systems of linear equations with a unique solution.
 
-use crate::thresholds::UNDETERMINED_MOTION;
+use crate::limits::UNDETERMINED_MOTION;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
 
 /// Rows that determine a motion: matrix of full column rank, factorised by Householder QR with column pivoting.
-pub(crate) struct DeterminedSystem {
+#[derive(Debug)]
+pub struct DeterminedSystem {
     matrix: DMatrix<f64>,
     scale: f64,
     qr: ColPivQR<f64, Dyn, Dyn>,

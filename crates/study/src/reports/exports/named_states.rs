@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// States of the named poses with zero velocity and closed loops, and the lost poses: those that cannot be evaluated, for example because
 /// the loops do not close.
-pub fn named_states(model: &Model) -> (Vec<(String, MechanismState)>, Vec<Change>) {
+pub(super) fn named_states(model: &Model) -> (Vec<(String, MechanismState)>, Vec<Change>) {
     let (mut states, mut lost) = (Vec::new(), Vec::new());
     if model.poses.is_empty() {
         return (states, lost);

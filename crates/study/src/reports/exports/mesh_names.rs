@@ -1,11 +1,12 @@
 //! Names of mesh files in a written model.
 
-use crate::args::ModelFormat;
+use crate::model::loading::Model;
+use crate::question::tables::exports::ModelFormat;
 use percuss_formats::{MeshFile, MeshFolders};
 use std::path::{Path, PathBuf};
 
 /// Finder of the names by which the written model refers to the mesh files of its source.
-pub struct MeshNames {
+pub(super) struct MeshNames {
     folders: MeshFolders,
     /// Folder of the written model.
     written: PathBuf,
@@ -13,11 +14,10 @@ pub struct MeshNames {
 }
 
 impl MeshNames {
-    /// Creates the finder for the model file `model` and the output file `written`; `-`, the standard output, counts as a file in the
-    /// current folder.
-    pub fn new(model: &str, written: &str, format: ModelFormat) -> Self {
+    /// Creates the finder for a model and the output file `written`; `-`, the standard output, counts as a file in the current folder.
+    pub fn new(model: &Model, written: &str, format: ModelFormat) -> Self {
         let written = Path::new(written).parent().unwrap_or(Path::new("")).to_owned();
-        Self { folders: MeshFolders::of_model(Path::new(model), Vec::new()), written, format }
+        Self { folders: model.mesh_folders(Vec::new()), written, format }
     }
 
     /// Returns the name of the mesh file `name` in the written model. MJCF: path of the file relative to the written model, because MuJoCo

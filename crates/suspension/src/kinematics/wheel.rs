@@ -1,7 +1,7 @@
 //! Geometry of a wheel at a pose: camber, toe, steering axis, contact point. Definitions of ISO 8855 and SAE J670, in the
 //! vehicle's axes; the ground is the horizontal plane through the contact point.
 
-use crate::reports::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
+use crate::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
 use nalgebra::Vector3;
 use percuss_dynamics::{LowestPoint, Pose};
 use percuss_mechanism::{JointId, LinkId};

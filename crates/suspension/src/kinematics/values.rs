@@ -59,21 +59,24 @@ impl KinematicUnit {
 
 /// Value of a quantity at a pose, or the reason for its absence.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct KinematicValue {
+pub struct KinematicValue {
+    /// Name of the quantity.
     pub name: String,
     /// Ending of the wheel's side: `_left`, `_right`, or empty for one wheel and for both together.
     pub side: &'static str,
+    /// Unit.
     pub unit: KinematicUnit,
+    /// Value in SI units, or the reason for its absence.
     pub value: Result<f64, String>,
 }
 
 /// Values of a pose, in the order of the columns.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct KinematicValues(pub Vec<KinematicValue>);
+pub struct KinematicValues(pub Vec<KinematicValue>);
 
 impl KinematicValues {
     /// Adds a quantity of a wheel.
-    pub fn add(
+    pub(super) fn add(
         &mut self,
         side: &'static str,
         name: impl Into<String>,

@@ -1,16 +1,16 @@
 //! Springs, dampers and stops of a suspension: motion ratios and forces.
 
-use crate::reports::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
-use crate::reports::kinematics::wheel::WheelParts;
+use crate::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
+use crate::kinematics::wheel::WheelParts;
+use crate::{ForceElements, SpringForce};
 use nalgebra::Vector3;
 use percuss_contact::ForceCurve;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, LinkId, Mechanism, NamedContact};
-use percuss_suspension::{ForceElements, SpringForce};
 
 /// Spring, damper or stop.
 #[derive(Clone, Debug)]
-pub(crate) struct ForceElement {
+pub struct ForceElement {
     /// Name without the ending of the side.
     pub name: String,
     /// Ending of the side; empty for a single side and for an element of both sides.
@@ -26,7 +26,9 @@ pub(crate) struct ForceElement {
     gap: Option<Gap>,
     /// Length as drawn, m, of a spring or damper.
     drawn_length: f64,
+    /// Force of a spring, if the sheet states it.
     pub spring: Option<SpringForce>,
+    /// Force of a stop, if the sheet states it.
     pub stop: Option<ForceCurve>,
 }
 
@@ -88,17 +90,17 @@ pub(crate) fn force_elements(
 
 impl ForceElement {
     /// True for a spring.
-    pub fn is_spring(&self) -> bool {
+    pub(super) fn is_spring(&self) -> bool {
         self.kind == ContactKind::Spring
     }
 
     /// True for a spring or damper, whose line turns with the mechanism.
-    pub fn is_line(&self) -> bool {
+    pub(super) fn is_line(&self) -> bool {
         matches!(self.kind, ContactKind::Spring | ContactKind::Damper)
     }
 
     /// Points at both ends: on the link, and on the other side. For a fixed normal, both are at the contact point.
-    pub fn ends(&self, pose: &Pose) -> [LinkedPoint; 2] {
+    pub(super) fn ends(&self, pose: &Pose) -> [LinkedPoint; 2] {
         let at = pose.link(self.link).point(&self.point);
         let other = match self.normal {
             ContactNormal::Fixed(_) => at,
@@ -108,7 +110,7 @@ impl ForceElement {
     }
 
     /// Motion ratio and force at a pose.
-    pub fn rates(&self, pose: &Pose, motion: &LinkageMotion<'_>) -> ElementRates {
+    pub(super) fn rates(&self, pose: &Pose, motion: &LinkageMotion<'_>) -> ElementRates {
         let [on_link, on_other] = self.ends(pose);
         let ratio = match self.normal {
             ContactNormal::Fixed(normal) => {

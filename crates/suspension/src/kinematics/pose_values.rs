@@ -1,27 +1,65 @@
 //! All quantities of a suspension at one pose.
 
-use crate::model::wheel_points::wheel_of_patch;
-use crate::question::tables::kinematics::{AxlePosition, VehicleData};
-use crate::reports::kinematics::force_element::{ElementRates, ForceElement};
-use crate::reports::kinematics::linkage_motion::{Linkage, LinkageMotion};
-use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
-use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
-use crate::reports::kinematics::wheel::WheelState;
-use crate::thresholds::LEAST_TILT_RATE;
-use crate::values::quantities::{Length, Ratio};
+use crate::kinematics::force_element::{ElementRates, ForceElement};
+use crate::kinematics::linkage_motion::{Linkage, LinkageMotion, MotionError};
+use crate::kinematics::parts::SuspensionParts;
+use crate::kinematics::values::{KinematicUnit, KinematicValues};
+use crate::kinematics::wheel::WheelState;
+use crate::kinematics::wheel_points::wheel_of_patch;
+use crate::limits::LEAST_TILT_RATE;
 use nalgebra::{Matrix2, Vector3};
 use percuss_dynamics::{Contact, EffectiveMass, PointVelocity, Pose};
 use std::f64::consts::TAU;
 
+/// Data of the vehicle that no suspension sheet contains. A quantity that requires missing data has a reason instead of a value.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vehicle {
+    /// True for the front axle, false for the rear axle.
+    pub is_front: Option<bool>,
+    /// Share of the front axle in the braking force.
+    pub brake_bias: Option<f64>,
+    /// Share of this axle in the driving force.
+    pub drive_share: Option<f64>,
+    /// Height of the centre of mass above the ground, m.
+    pub cg_height: Option<f64>,
+    /// Distance of the axles, m.
+    pub wheelbase: Option<f64>,
+    /// True if the braking force acts at the wheel centre.
+    pub inboard_brakes: bool,
+    /// True if the driving force acts at the wheel centre.
+    pub inboard_drive: bool,
+    /// Sprung mass above one wheel, kg.
+    pub sprung_mass: Option<f64>,
+    /// Vertical rate of the tyre, N/m; a rigid tyre without it.
+    pub tyre_rate: Option<f64>,
+}
+
+impl SuspensionParts {
+    /// All quantities at a pose of the mechanism, as derivatives along heave (all wheels up), or along roll (left up, right down) if
+    /// `rolls`; or the reason for their absence.
+    ///
+    /// # Errors
+    /// [`MotionError`]: a joint or a closure of a kind that suspensions do not have.
+    pub fn values(
+        &self,
+        pose: &Pose,
+        vehicle: &Vehicle,
+        rolls: bool,
+    ) -> Result<Result<KinematicValues, String>, MotionError> {
+        let linkage = Linkage::new(pose)?;
+        Ok(PoseEvaluation::evaluate(self, vehicle, pose, &linkage, rolls))
+    }
+}
+
 /// Rates of the wheel travels along the motion of the derivatives: heave (all wheels up) or roll (left up, right down).
-pub(crate) fn travel_rates(kinematics: &SuspensionKinematics, rolls: bool) -> Vec<f64> {
+fn travel_rates(kinematics: &SuspensionParts, rolls: bool) -> Vec<f64> {
     kinematics.wheels.iter().map(|wheel| if rolls { wheel.sign } else { 1.0 }).collect()
 }
 
 /// Evaluation of the quantities at one pose.
-pub(crate) struct RowEvaluation<'k> {
-    kinematics: &'k SuspensionKinematics,
-    vehicle: &'k VehicleData,
+pub(super) struct PoseEvaluation<'k> {
+    kinematics: &'k SuspensionParts,
+    vehicle: &'k Vehicle,
     pose: &'k Pose,
     linkage: &'k Linkage,
     /// Motion of the derivatives.
@@ -31,11 +69,11 @@ pub(crate) struct RowEvaluation<'k> {
     values: KinematicValues,
 }
 
-impl<'k> RowEvaluation<'k> {
+impl<'k> PoseEvaluation<'k> {
     /// All quantities at a pose; `rolls`: derivatives along roll instead of heave.
     pub fn evaluate(
-        kinematics: &'k SuspensionKinematics,
-        vehicle: &'k VehicleData,
+        kinematics: &'k SuspensionParts,
+        vehicle: &'k Vehicle,
         pose: &'k Pose,
         linkage: &'k Linkage,
         rolls: bool,
@@ -144,9 +182,9 @@ impl<'k> RowEvaluation<'k> {
         let (braking, driving) = (support(&vehicle, true), support(&vehicle, false));
         let braking = braking.and_then(|factor| Ok(factor * of(vehicle.inboard_brakes)?));
         let driving = driving.and_then(|factor| Ok(factor * of(vehicle.inboard_drive)?));
-        let names = match vehicle.axle {
-            Some(AxlePosition::Front) => ["anti_dive", "anti_lift_driving"],
-            Some(AxlePosition::Rear) => ["anti_lift_braking", "anti_squat"],
+        let names = match vehicle.is_front {
+            Some(true) => ["anti_dive", "anti_lift_driving"],
+            Some(false) => ["anti_lift_braking", "anti_squat"],
             None => ["anti_dive_or_lift_braking", "anti_squat_or_lift_driving"],
         };
         for (name, value) in names.into_iter().zip([braking, driving]) {
@@ -210,7 +248,7 @@ impl<'k> RowEvaluation<'k> {
             let reason = format!("masses are missing in the sheet: {}", missing.join(", "));
             return self.kinematics.wheels.iter().map(|_| Err(reason.clone())).collect();
         }
-        let (pose, mechanism) = (self.pose, self.kinematics.mechanism());
+        let (pose, mechanism) = (self.pose, &**self.pose.mechanism());
         let patches: Vec<_> = self
             .kinematics
             .wheels
@@ -268,9 +306,8 @@ impl<'k> RowEvaluation<'k> {
     ) {
         let mass = mass.unwrap_or_else(|| Err(no_radius()));
         self.add(wheel, "unsprung_mass", KinematicUnit::Mass, mass.clone());
-        let VehicleData { sprung_mass, tyre_rate, .. } = *self.vehicle;
-        let sprung = sprung_mass.map(|mass| mass.0).ok_or_else(|| "missing: --sprung-mass".to_owned());
-        let tyre = tyre_rate.map(|rate| rate.0.value).ok_or_else(|| "missing: --tyre-rate".to_owned());
+        let sprung = self.vehicle.sprung_mass.ok_or_else(|| "missing: --sprung-mass".to_owned());
+        let tyre = self.vehicle.tyre_rate.ok_or_else(|| "missing: --tyre-rate".to_owned());
         let body = match (&tyre, &sprung) {
             (Ok(tyre), Ok(sprung)) => frequencies(&rate, &mass, *sprung, *tyre).map(|both| both[0]),
             // Without its rate, the tyre is rigid.
@@ -330,12 +367,12 @@ fn no_radius() -> String {
 
 /// Support per slope dx/dz of the path: p L/h with the share p of this axle in the force, positive if a forward (front,
 /// braking) or backward path supports the body. Missing data are named.
-fn support(vehicle: &VehicleData, braking: bool) -> Result<f64, String> {
-    let front = vehicle.axle.map(|axle| axle == AxlePosition::Front);
+fn support(vehicle: &Vehicle, braking: bool) -> Result<f64, String> {
+    let front = vehicle.is_front;
     let share = if braking {
-        vehicle.brake_bias.map(|Ratio(bias)| if front == Some(true) { bias } else { 1.0 - bias })
+        vehicle.brake_bias.map(|bias| if front == Some(true) { bias } else { 1.0 - bias })
     } else {
-        vehicle.drive_share.map(|Ratio(share)| share)
+        vehicle.drive_share
     };
     let flag = if braking { "--brake-bias" } else { "--drive-share" };
     let given = [
@@ -346,7 +383,7 @@ fn support(vehicle: &VehicleData, braking: bool) -> Result<f64, String> {
     ];
     let missing: Vec<&str> =
         given.into_iter().filter(|(_, is_given)| !is_given).map(|(flag, _)| flag).collect();
-    let (Some(front), Some(share), Some(Length(height)), Some(Length(wheelbase))) =
+    let (Some(front), Some(share), Some(height), Some(wheelbase)) =
         (front, share, vehicle.cg_height, vehicle.wheelbase)
     else {
         return Err(format!("missing: {}", missing.join(", ")));

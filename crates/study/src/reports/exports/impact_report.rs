@@ -1,10 +1,10 @@
 //! Report of an exported impact.
 
-use crate::damper::exported_impact::ExportedImpact;
-use crate::model::conversion::{ChangeRecord, changes};
-use crate::model::loading::{Input, Model};
+use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::spelled_contact::StopRecord;
+use crate::reports::exports::code::TextFile;
+use crate::reports::exports::conversion::ChangeRecord;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -12,6 +12,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ExportReport {
     /// `percuss.export/1`.
+    #[schemars(extend("const" = "percuss.export/1"))]
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
@@ -42,31 +43,7 @@ pub struct ExportReport {
     pub changes: Vec<ChangeRecord>,
     /// Findings about the file and the result.
     pub diagnostics: Vec<DiagnosticRecord>,
-}
-
-impl ExportReport {
-    /// Report about an exported impact of a model; `files`: model and script.
-    pub fn new(model: &Model, exported: &ExportedImpact, format: &'static str, files: [&str; 2]) -> Self {
-        let (changes, of_file) = changes(model, exported.model.changes.clone());
-        // The findings of the damper begin with those of the file.
-        let of_result =
-            exported.damping.diagnostics.iter().filter(|finding| !model.diagnostics.contains(finding));
-        Self {
-            schema: "percuss.export/1",
-            percuss: env!("CARGO_PKG_VERSION"),
-            inputs: model.inputs.clone(),
-            output: files[0].to_owned(),
-            script: files[1].to_owned(),
-            format,
-            stop: exported.damping.stop.clone(),
-            effective_mass: exported.damping.effective_mass,
-            approach_speed: exported.speed,
-            restitution: exported.damping.damper.restitution,
-            predicted_restitution: exported.predicted,
-            error_bound: exported.error_bound,
-            time_step: exported.time_step,
-            changes,
-            diagnostics: of_file.into_iter().chain(of_result.cloned()).collect(),
-        }
-    }
+    /// The model and the script as text; absent if they are written to files.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<TextFile>,
 }

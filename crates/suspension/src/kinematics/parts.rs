@@ -1,0 +1,172 @@
+//! Parts of a suspension in its mechanism: wheels, steering axis, springs and stops.
+
+use crate::Understood;
+use crate::kinematics::force_element::{ForceElement, force_elements};
+use crate::kinematics::linkage_motion::{Linkage, LinkageMotion, MotionError, MotionRow};
+use crate::kinematics::wheel::{SteeringAxis, WheelParts};
+use crate::kinematics::wheel_points::{RACK, SIDES};
+use nalgebra::Vector3;
+use percuss_dynamics::Pose;
+use percuss_mechanism::{JointId, LinkId, Mechanism};
+
+/// Mechanism without a wheel that the kinematics can follow.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the model has no {missing}: the kinematics need a wheel on a spin joint")]
+pub struct MissingWheel {
+    /// Missing link or joint.
+    pub missing: String,
+}
+
+/// Parts of a suspension in its mechanism.
+#[derive(Debug)]
+pub struct SuspensionParts {
+    /// Pose as drawn.
+    pub(super) drawn: Pose,
+    pub(super) wheels: Vec<WheelParts>,
+    /// True if both wheels are on one rigid axle.
+    pub(super) solid_axle: bool,
+    /// Springs, dampers and stops.
+    pub elements: Vec<ForceElement>,
+    /// Keys of masses that are missing in the sheet.
+    pub(super) missing_masses: Vec<String>,
+    /// Reason for the absence of the wheel rate, if no spring has a rate.
+    pub(super) missing_rate: &'static str,
+    /// Joint of the rack, fixed or sliding.
+    pub rack: Option<JointId>,
+    /// Two points of the steering axis of each wheel, m, in the frames of their links; empty without such points.
+    steering_points: Vec<[(LinkId, Vector3<f64>); 2]>,
+}
+
+impl SuspensionParts {
+    /// Finds the parts in the mechanism of the pose as drawn. `origin`: summary of the file of the suspension.
+    ///
+    /// # Errors
+    /// [`MissingWheel`]: no link of a wheel centre, or no joint of its spin.
+    pub fn new(drawn: Pose, origin: &Understood) -> Result<Self, MissingWheel> {
+        let mechanism = &**drawn.mechanism();
+        let rack = mechanism.find_joint(RACK).ok();
+        let wheels = wheels(mechanism, &drawn)?;
+        let mut steering_points = Vec::new();
+        for wheel in &wheels {
+            let point = |(link, at): &(String, [f64; 3])| {
+                let name = format!("{link}{}", wheel.side);
+                let link = mechanism.find_link(&name).or_else(|_| mechanism.find_link(link)).ok()?;
+                let at = Vector3::new(at[0], wheel.sign * at[1], at[2]);
+                Some((link, drawn.link(link).inverse_point(&at)))
+            };
+            let points: Vec<_> = origin.steering_axis.iter().filter_map(point).collect();
+            steering_points.extend(<[_; 2]>::try_from(points).ok());
+        }
+        let elements = force_elements(mechanism, &drawn, &wheels, &origin.forces);
+        let has_spring = elements.iter().any(ForceElement::is_spring);
+        let missing_rate = match (has_spring, origin.forces.springs.is_empty()) {
+            (true, _) => "spring.rate is missing in the sheet",
+            (false, true) => {
+                "the points of the spring (spring_seat, spring_chassis_seat) and spring.rate are missing in the sheet"
+            }
+            (false, false) => {
+                "the sheet has spring.rate, and the points of the spring are missing: spring_seat, spring_chassis_seat (of a coil-over: \
+                 those of the damper)"
+            }
+        };
+        Ok(Self {
+            wheels,
+            solid_axle: origin.axle,
+            elements,
+            missing_masses: origin.missing_masses.clone(),
+            missing_rate,
+            rack,
+            steering_points,
+            drawn,
+        })
+    }
+
+    /// Motion of the linkage with a rate of each wheel centre upward; wheels do not spin relative to their carriers, and
+    /// the rack stays.
+    pub(super) fn wheel_motion<'l>(
+        &self,
+        linkage: &'l Linkage,
+        pose: &Pose,
+        rates: &[f64],
+    ) -> Result<LinkageMotion<'l>, MotionError> {
+        let mut conditions = self.held_joints(linkage, pose, 0.0);
+        for (wheel, rate) in self.wheels.iter().zip(rates) {
+            let centre = pose.link(wheel.centre).translation;
+            conditions.push((linkage.point_row(wheel.on_wheel(centre), Vector3::z()), *rate));
+        }
+        linkage.solve(&conditions)
+    }
+
+    /// Conditions of the bearings of the wheels and of the rack.
+    fn held_joints(&self, linkage: &Linkage, pose: &Pose, rack_rate: f64) -> Vec<(MotionRow, f64)> {
+        let mechanism = &**self.drawn.mechanism();
+        let mut conditions = Vec::new();
+        for wheel in &self.wheels {
+            let axis = pose.link(wheel.spindle).vector(mechanism.joint(wheel.spin).axis());
+            conditions.push((linkage.turn_row(wheel.carrier, wheel.spindle, axis), 0.0));
+        }
+        if let Some(rack) = self.rack {
+            let link = mechanism.joint(rack).child();
+            let row = linkage.point_row((Some(link), pose.link(link).translation), Vector3::y());
+            conditions.push((row, rack_rate));
+        }
+        conditions
+    }
+
+    /// Steering axis of a wheel: the line through two ball joints, or the instantaneous axis of the wheel carrier while the
+    /// rack moves and the spring (or else the damper) keeps its length.
+    pub(super) fn steering_axis(
+        &self,
+        linkage: &Linkage,
+        pose: &Pose,
+        wheel: usize,
+    ) -> Result<SteeringAxis, String> {
+        let horizontal = || "no steering axis: the axis is horizontal".to_owned();
+        if let Some(points) = self.steering_points.get(wheel) {
+            let [first, second] = points.map(|(link, at)| pose.link(link).point(&at));
+            return SteeringAxis::through(first, second).ok_or_else(horizontal);
+        }
+        if self.rack.is_none() {
+            return Err("no steering axis: the template has no tie rod".to_owned());
+        }
+        let mut conditions = self.held_joints(linkage, pose, 1.0);
+        for parts in &self.wheels {
+            let of_side = || self.elements.iter().filter(|e| e.side == parts.side && e.is_line());
+            let held = of_side().find(|e| e.name == "spring").or_else(|| of_side().next());
+            let Some(held) = held else {
+                return Err(
+                    "no steering axis: a spring or a damper that keeps its length is required".to_owned()
+                );
+            };
+            let [first, second] = held.ends(pose);
+            conditions.push((linkage.distance_row(first, second), 0.0));
+        }
+        let motion = linkage.solve(&conditions).map_err(|error| format!("no steering axis: {error}"))?;
+        let parts = &self.wheels[wheel];
+        let centre = pose.link(parts.centre).translation;
+        let (omega, v) = (motion.angular_velocity(parts.spindle), motion.velocity(parts.on_wheel(centre)));
+        let point = centre + omega.cross(&v) / omega.norm_squared();
+        SteeringAxis::along(point, omega).ok_or_else(horizontal)
+    }
+}
+
+/// Wheels of a mechanism.
+fn wheels(mechanism: &Mechanism, drawn: &Pose) -> Result<Vec<WheelParts>, MissingWheel> {
+    let mut wheels = Vec::new();
+    for side in [""].into_iter().chain(SIDES) {
+        let Ok(centre) = mechanism.find_link(&format!("wheel_centre{side}")) else { continue };
+        let missing = |missing: String| MissingWheel { missing };
+        let name = format!("spin{side}");
+        let spin = mechanism.find_joint(&name).map_err(|_| missing(format!("joint \"{name}\"")))?;
+        let (spindle, carrier) = (mechanism.joint(spin).child(), mechanism.joint(spin).parent());
+        let at = drawn.link(centre).translation;
+        let patch = mechanism.find_link(&format!("contact_patch{side}")).ok();
+        let radius = patch.map(|patch| (drawn.link(patch).translation - at).norm());
+        let sign = if at.y < 0.0 { -1.0 } else { 1.0 };
+        wheels.push(WheelParts { side, sign, offset: at.y.abs(), centre, spindle, carrier, spin, radius });
+    }
+    if wheels.is_empty() {
+        return Err(MissingWheel { missing: "link \"wheel_centre\"".to_owned() });
+    }
+    Ok(wheels)
+}
