@@ -60,8 +60,8 @@ impl Units {
         let speed = positive(LawParameter::Speed, speed)?;
         // √(m̄/k) v first: intermediate squares cannot overflow.
         let root = contact.mass().sqrt() / contact.stiffness().sqrt() * speed;
-        let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
-        let length = representable("penetration, m", scale.powf(2.0 / (p + 1.0)))?;
+        let scale = (0.5 * (p + 1.0)).sqrt() * representable("compression, m", root)?;
+        let length = representable("compression, m", scale.powf(2.0 / (p + 1.0)))?;
         let time = representable("duration, s", length / speed)?;
         // k Xᵖ = (p+1)/2 m̄ v²/X.
         let force = representable("force, N", 0.5 * (p + 1.0) * contact.mass() * (speed / time))?;
@@ -98,7 +98,7 @@ pub(crate) fn impact(
     Ok(Impact {
         restitution: if trajectory.ends() { representable("restitution", restitution)? } else { restitution },
         duration: duration.map(time).transpose()?,
-        max_penetration: representable("penetration, m", trajectory.max_penetration() * units.length)?,
+        max_penetration: representable("compression, m", trajectory.max_penetration() * units.length)?,
         time_of_max_penetration: time(compression)?,
         peak_force: representable("force, N", peak * units.force)?,
         time_of_peak_force: if to_peak == 0.0 { 0.0 } else { time(to_peak)? },

@@ -4,7 +4,7 @@ use crate::args::{GenerateArgs, LanguageName};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{write_diagnostics, write_text};
 use crate::terminal::text::shell_quoted;
 use crate::terminal::wrap::fact_line;
 use percuss_study::generated::Generated;
@@ -38,7 +38,7 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     for file in &generated.files {
         write_file(&path(&file.name), file.text.as_bytes())?;
     }
-    write_out(&summary(args, &name, &generated, &path))
+    write_text(&summary(args, &name, &generated, &path))
 }
 
 /// Files, size of the function, and the command of the self-test.
