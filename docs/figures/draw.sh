@@ -5,16 +5,17 @@ cd "$(dirname "$0")/../.."
 percuss=${1:-target/debug/percuss}
 figures=docs/figures
 stop="--at bump_stop"
-# A report holds the drawing of the mechanism as an SVG in base64.
+# The second picture of a report is the drawing of the mechanism in its views; the first is that of the first page.
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 drawing() { # STUDY FIGURE
   "$percuss" run "$1" --report "$work/report.html" --allow-outside > "$work/printed"
   python3 - "$work/report.html" "$2" <<'PYTHON'
-import base64, re, sys
+import re, sys
 page = open(sys.argv[1], encoding="utf-8").read()
-picture = re.search(r"data:image/svg\+xml;base64,([A-Za-z0-9+/=]+)", page)[1]
-open(sys.argv[2], "wb").write(base64.b64decode(picture))
+picture = re.findall(r"<svg .*?</svg>", page, re.S)[1]
+picture = picture.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
+open(sys.argv[2], "w", encoding="utf-8").write(picture + "\n")
 PYTHON
 }
 

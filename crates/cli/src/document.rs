@@ -1,10 +1,12 @@
 //! Contents of the reports: facts, tables, bars, pictures and notes, once for the terminal and for a page.
 
 use crate::files::html::Page;
+use crate::terminal::console::{bold, dim};
 use crate::terminal::escape::{line, lines};
-use crate::terminal::report::{write_json, write_out};
-use crate::terminal::text::{Table, bars};
-use crate::terminal::wrap::{fact_lines, wrap_hanging, wrap_lines};
+use crate::terminal::number::true_minus;
+use crate::terminal::report::{write_json, write_text};
+use crate::terminal::text::Table;
+use crate::terminal::wrap::{fact_lines, width, wrap_hanging, wrap_lines};
 use crate::{args::CheckFormat, terminal::failure::Failure};
 use std::borrow::Cow;
 
@@ -17,10 +19,10 @@ enum Block<'a> {
     Section(&'static str),
     /// Title of the next parts.
     Heading(String),
+    /// Main results, each with its meaning.
+    Results(Vec<(String, String)>),
     Facts(Vec<Fact>),
     Table(Table),
-    /// Links with their shares of the kinetic energy.
-    Shares(Vec<(String, f64)>),
     /// Picture for a page, and its content for readers without it.
     Picture {
         svg: Box<dyn Fn() -> String + 'a>,
@@ -30,6 +32,8 @@ enum Block<'a> {
     },
     /// Explanation of the part before it.
     Note(String),
+    /// Remark about the whole result.
+    Remark(String),
     /// Text of its own.
     Paragraph(String),
     /// Reason for a missing result.
@@ -53,6 +57,11 @@ impl<'a> Document<'a> {
         self.blocks.push(Block::Heading(title.into()));
     }
 
+    /// Adds the main results: value, and its meaning; further lines of a meaning are below it.
+    pub fn results(&mut self, results: impl IntoIterator<Item = (String, String)>) {
+        self.blocks.push(Block::Results(results.into_iter().collect()));
+    }
+
     /// Adds names with values; nothing for an empty list.
     pub fn facts<N: Into<Cow<'static, str>>>(&mut self, facts: impl IntoIterator<Item = (N, String)>) {
         let facts: Vec<Fact> = facts.into_iter().map(|(name, value)| (name.into(), value)).collect();
@@ -66,11 +75,6 @@ impl<'a> Document<'a> {
         if !table.is_empty() {
             self.blocks.push(Block::Table(table));
         }
-    }
-
-    /// Adds bars of the shares of links in the kinetic energy.
-    pub fn shares(&mut self, shares: Vec<(String, f64)>) {
-        self.blocks.push(Block::Shares(shares));
     }
 
     /// Adds a picture, which only a page shows.
@@ -98,6 +102,14 @@ impl<'a> Document<'a> {
         }
     }
 
+    /// Adds a remark about the whole result; nothing for an empty text.
+    pub fn remark(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        if !text.is_empty() {
+            self.blocks.push(Block::Remark(text));
+        }
+    }
+
     pub fn paragraph(&mut self, text: impl Into<String>) {
         self.blocks.push(Block::Paragraph(text.into()));
     }
@@ -112,7 +124,7 @@ impl<'a> Document<'a> {
         self.blocks.push(Block::Code(title.into(), text.into()));
     }
 
-    /// Text for a terminal. An empty line separates the parts; headings and notes belong to the part beside them.
+    /// Text for a terminal, with true minus signs except in text to copy. An empty line separates the parts; headings and notes belong to the part beside them.
     pub fn text(&self) -> String {
         let mut out = String::new();
         let mut joins = true;
@@ -122,16 +134,19 @@ impl<'a> Document<'a> {
             }
             joins = matches!(block, Block::Heading(_) | Block::Section(_));
             match block {
-                Block::Section(title) => out += &format!("{title}\n"),
-                Block::Heading(title) => out += &format!("{}\n", line(title)),
-                Block::Facts(facts) => out += &fact_lines(facts),
+                Block::Section(title) => out += &format!("{}\n", bold(title)),
+                Block::Heading(title) => out += &format!("{}\n", bold(&line(title))),
+                Block::Results(results) => out += &result_lines(results),
+                Block::Facts(facts) => out += &true_minus(&fact_lines(facts)),
                 Block::Table(table) => out += &table.to_string(),
-                Block::Shares(shares) => out += &bars(shares),
-                Block::Note(text) | Block::Paragraph(text) => out += &(wrap_lines(&lines(text)) + "\n"),
-                Block::Problem(text) => out += &(wrap_hanging(&line(text), 2) + "\n"),
+                Block::Note(text) | Block::Remark(text) => {
+                    out += &(dim(&wrap_lines(&lines(&true_minus(text)))) + "\n")
+                }
+                Block::Paragraph(text) => out += &(wrap_lines(&lines(&true_minus(text))) + "\n"),
+                Block::Problem(text) => out += &(wrap_hanging(&line(&true_minus(text)), 2) + "\n"),
                 Block::Code(title, text) => {
-                    out += &format!("  {title}:\n");
-                    text.lines().for_each(|text| out += &format!("    {text}\n"));
+                    out += &format!("  {}:\n", line(title));
+                    lines(text).lines().for_each(|text| out += &format!("    {text}\n"));
                 }
                 Block::Picture { .. } => {}
             }
@@ -148,8 +163,10 @@ impl<'a> Document<'a> {
                 Block::Facts(facts) => {
                     page.facts(facts.iter().map(|(name, value)| (name.trim_start(), value.clone())));
                 }
-                Block::Table(table) => page.table(table.rows()),
-                Block::Shares(shares) => page.table_of_shares(shares),
+                Block::Results(results) => {
+                    page.facts(results.iter().map(|(value, meaning)| (meaning.as_str(), value.clone())));
+                }
+                Block::Table(table) => page.table_with_bars(table),
                 Block::Picture { svg, content, caption, is_large: false } => {
                     page.picture(&svg(), content, caption)
                 }
@@ -157,7 +174,9 @@ impl<'a> Document<'a> {
                     page.large_picture(&svg(), content);
                     page.paragraph("soft", caption);
                 }
-                Block::Note(text) | Block::Paragraph(text) => page.paragraph("soft", text),
+                Block::Note(text) | Block::Remark(text) | Block::Paragraph(text) => {
+                    page.paragraph("soft", text)
+                }
                 Block::Problem(text) => page.warning(text),
                 Block::Code(title, text) => {
                     page.paragraph("soft intro", &format!("{title}:"));
@@ -176,6 +195,25 @@ pub fn print<'d, R: serde::Serialize>(
 ) -> Result<(), Failure> {
     match format {
         CheckFormat::Json => write_json(report),
-        CheckFormat::Text => write_out(&document().text()),
+        CheckFormat::Text => write_text(&document().text()),
     }
+}
+
+/// Values in bold in a column, and their meanings beside them.
+fn result_lines(results: &[(String, String)]) -> String {
+    let widest = results.iter().map(|(value, _)| width(value)).max().unwrap_or(0);
+    let mut out = String::new();
+    for (value, meaning) in results {
+        for (i, text) in lines(&true_minus(meaning)).split('\n').enumerate() {
+            let value = if i == 0 { line(value) } else { Cow::Borrowed("") };
+            let text = wrap_hanging(&format!("{value:<widest$}  {text}"), widest + 2);
+            // The style begins after the width is known.
+            out += &match text.strip_prefix(&*value).filter(|_| !value.is_empty()) {
+                Some(rest) => bold(&value) + rest,
+                None => text,
+            };
+            out.push('\n');
+        }
+    }
+    out
 }

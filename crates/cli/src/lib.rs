@@ -20,7 +20,7 @@ use files::output::begin_run;
 use std::ffi::OsString;
 use std::io::Write;
 use terminal::failure::Failure;
-use terminal::{console, escape, report, wrap};
+use terminal::{console, escape, number, report, wrap};
 
 /// Exit code and output of a command.
 #[derive(Clone, Debug)]
@@ -43,6 +43,7 @@ pub fn run_captured(arguments: impl IntoIterator<Item = OsString>) -> CapturedRu
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     begin_run();
+    console::begin_run();
     // Captured help has the same width on every terminal.
     let definition =
         if console::is_captured() { Cli::definition().term_width(wrap::WIDTH) } else { Cli::definition() };
@@ -63,6 +64,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Err(error) => return report_usage(&error.format(&mut Cli::definition()), &arguments),
     };
     report::show_notes(cli.notes);
+    report::show_details(cli.details);
+    number::use_digits(cli.digits);
     let outcome = match &cli.command {
         Command::Check(args) => commands::check::run(args),
         Command::Mass(args) => commands::mass::run(args),

@@ -234,7 +234,7 @@ impl Damper {
                 let number = not_negative("dissipation, s/m", dissipation)? * speed;
                 if number > limits::MAX_DISSIPATION_NUMBER {
                     return Err(ContactLawError::NotRepresentable {
-                        what: "dissipation times approach speed",
+                        what: "dissipation times closing speed",
                     });
                 }
                 Ok(match contact.stiffness() {

@@ -59,7 +59,7 @@ impl LawParameter {
             Self::Stiffness => ("stiffness", "stiffness, N/m^p"),
             Self::Curve => ("stiffness_curve", "force curve"),
             Self::Exponent => ("exponent", "exponent of the spring"),
-            Self::Speed => ("speed", "approach speed, m/s"),
+            Self::Speed => ("speed", "closing speed, m/s"),
             Self::Mass => ("mass", "effective mass, kg"),
             Self::OwnMass => ("own_mass", "mass of the contact link alone, kg"),
             Self::OtherOwnMass => ("other_own_mass", "mass of the other body alone, kg"),
@@ -125,7 +125,7 @@ pub enum ContactLawError {
         remedy: &'static str,
     },
     /// Missing approach speed: the damping of the law depends on the speed.
-    #[error("{law}: the damping depends on the approach speed: give the speed, in m/s")]
+    #[error("{law}: the damping depends on the closing speed: give the speed, in m/s")]
     SpeedNeeded {
         /// Name of the law.
         law: &'static str,

@@ -95,7 +95,7 @@ pub(crate) fn impact(
     Ok(Impact {
         restitution: if trajectory.ends() { representable("restitution", restitution)? } else { restitution },
         duration: duration.map(time).transpose()?,
-        max_penetration: representable("penetration, m", trajectory.max_penetration() * units.length)?,
+        max_penetration: representable("compression, m", trajectory.max_penetration() * units.length)?,
         time_of_max_penetration: time(compression)?,
         peak_force: representable("force, N", peak * units.force)?,
         time_of_peak_force: if to_peak == 0.0 { 0.0 } else { time(to_peak)? },

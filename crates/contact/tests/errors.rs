@@ -94,23 +94,23 @@ fn speeds() {
     for law in Law::ALL.into_iter().filter(|law| law.needs_speed()) {
         let error = law.damper(contact(), 0.5, None, Separation::default()).unwrap_err();
         assert_eq!(error, ContactLawError::SpeedNeeded { law: law.name() });
-        let expected = "the damping depends on the approach speed: give the speed, in m/s";
+        let expected = "the damping depends on the closing speed: give the speed, in m/s";
         assert_eq!(error.to_string(), format!("{}: {expected}", law.name()));
     }
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0]) {
         assert_out_of_range(
             Law::HuntCrossley.damper(contact(), 0.5, Some(bad), Separation::default()),
-            "approach speed, m/s",
+            "closing speed, m/s",
             bad,
         );
         for damper in [
             Damper::hunt_crossley(0.1).unwrap(),
             Damper::kelvin_voigt(contact(), 0.1, Separation::default()).unwrap(),
         ] {
-            assert_out_of_range(damper.impact(contact(), bad), "approach speed, m/s", bad);
-            assert_out_of_range(damper.restitution(contact(), bad), "approach speed, m/s", bad);
-            assert_out_of_range(damper.restitution_loss(contact(), bad), "approach speed, m/s", bad);
-            assert_out_of_range(damper.history(contact(), bad, 10), "approach speed, m/s", bad);
+            assert_out_of_range(damper.impact(contact(), bad), "closing speed, m/s", bad);
+            assert_out_of_range(damper.restitution(contact(), bad), "closing speed, m/s", bad);
+            assert_out_of_range(damper.restitution_loss(contact(), bad), "closing speed, m/s", bad);
+            assert_out_of_range(damper.history(contact(), bad, 10), "closing speed, m/s", bad);
         }
     }
 }
@@ -171,10 +171,10 @@ fn overflow_is_an_error() {
     not_representable(damper.impact(contact(), 1e200).map(|_| ()), "energy lost, J");
     not_representable(
         damper.impact(CompliantContact::new(1e300, 1e-300).unwrap(), 1e200).map(|_| ()),
-        "penetration, m",
+        "compression, m",
     );
     let stiff = Damper::hunt_crossley(1e200).unwrap();
-    not_representable(stiff.impact(contact(), 1e150).map(|_| ()), "dissipation times approach speed");
+    not_representable(stiff.impact(contact(), 1e150).map(|_| ()), "dissipation times closing speed");
 }
 
 #[test]

@@ -35,9 +35,11 @@ mod svg;
 mod text;
 
 pub use backend::{MADE_BY, RenderError};
-pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, DrawnSymbol, SymbolKind};
+pub use drawing::{
+    Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, DrawnName, DrawnSymbol, SymbolKind, Views,
+};
 pub use figure::sheet::Sheet;
 pub use figure::tornado::{Tornado, TornadoBar};
-pub use figure::{Figure, Mark, Panel, Series, Style};
+pub use figure::{Figure, LabelledPoint, Mark, Panel, Series, Style};
 pub use picture::Picture;
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

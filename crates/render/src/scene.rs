@@ -3,8 +3,7 @@
 //! x points to the right and y downwards, from the upper left corner.
 
 use crate::font::Font;
-use crate::palette::{Colour, PAPER};
-use crate::text::width;
+use crate::palette::Colour;
 
 /// Position on the page.
 pub(crate) type Point = (f64, f64);
@@ -56,6 +55,8 @@ pub(crate) struct Text {
     pub anchor: Anchor,
     pub font: Font,
     pub colour: Colour,
+    /// True for an edge of paper colour about the glyphs, so that lines below stay apart.
+    pub has_halo: bool,
 }
 
 /// Alignment of a text relative to its position.
@@ -86,18 +87,24 @@ impl Scene {
         self.items.push(Item::Hover { at, radius, title });
     }
 
-    /// Adds a centred text on a patch of paper colour, so that lines below do not cross it.
-    pub(crate) fn text_on_paper(&mut self, content: String, at: Point, font: Font, colour: Colour) {
-        let half = 0.5 * width(&content, font) + 3.0;
-        let (top, bottom) = (at.1 - 0.85 * font.size, at.1 + 0.3 * font.size);
-        self.items.push(Item::Patch { from: (at.0 - half, top), to: (at.0 + half, bottom), colour: PAPER });
-        self.text(content, at, Anchor::Middle, font, colour);
+    /// Adds a text whose glyphs have an edge of paper colour, unless it is empty.
+    pub(crate) fn text_with_halo(
+        &mut self,
+        content: String,
+        at: Point,
+        anchor: Anchor,
+        font: Font,
+        colour: Colour,
+    ) {
+        if !content.is_empty() {
+            self.items.push(Item::Text(Text { content, at, anchor, font, colour, has_halo: true }));
+        }
     }
 
     /// Adds a text, unless it is empty.
     pub(crate) fn text(&mut self, content: String, at: Point, anchor: Anchor, font: Font, colour: Colour) {
         if !content.is_empty() {
-            self.items.push(Item::Text(Text { content, at, anchor, font, colour }));
+            self.items.push(Item::Text(Text { content, at, anchor, font, colour, has_halo: false }));
         }
     }
 }

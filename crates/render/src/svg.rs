@@ -40,7 +40,9 @@ fn write_head(scene: &Scene, out: &mut String) -> Result {
         out,
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" role="img" font-family="{FAMILY}">"#
     )?;
-    writeln!(out, "<title>{}</title>", Escaped(&scene.caption))?;
+    if !scene.caption.is_empty() {
+        writeln!(out, "<title>{}</title>", Escaped(&scene.caption))?;
+    }
     writeln!(out, "<metadata>{MADE_BY}</metadata>")
 }
 
@@ -119,6 +121,9 @@ fn write_text(text: &Text, out: &mut String) -> Result {
     write!(out, r#" font-size="{}" fill="{}""#, Number(text.font.size), text.colour)?;
     if text.font.weight == crate::font::Weight::Medium {
         write!(out, r#" font-weight="500""#)?;
+    }
+    if text.has_halo {
+        write!(out, r#" stroke="{PAPER}" stroke-width="3" stroke-linejoin="round" paint-order="stroke""#)?;
     }
     match text.anchor {
         Anchor::Start => {}

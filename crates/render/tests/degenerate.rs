@@ -143,6 +143,12 @@ fn random_figure(random: &mut StdRng) -> Figure {
         y_limits: limits(random),
         y_label: random_words(random),
         series: (0..random.random_range(0..5)).map(|_| series(random)).collect(),
+        values: vec![percuss_render::LabelledPoint {
+            x: random_number(random),
+            y: random_number(random),
+            spread: Some(random_number(random)),
+            label: "v".into(),
+        }],
     };
     let mark = |random: &mut StdRng| Mark { x: random_number(random), label: random_words(random) };
     Figure {
@@ -152,6 +158,7 @@ fn random_figure(random: &mut StdRng) -> Figure {
         x_label: random_words(random),
         panels: (0..random.random_range(0..4)).map(|_| panel(random)).collect(),
         marks: (0..random.random_range(0..6)).map(|_| mark(random)).collect(),
+        is_half: random.random(),
     }
 }
 

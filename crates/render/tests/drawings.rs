@@ -1,20 +1,26 @@
 //! Drawings in two views: positions of the items, and random or invalid input.
 
 use percuss_render::{
-    Drawing, DrawnArrow, DrawnCircle, DrawnLine, DrawnSymbol, Picture, SkinMark, SymbolKind, Tornado,
-    TornadoBar,
+    Drawing, DrawnArrow, DrawnCircle, DrawnLine, DrawnName, DrawnSymbol, Picture, SkinMark, SymbolKind,
+    Tornado, TornadoBar, Views,
 };
 use roxmltree::Document;
 
 fn corner() -> Drawing {
     Drawing {
         title: "Corner <left>".into(),
-        shading: "share".into(),
+        shading: Some(("share".into(), 55.7)),
         lines: vec![
             DrawnLine { ends: [[0.0, 0.3, 0.2], [0.0, 0.7, 0.2]], intensity: Some(0.9) },
             DrawnLine { ends: [[-0.2, 0.3, 0.2], [0.2, 0.3, 0.2]], intensity: None },
         ],
-        circles: vec![DrawnCircle { centre: [0.0, 0.75, 0.3], axis: [0.0, 1.0, 0.0], radius: 0.3 }],
+        circles: vec![DrawnCircle {
+            centre: [0.0, 0.75, 0.3],
+            axis: [0.0, 1.0, 0.0],
+            radius: 0.3,
+            width: 0.0,
+            intensity: None,
+        }],
         arrows: vec![DrawnArrow { from: [0.0, 0.5, 0.2], vector: [0.0, 0.0, 1.0], label: "n".into() }],
         marks: vec![SkinMark { at: [0.0, 0.5, 0.2], label: "contact".into() }],
         ..Drawing::default()
@@ -50,41 +56,57 @@ fn both_views_show_it_at_one_scale() {
     assert!(corner().to_png(1.0).is_ok() && corner().to_pdf().is_ok());
 }
 
-/// Loads have lengths in proportion to their magnitudes, also those with a label, and point along their vectors.
+/// Straight lines of a picture, in the order of drawing, as ends on the page.
+fn strokes(drawing: &Drawing) -> Vec<[(f64, f64); 2]> {
+    let svg = drawing.to_svg();
+    let document = Document::parse(&svg).expect("well-formed");
+    let paths = document.descendants().filter_map(|n| n.attribute("d"));
+    let ends = paths.filter_map(|d| {
+        let numbers = d.split(['M', 'L']).filter_map(|p| p.split_once(' '));
+        let points: Vec<(f64, f64)> =
+            numbers.filter_map(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?))).collect();
+        <[(f64, f64); 2]>::try_from(points).ok()
+    });
+    ends.collect()
+}
+
+/// Loads have lengths in proportion to their magnitudes, also those with a label, point along their vectors, and stay on the page.
 #[test]
-fn loads_are_in_proportion() {
+fn loads_are_in_proportion_and_inside_the_page() {
     let load =
         |vector: [f64; 3], label: &str| DrawnArrow { from: [0.0, 0.5, 0.2], vector, label: label.into() };
-    let plain = Drawing { arrows: Vec::new(), ..corner() };
-    let loaded =
-        Drawing { loads: vec![load([0.0, 0.0, 40.0], ""), load([0.0, 30.0, 0.0], "p")], ..plain.clone() };
-    // Lines of two points that the loads add, as (dx, dy) on the page.
-    let strokes = |drawing: &Drawing| -> Vec<[f64; 2]> {
-        let svg = drawing.to_svg();
-        let document = Document::parse(&svg).expect("well-formed");
-        let paths = document.descendants().filter_map(|n| n.attribute("d"));
-        let ends = paths.filter_map(|d| {
-            let numbers = d.split(['M', 'L']).filter_map(|p| p.split_once(' '));
-            let points: Vec<(f64, f64)> =
-                numbers.filter_map(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?))).collect();
-            match points[..] {
-                [a, b] => Some([b.0 - a.0, b.1 - a.1]),
-                _ => None,
-            }
-        });
-        ends.collect()
+    let plain = Drawing { arrows: Vec::new(), marks: Vec::new(), shading: None, ..corner() };
+    let loads = vec![load([0.0, 0.0, 40.0], ""), load([0.0, 30.0, 0.0], "p")];
+    let loaded = Drawing { loads, ..plain };
+    let all = strokes(&loaded);
+    let vertical = |[a, b]: &[(f64, f64); 2]| (a.0 - b.0).abs() < 0.02 && b.1 - a.1 < -70.0;
+    let horizontal = |[a, b]: &[(f64, f64); 2]| (a.1 - b.1).abs() < 0.02 && (b.0 - a.0 - 60.0).abs() < 0.1;
+    // From the front up and to the right; from the left, the second load points at the reader.
+    let up: Vec<_> = all.iter().filter(|line| vertical(line)).collect();
+    assert_eq!((up.len(), all.iter().filter(|line| horizontal(line)).count()), (2, 1), "{all:?}");
+    assert!(up.iter().all(|[a, b]| (a.1 - b.1 - 80.0).abs() < 0.1), "{up:?}");
+    // A load at the upper end of the drawing widens the view.
+    let high = DrawnArrow { from: [0.0, 0.5, 0.6], vector: [0.0, 0.0, 1.0], label: "p".into() };
+    let drawn = strokes(&Drawing { loads: vec![high], ..loaded });
+    assert!(drawn.iter().flatten().all(|(x, y)| (0.0..=900.0).contains(x) && *y > 16.0), "{drawn:?}");
+}
+
+/// A planar drawing has one view, and the view beside text is that with the largest area.
+#[test]
+fn views_that_are_lines_are_left_out() {
+    let line = |ends| DrawnLine { ends, intensity: Some(1.0) };
+    let planar = Drawing {
+        lines: vec![line([[0.0; 3], [0.4, 0.0, 0.3]]), line([[0.4, 0.0, 0.3], [0.6, 0.0, 0.0]])],
+        views: Views::Three,
+        ..Drawing::default()
     };
-    let without = strokes(&plain);
-    let mut added = strokes(&loaded);
-    without.iter().for_each(|old| {
-        let at = added.iter().position(|new| new == old).expect("the lines of the drawing without loads");
-        added.remove(at);
-    });
-    // From the front: up and to the right. From the left, the second load points at the reader.
-    let [up, right, up_again, towards] = added[..] else { panic!("{added:?}") };
-    assert!(up[0].abs() < 0.02 && up[1] < 0.0 && right[1].abs() < 0.02 && right[0] > 0.0, "{added:?}");
-    assert!((right[0] / -up[1] - 0.75).abs() < 1e-3, "{added:?}");
-    assert!((up_again[1] - up[1]).abs() < 0.02 && towards[0].hypot(towards[1]) < 0.02, "{added:?}");
+    let titles = |drawing: &Drawing| {
+        texts(&drawing.to_svg()).into_iter().filter(|t| t.starts_with("from ")).collect::<Vec<_>>()
+    };
+    assert_eq!(titles(&planar), ["from the left (x to the left, z up)"]);
+    let half = Drawing { views: Views::Best, ..corner() };
+    assert_eq!(titles(&half).len(), 1);
+    assert!(half.to_svg().contains("width=\"360\""));
 }
 
 /// Texts of a picture.
@@ -95,50 +117,55 @@ fn texts(svg: &str) -> Vec<String> {
 }
 
 #[test]
-fn three_views_have_numbers_and_a_key() {
-    let names = ["ball <lower>", "hinge", "spring (spring)"];
-    let at = [[0.0, 0.7, 0.2], [0.0, 0.3, 0.2], [0.0, 0.7, 0.2]];
-    let points = names.iter().zip(at).map(|(name, at)| SkinMark { at, label: (*name).into() }).collect();
+fn three_views_have_names_beside_their_parts() {
+    let names = ["ball <lower>", "arm 56 %", "spring"];
+    let at = [[0.0, 0.7, 0.2], [0.0, 0.4, 0.2], [0.1, 0.6, 0.5]];
+    let named = names.iter().zip(at).map(|(name, at)| DrawnName {
+        text: (*name).into(),
+        points: vec![at],
+        intensity: Some(0.5),
+    });
+    let points =
+        vec![SkinMark { at: at[0], label: "ball".into() }, SkinMark { at: at[0], label: "pin".into() }];
     let kinds = [SymbolKind::Spring, SymbolKind::Damper, SymbolKind::Stop, SymbolKind::Ground];
     let symbols = kinds.map(|kind| DrawnSymbol {
         kind,
         ends: [[0.0, 0.5, 0.2], [0.0, 0.45, 0.6]],
         normal: [0.0, 0.0, 1.0],
     });
-    let plain = Drawing { has_top_view: true, points, ..corner() };
+    let plain = Drawing { views: Views::Three, points, names: named.collect(), ..corner() };
     let svg = plain.to_svg();
     let shown = texts(&svg);
-    let count = |text: &str| shown.iter().filter(|shown| *shown == text).count();
-    for (i, name) in names.iter().enumerate() {
-        // In each view and in the key; from the left, the second point is behind the others.
-        assert_eq!(count(&(i + 1).to_string()), if i == 1 { 3 } else { 4 }, "{shown:?}");
-        assert_eq!(count(name), 1, "{shown:?}");
+    for name in names {
+        assert_eq!(shown.iter().filter(|text| *text == name).count(), 3, "{name} in {shown:?}");
     }
-    assert!(shown.iter().any(|text| text.starts_with("from above")), "{shown:?}");
-    // Numbers of different points do not overlap, though two points coincide.
+    // The scale of the shading has its largest value.
+    assert!(
+        shown.iter().any(|text| text == "56 %") && shown.iter().any(|text| text == "share: 0"),
+        "{shown:?}"
+    );
+    // Names do not overlap.
     let document = Document::parse(&svg).expect("well-formed");
     let place = |node: roxmltree::Node| {
         let number = |name: &str| node.attribute(name).and_then(|x| x.parse::<f64>().ok()).expect("a number");
         (number("x"), number("y"))
     };
-    let numbers = document.descendants().filter(|n| n.has_tag_name("text"));
-    let numbers: Vec<(f64, f64)> =
-        numbers.filter(|n| ["1", "2", "3"].contains(&n.text().unwrap_or(""))).map(place).collect();
-    for (i, a) in numbers.iter().enumerate() {
-        assert!(numbers[..i].iter().all(|b| (a.0 - b.0).hypot(a.1 - b.1) > 8.0), "{numbers:?}");
-    }
-    // The name is shown under the pointer, at the dot and at the number of each view; coincident points share the dot.
-    let titles: Vec<&str> = document
+    let places: Vec<(f64, f64)> = document
         .descendants()
-        .filter(|n| n.has_tag_name("circle"))
-        .filter_map(|n| n.first_element_child()?.text())
+        .filter(|n| n.has_tag_name("text") && names.contains(&n.text().unwrap_or("")))
+        .map(place)
         .collect();
-    // From the left, all three points coincide; from the front and from above, the first and the third.
-    for (title, count) in [("1 ball <lower>", 9), ("2 hinge", 6), ("3 spring (spring)", 9)] {
-        let shown = titles.iter().filter(|shown| shown.lines().any(|line| line == title)).count();
-        assert_eq!(shown, count, "{title}");
+    for (i, a) in places.iter().enumerate() {
+        let is_apart = |b: &(f64, f64)| (a.0 - b.0).abs() > 40.0 || (a.1 - b.1).abs() > 12.0;
+        assert!(places[..i].iter().all(is_apart), "{places:?}");
     }
+    // Coincident points share the names under the pointer.
+    let titles = document.descendants().filter(|n| n.has_tag_name("circle"));
+    let titles: Vec<&str> = titles.filter_map(|n| n.first_element_child()?.text()).collect();
+    assert!(titles.len() == 6 && titles.iter().all(|title| *title == "ball\npin"), "{titles:?}");
     // Every symbol adds lines in the three views.
+    let plain = Drawing { names: Vec::new(), ..plain };
+    let svg = plain.to_svg();
     for symbol in symbols {
         let with = Drawing { symbols: vec![symbol], ..plain.clone() }.to_svg();
         assert!(with.matches("<path").count() >= svg.matches("<path").count() + 2, "{:?}", symbol.kind);
@@ -175,8 +202,14 @@ fn random_drawings_are_valid_pictures() {
         for b in odd {
             let mut drawing = corner();
             drawing.lines.push(DrawnLine { ends: [[a, b, 0.0], [b, a, 1.0]], intensity: Some(a) });
-            drawing.circles.push(DrawnCircle { centre: [a, 0.0, b], axis: [b, a, 0.0], radius: b });
-            drawing.has_top_view = true;
+            drawing.circles.push(DrawnCircle {
+                centre: [a, 0.0, b],
+                axis: [b, a, 0.0],
+                radius: b,
+                width: a,
+                intensity: Some(b),
+            });
+            drawing.views = Views::Three;
             drawing.points.push(SkinMark { at: [a, b, 0.0], label: "odd".into() });
             for kind in [SymbolKind::Spring, SymbolKind::Stop] {
                 let ends = [[a, b, 0.0], [0.0, a, b]];

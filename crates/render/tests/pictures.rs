@@ -275,8 +275,12 @@ fn a_band_is_filled_between_its_edges() {
     let edges = [(0.0, 0.5), (2.0, 2.0), (2.0, 4.0), (0.0, 1.5)].map(|(x, y)| (x, Some(y)));
     let band = Series { name: "tolerance".into(), style: Style::Band, points: edges.to_vec() };
     let svg = |limits| {
-        let panel =
-            Panel { y_label: "kg".into(), series: vec![line.clone(), band.clone()], y_limits: limits };
+        let panel = Panel {
+            y_label: "kg".into(),
+            series: vec![line.clone(), band.clone()],
+            y_limits: limits,
+            ..Panel::default()
+        };
         Figure { panels: vec![panel], ..Figure::default() }.to_svg()
     };
     let corners = |svg: &str| -> Vec<(f64, f64)> {

@@ -54,12 +54,16 @@ impl LengthUnit {
 
     /// Length (m) as text in this unit, to about a hundredth of a millimetre.
     pub fn text(self, metres: f64) -> String {
-        let decimals = match self {
+        format!("{:.*} {}", self.decimals(), self.of_metres(metres), self.name())
+    }
+
+    /// Number of decimals that show about a hundredth of a millimetre.
+    pub fn decimals(self) -> usize {
+        match self {
             Self::Metre => 5,
             Self::Centimetre | Self::Inch => 3,
             Self::Millimetre => 2,
-        };
-        format!("{:.decimals$} {}", self.of_metres(metres), self.name())
+        }
     }
 
     /// Converts metres to this unit.

@@ -18,13 +18,19 @@ pub struct ImpactArgs {
     pub impact: ImpactQuestion,
     /// Impact in time, or --reflected over a range: .csv .xlsx .parquet .svg .png .pdf
     ///
-    /// The figure of an impact in time shows the forces of contact and bearings, the penetration and the effective mass over time. The
+    /// The figure of an impact in time shows the forces of contact and bearings, the compression and the effective mass over time. The
     /// figure of a range shows the inertia, free and held. CSV, XLSX and Parquet contain the numbers.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
+    /// Show bearings of any load; default: from 2 % of the largest.
+    #[arg(long, help_heading = ANSWER)]
+    pub all: bool,
+    /// Show the components of the reactions along the axes of the joints.
+    #[arg(long, help_heading = ANSWER)]
+    pub components: bool,
     #[command(flatten)]
     pub writing: WritingArgs,
 }

@@ -47,6 +47,12 @@ pub struct Cli {
     /// Show every note; default: only their number.
     #[arg(long, global = true)]
     pub notes: bool,
+    /// Show the details of a result: points, axes, joints, method.
+    #[arg(long, global = true)]
+    pub details: bool,
+    /// Significant digits of texts, up to 9; default: 4. JSON and CSV have all digits.
+    #[arg(long, global = true, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(2..=9))]
+    pub digits: Option<u8>,
 }
 
 impl Cli {

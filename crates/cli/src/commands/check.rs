@@ -3,8 +3,9 @@
 use crate::args::{CheckArgs, CheckFormat};
 use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
+use crate::terminal::number::number;
 use crate::terminal::report::write_diagnostics;
-use crate::terminal::text::{Table, number};
+use crate::terminal::text::Table;
 use percuss_mechanism::Severity;
 use percuss_study::{CheckReport, RelationTermRecord, check};
 use std::fmt::Write;
@@ -51,7 +52,7 @@ fn tables(report: &CheckReport) -> [Table; 3] {
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {
         let mass = if link.has_inertial { format!("{} kg", number(link.mass)) } else { "massless".into() };
-        let com = link.com.map_or_else(String::new, |c| crate::terminal::text::triple(&c) + " m");
+        let com = link.com.map_or_else(String::new, |c| crate::terminal::number::triple(&c) + " m");
         links.row([link.name.clone(), mass, com]);
     }
     let mut joints = Table::new(["joint", "kind", "parent → child", "axis", "limits", "notes"]);
@@ -65,7 +66,7 @@ fn tables(report: &CheckReport) -> [Table; 3] {
             joint.name.clone(),
             joint.kind.to_owned(),
             format!("{} → {}", joint.parent, joint.child),
-            joint.axis.map_or_else(String::new, |a| crate::terminal::text::triple(&a)),
+            joint.axis.map_or_else(String::new, |a| crate::terminal::number::triple(&a)),
             joint.limits.map_or_else(String::new, |[l, u]| format!("{} … {}", number(l), number(u))),
             notes.join("; "),
         ]);

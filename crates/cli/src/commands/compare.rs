@@ -12,8 +12,10 @@ use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name};
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number, short_number};
+use crate::terminal::number::{number, signed};
+use crate::terminal::report::{write_diagnostics, write_json, write_out, write_text};
+use crate::terminal::text::{Table, TableCell};
+use crate::terminal::units::varied_name;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, MassQuestion, Model,
@@ -182,7 +184,7 @@ pub fn write(
         }
         MassFormat::Text => {
             let title = of_designs(report, report.designs.len());
-            write_out(&format!("effective mass of {title}\n\n{}", document(report).text()))?;
+            write_text(&format!("effective mass of {title}\n\n{}", document(report).text()))?;
         }
     }
     if report.designs.iter().all(|design| design.status.is_none()) {
@@ -208,44 +210,51 @@ pub fn failure(error: &CompareError, names: Names) -> Failure {
 }
 
 /// m̄ of a design, or its outcome; "no answer" without either.
-fn answer_text(design: &DesignRecord) -> String {
+fn answer_cell(design: &DesignRecord) -> TableCell {
     match (design.effective_mass, design.status) {
-        (Some(mass), _) => number(mass),
-        (None, Some(status)) => status.name().to_owned(),
-        (None, None) => "no answer".to_owned(),
+        (Some(mass), _) => mass.into(),
+        (None, Some(status)) => status.name().into(),
+        (None, None) => "no answer".into(),
     }
 }
 
-/// Signed percentage with two decimals.
+/// Percentage with its sign and two decimals.
 fn percent(x: f64) -> String {
-    // A value that rounds to zero has no sign.
-    if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
+    format!("{} %", signed(x, 2))
 }
 
 /// Table with one row per design: m̄, its difference to the reference, the range of the difference, and the links with the largest
 /// shares. For several contacts of one design, motion ratios and ranges of m̄ replace the differences.
 fn design_table(report: &ComparisonReport) -> Table {
     let most = |design: &DesignRecord| {
-        let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
+        let most = design.most.iter().map(|(link, share)| format!("{link} {:.0} %", 100.0 * share));
         most.collect::<Vec<_>>().join(", ")
     };
     if report.designs.iter().all(|design| design.reference.is_none()) {
         let unit = mass_unit(report);
         let over = format!("{unit} over the range");
-        let mut table = Table::new(["contact", unit, "contact/wheel", &over, "most of it"]);
+        let mut table = Table::new(["contact", unit, "motion ratio", &over, "largest shares of m̄"]);
         for (i, design) in report.designs.iter().enumerate() {
-            let ratio = design.motion_ratio.map_or("–".into(), short_number);
+            let ratio = TableCell::from(design.motion_ratio);
             let masses = report.rows.iter().filter_map(|row| row.effective_mass[i]);
             let range = masses.fold(None, |range: Option<[f64; 2]>, x| {
                 Some(range.map_or([x, x], |[least, greatest]| [least.min(x), greatest.max(x)]))
             });
-            let range = range
-                .map_or_else(String::new, |[a, b]| format!("{} to {}", short_number(a), short_number(b)));
-            table.row([design.name.clone(), answer_text(design), ratio, range, most(design)]);
+            let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", number(a), number(b)));
+            table.row([
+                design.name.clone().into(),
+                answer_cell(design),
+                ratio,
+                range.into(),
+                most(design).into(),
+            ]);
         }
         return table;
     }
-    let mut table = Table::new(["design", mass_unit(report), "difference", "over the range", "most of it"]);
+    let has_range = report.designs.iter().any(|design| design.difference_range_percent.is_some());
+    let mut header = vec!["design", mass_unit(report), "difference", "over the range", "largest shares of m̄"];
+    header.retain(|name| has_range || *name != "over the range");
+    let mut rows: Vec<Vec<TableCell>> = vec![header.into_iter().map(TableCell::from).collect()];
     for design in &report.designs {
         let difference = match design.difference_percent {
             Some(x) => percent(x),
@@ -254,9 +263,12 @@ fn design_table(report: &ComparisonReport) -> Table {
         };
         let range = design.difference_range_percent;
         let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", percent(a), percent(b)));
-        table.row([design.name.clone(), answer_text(design), difference, range, most(design)]);
+        let mut row = vec![design.name.clone().into(), answer_cell(design), difference.into()];
+        row.extend(has_range.then(|| range.into()));
+        row.push(most(design).into());
+        rows.push(row);
     }
-    table
+    Table::from_rows(rows)
 }
 
 /// Unit of all effective masses; both units if some designs have contact points and others moments.
@@ -471,6 +483,7 @@ fn figure_of(
         y_label: format!("m̄ ({})", mass_unit(report)),
         series: masses,
         y_limits: requested.y_limits.map(AxisLimits::ends),
+        ..Panel::default()
     }];
     if has_several_contacts(report) {
         let ratios = all.clone().map(|i| series(i, &|row| report.rows[row].motion_ratio[i]));
@@ -494,8 +507,9 @@ fn figure_of(
             .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
         x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: model_names(report, designs).join(", "),
-        x_label: format!("{} ({unit})", varied.name),
+        x_label: format!("{} ({unit})", varied_name(&varied.name)),
         panels,
         marks: touches(report, designs),
+        is_half: false,
     })
 }

@@ -8,8 +8,9 @@ use crate::files::output::record_input;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{with_findings, write_diagnostics, write_out};
-use crate::terminal::text::{Table, number, short_number, upper_bound};
+use crate::terminal::number::{self, load, number, signed, upper_bound, with_unit};
+use crate::terminal::report::{details_are_shown, with_findings, write_diagnostics, write_text};
+use crate::terminal::text::Table;
 use crate::terminal::units::ContactUnits;
 use crate::terminal::wrap::wrap_hanging;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
@@ -23,10 +24,10 @@ use std::fmt::Write;
 /// Runs the command.
 pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.list_laws {
-        return write_out(&laws());
+        return write_text(&laws());
     }
     if args.list_tools {
-        return write_out(&tools());
+        return write_text(&tools());
     }
     args.writing.apply();
     let Some(question) = args.damping.checked()? else {
@@ -80,14 +81,20 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
 pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure> {
     document::print(report, format, || {
         let mut out = Document::default();
-        let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
-        out.facts([headline(report)].into_iter().chain(contact).chain(facts(report)));
+        add_results(report, &mut out);
         add_exports(report, &mut out);
         out
     })
 }
 
-/// Adds the parameters of all requested simulators.
+/// Adds the damper, its impact, and what limits the result.
+pub fn add_results<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
+    out.results(results(report));
+    let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+    out.facts([headline(report)].into_iter().chain(contact).chain(facts(report)));
+}
+
+/// Adds the parameters of all requested simulators: the text to paste first, then what it leaves out; the other numbers are details.
 pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
     for (name, export) in &report.exports {
         out.heading(format!("{} ({name})", export.title));
@@ -95,11 +102,18 @@ pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
             out.problem(format!("  cannot: {error}"));
             continue;
         }
-        out.facts(export_facts(export).into_iter().map(|(name, value)| (format!("  {name}"), value)));
-        for snippet in &export.snippets {
+        let is_short = !details_are_shown() && !export.snippets.is_empty();
+        let shown = if is_short { 1 } else { export.snippets.len() };
+        for snippet in export.snippets.iter().take(shown) {
             out.code(snippet.title, &*snippet.text);
         }
-        if !export.sources.is_empty() {
+        let facts = export_facts(export, is_short);
+        out.facts(facts.into_iter().map(|(name, value)| (format!("  {name}"), value)));
+        if is_short {
+            let others: Vec<&str> = export.snippets.iter().skip(1).map(|snippet| snippet.title).collect();
+            let others = if others.is_empty() { String::new() } else { format!("{}, ", others.join(", ")) };
+            out.note(format!("  {others}all parameters, assumptions, measurements and sources: --details"));
+        } else if !export.sources.is_empty() {
             out.note(format!("  sources: {}", export.sources.join("; ")));
         }
     }
@@ -108,12 +122,13 @@ pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
 /// Section of a damper on a page, with the history of the impact.
 pub fn document(report: &DampingReport) -> Result<Document<'_>, Failure> {
     let mut out = Document::default();
+    out.results(results(report));
     out.facts(report.stop.is_some().then(|| headline(report)).into_iter().chain(facts(report)));
     if report.damper.speed.is_some() {
         let samples = samples(report)?;
-        let caption = "Force over time, and over the penetration; the loop encloses the energy that is lost.";
+        let caption = "Force over time, and over the compression; the loop encloses the energy that is lost.";
         let figure = move || history_sheet(report, &samples).to_svg();
-        out.picture(figure, "Force over time and over penetration", caption);
+        out.picture(figure, "Force over time and over compression", caption);
     } else {
         out.note("Without damping.speed there is no force to draw.");
     }
@@ -133,7 +148,7 @@ fn headline(report: &DampingReport) -> (&'static str, String) {
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
-/// Factor from the SI unit of penetrations (m, rad) to the displayed unit (mm, mrad).
+/// Factor from the SI unit of compressions (m, rad) to the displayed unit (mm, mrad).
 const SMALL: f64 = 1e3;
 
 /// Units of the contact of a report.
@@ -141,86 +156,98 @@ fn units(report: &DampingReport) -> ContactUnits {
     ContactUnits::new(report.is_moment)
 }
 
-/// Damper, impact and validity as names with values.
-pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+/// Damper, then the impact: value, and its meaning.
+fn results(report: &DampingReport) -> Vec<(String, String)> {
     let damper = &report.damper;
-    let ContactUnits { length, small_length: shown, force, mass: mass_unit, .. } = units(report);
-    let factor = SMALL;
-    let e = damper.restitution;
-    let mut facts = Vec::new();
-    let law = match damper.separation {
-        Some("gap") => format!("{}, ending when the gap closes (the damper pulls at the end)", damper.law),
-        Some(_) => format!("{}, ending when the force vanishes", damper.law),
-        None => damper.law.to_owned(),
-    };
-    let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (given as {alias})"));
-    facts.push(("law", law));
-    facts.push(("stiffness", stiffness(report)));
+    let ContactUnits { length, small_length, force, speed, .. } = units(report);
+    let law = format!("{}, {}", law_name(damper.law), stiffness(report));
+    let for_restitution = format!("for the restitution {}", number(damper.restitution));
+    let mut results = Vec::new();
     match (damper.damping_ratio, damper.damping) {
         (ratio, Some(c)) => {
             let power = unit_power(damper.exponent.map_or(1.0, |p| 0.5 * (p + 1.0)));
-            let ratio = ratio.map_or_else(String::new, |ratio| format!("   (ratio {})", number(ratio)));
-            let value = format!("{} {force}·s/{length}{power}{ratio}", number(c));
-            facts.push(("damping", value));
-            if let Some(d) = damper.dissipation {
-                facts.push((
-                    "or Hunt–Crossley",
-                    format!("{} s/{length} at this speed, in place of the damping", number(d)),
-                ));
-            }
+            let ratio = ratio.map_or_else(String::new, |ratio| format!(", damping ratio {}", number(ratio)));
+            results.push((
+                format!("{} {force}·s/{length}{power}", number(c)),
+                format!("damping {for_restitution} ({law}{ratio})"),
+            ));
+            results.extend(damper.dissipation.map(|d| {
+                let meaning = "or the Hunt–Crossley dissipation at this speed, in place of the damping";
+                (format!("{} s/{length}", number(d)), meaning.to_owned())
+            }));
         }
-        _ => facts
-            .push(("dissipation", format!("{} s/{length}", number(damper.dissipation.unwrap_or_default())))),
+        _ => results.push((
+            format!("{} s/{length}", number(damper.dissipation.unwrap_or_default())),
+            format!("dissipation {for_restitution} ({law})"),
+        )),
     }
-    let achieved = damper.achieved_restitution;
-    let off = if damper.law_is_exact {
-        "exactly".to_owned()
-    } else {
-        format!("error {:+.4}: this law is an approximation", achieved - e)
+    let mut add = |value: Option<f64>, text: &dyn Fn(f64) -> String, meaning: String| {
+        results.extend(value.filter(|v| v.is_finite()).map(|v| (text(v), meaning)));
     };
-    let weight = if report.exports.values().any(|export| export.weight_prevents_rebound) {
-        "; without gravity: a weight that no spring carries leaves almost no rebound. Use a faster impact or a stiffer contact"
-    } else {
-        ""
+    let peak_time =
+        damper.time_of_peak_force.map_or_else(String::new, |t| format!(", at {} ms", number(1e3 * t)));
+    let what = if report.is_moment { "peak moment" } else { "peak force" };
+    add(damper.peak_force, &|f| load(f, force), format!("{what}{peak_time}"));
+    add(damper.max_penetration, &|x| with_unit(SMALL * x, small_length), "compression".to_owned());
+    add(damper.contact_duration, &|t| with_unit(1e3 * t, "ms"), "contact time".to_owned());
+    let rebound = damper.rebound_speed.map_or_else(String::new, |v| format!(", {} {speed} after", number(v)));
+    let closing =
+        damper.speed.map_or_else(String::new, |v| format!("; closing speed {} {speed}{rebound}", number(v)));
+    add(damper.energy_lost, &|x| with_unit(x, "J"), format!("energy lost{closing}"));
+    results
+}
+
+/// Name of a contact law in texts.
+pub fn law_name(law: &str) -> &str {
+    Law::ALL.iter().find(|known| known.name() == law).map_or(law, |known| known.title())
+}
+
+/// Limits of the result, and with the details the form of the law.
+pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+    let damper = &report.damper;
+    let ContactUnits { small_length: shown, mass: mass_unit, .. } = units(report);
+    let e = damper.restitution;
+    let mut facts = Vec::new();
+    let ending = match damper.separation {
+        Some("gap") => Some("ends when the gap closes (the damper pulls at the end)"),
+        Some(_) if details_are_shown() => Some("ends when the force vanishes"),
+        _ => None,
     };
-    facts.push(("restitution", format!("{} (required {}, {off}){weight}", number(achieved), number(e))));
-    let metric = |value: Option<f64>, scale: f64, unit: &str| {
-        value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
-    };
-    let mut add = |name, text: Option<String>| {
-        if let Some(text) = text {
-            facts.push((name, text));
+    let given = damper.law_alias.map(|alias| format!("given as {alias}"));
+    let law: Vec<String> = ending.map(str::to_owned).into_iter().chain(given).collect();
+    if !law.is_empty() {
+        facts.push(("contact law", format!("{}: {}", damper.law, law.join("; "))));
+    }
+    let weight = report.exports.values().any(|export| export.weight_prevents_rebound);
+    if !damper.law_is_exact || weight {
+        let mut text = format!("{} without gravity", number(damper.achieved_restitution));
+        if !damper.law_is_exact {
+            let error = signed(damper.achieved_restitution - e, 4);
+            text += &format!(", {} requested (error {error}: this law is an approximation)", number(e));
         }
-    };
-    add("approach speed", metric(damper.speed, 1.0, &format!("{length}/s")));
-    add("rebound speed", metric(damper.rebound_speed, 1.0, &format!("{length}/s")));
-    add("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
-    add("penetration", metric(damper.max_penetration, factor, shown));
-    let when = damper.time_of_peak_force.unwrap_or_default();
-    add(
-        "peak force",
-        damper.peak_force.map(|f| format!("{} {force}, at {} ms", number(f), number(1e3 * when))),
-    );
-    add("energy lost", metric(damper.energy_lost, 1.0, "J"));
+        if weight {
+            text += "; a weight that no spring carries leaves almost no rebound. Use a faster impact or a stiffer contact";
+        }
+        facts.push(("restitution", text));
+    }
     if let Some(drift) = report.drift {
-        // A value that rounds to zero is shown without a sign.
-        let percent = |p: f64| format!("{:+.3} %", if p.abs() < limits::DRIFT_ROUNDING { 0.0 } else { p });
-        let slope = drift.per_metre.map(|s| percent(0.1 * s) + &format!(" per {shown} of penetration"));
-        let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
+        let percent = |p: f64| format!("{} %", signed(p, 2));
+        let slope = drift.per_metre.map(|s| format!("{} per {shown}", percent(0.1 * s)));
+        let over = drift.over_penetration.map(|o| format!("{} over the compression", percent(100.0 * o)));
         let ends = drift
             .ends_at
-            .map(|depth| format!("unknown: the motion ends after {} {shown}", number(factor * depth)));
+            .map(|depth| format!("unknown: the motion ends after {} {shown}", number(SMALL * depth)));
         let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
-        facts.push(("m̄ over the stroke", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+        facts.push(("change of m̄", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
     }
     if let Some(stroke) = report.over_stroke {
         facts.push((
             "with varying m̄",
             format!(
-                "restitution {}, penetration {} {shown}, {} {mass_unit} at the largest penetration",
-                short_number(stroke.restitution),
-                short_number(factor * stroke.max_penetration),
-                short_number(stroke.mass_at_max_penetration)
+                "restitution {}, compression {} {shown}, {} {mass_unit} at the largest compression",
+                number(stroke.restitution),
+                number(SMALL * stroke.max_penetration),
+                number(stroke.mass_at_max_penetration)
             ),
         ));
     }
@@ -234,7 +261,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
 }
 
 /// Stiffness with its unit.
-fn stiffness(report: &DampingReport) -> String {
+pub fn stiffness(report: &DampingReport) -> String {
     let damper = &report.damper;
     stiffness_text(damper.stiffness, damper.exponent, damper.stiffness_curve.as_ref(), &units(report))
 }
@@ -248,8 +275,8 @@ pub fn stiffness_text(
 ) -> String {
     let ContactUnits { length, small_length, force, .. } = units;
     let Some(ForceCurveRecord { stop, deflections, forces }) = curve else {
-        let power = unit_power(exponent.unwrap_or(1.0));
-        return format!("{} {force}/{length}{power}", number(stiffness.unwrap_or_default()));
+        let (k, p) = (stiffness.unwrap_or_default(), exponent.unwrap_or(1.0));
+        return number::stiffness(k, force, length, p);
     };
     let of = stop.as_ref().map_or_else(|| "as given".to_owned(), |stop| format!("of {stop} in the sheet"));
     let [depth, last] = [deflections, forces].map(|values| values.last().copied().unwrap_or_default());
@@ -266,15 +293,18 @@ fn unit_power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-/// Parameters, errors and assumptions of one simulator.
-fn export_facts(export: &ExportRecord) -> Vec<(String, String)> {
+/// Parameters, errors and assumptions of one simulator. `is_short`: only what limits the text to paste, and the last assumptions, which
+/// depend on the model.
+fn export_facts(export: &ExportRecord, is_short: bool) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut line = |name: &str, text: &str| facts.push((name.to_owned(), text.to_owned()));
-    line("integrates", export.law);
-    for (name, value) in &export.parameters {
-        let unit = export.units.get(name).copied().unwrap_or_default();
-        let value = serde_json::to_string(value).unwrap_or_default();
-        line(name, format!("{value} {unit}").trim_end());
+    if !is_short {
+        line("integrates", export.law);
+        for (name, value) in &export.parameters {
+            let unit = export.units.get(name).copied().unwrap_or_default();
+            let value = serde_json::to_string(value).unwrap_or_default();
+            line(name, format!("{value} {unit}").trim_end());
+        }
     }
     if let Some(step) = export.time_step {
         let bound = export
@@ -285,21 +315,24 @@ fn export_facts(export: &ExportRecord) -> Vec<(String, String)> {
     for penetration in &export.penetrations {
         let solver =
             if penetration.solver.is_empty() { String::new() } else { format!(" ({})", penetration.solver) };
-        line("penetration", &format!("{} m{}{solver}", number(1e3 * penetration.value), penetration.unit));
+        line("compression", &format!("{} m{}{solver}", number(1e3 * penetration.value), penetration.unit));
     }
     line("two sides", export.combines);
-    if export.measured.is_empty() {
-        line("measured", "not measured: based on source or manual, and tested in a model of the law");
-    }
-    for measured in export.measured {
-        line("measured", &measurement(measured));
+    if !is_short {
+        if export.measured.is_empty() {
+            line("measured", "not measured: based on source or manual, and tested in a model of the law");
+        }
+        for measured in export.measured {
+            line("measured", &measurement(measured));
+        }
     }
     line("watch for", export.caution);
     for missing in &export.missing {
         line("missing", missing);
     }
-    for assumption in &export.assumptions {
-        line("assumes", assumption);
+    let first = if is_short { export.assumptions.len().saturating_sub(limits::ASSUMPTIONS_SHOWN) } else { 0 };
+    for (i, assumption) in export.assumptions.iter().enumerate().skip(first) {
+        line("assumes", &format!("{}. {assumption}", i + 1));
     }
     for cannot in &export.cannot {
         line("cannot", cannot);
@@ -357,7 +390,7 @@ pub fn write_history(report: &DampingReport, path: &str) -> Result<(), Failure> 
         .write(path)
 }
 
-/// Force over time, and over penetration; the loop encloses the dissipated energy.
+/// Force over time, and over the compression; the loop encloses the dissipated energy.
 fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
     let (units, factor) = (units(report), SMALL);
@@ -380,14 +413,14 @@ fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
             units.length,
             number(damper.achieved_restitution)
         ),
-        subtitle: format!("{}, stiffness {}", damper.law, stiffness(report)),
+        subtitle: format!("{}, stiffness {}", law_name(damper.law), stiffness(report)),
         x_label: "time (ms)".into(),
         panels: vec![panel(&|s| 1e3 * s.time)],
         marks: deepest.into_iter().collect(),
         ..Figure::default()
     };
     let over_penetration = Figure {
-        x_label: format!("penetration ({})", units.small_length),
+        x_label: format!("compression ({})", units.small_length),
         panels: vec![panel(&|s| factor * s.penetration)],
         ..Figure::default()
     };

@@ -3,7 +3,7 @@
 use crate::args::{InitArgs, SchemaFormat};
 use crate::files::output::{record_input, write_file};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
+use crate::terminal::report::{write_diagnostics, write_text, write_unescaped};
 use crate::terminal::text::shell_quoted;
 use percuss_study::{report_schema, starting_study, study_key_page, study_schema};
 use std::path::Path;
@@ -35,7 +35,7 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
         None => write_unescaped(study.as_bytes()),
         Some(output) => {
             write_file(output, study.as_bytes())?;
-            write_out(&format!(
+            write_text(&format!(
                 "{:<20} {output}; run it with: percuss run {}\n",
                 "written",
                 shell_quoted(output)

@@ -7,8 +7,9 @@ use crate::files::output::{Output, check_writable, record_input};
 use crate::files::table_style::TableStyle;
 use crate::pictures::map_files::{self, MapFormat};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
+use crate::terminal::number::{number, triple, upper_bound};
+use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out, write_text};
+use crate::terminal::text::Table;
 use percuss_render::Picture;
 use percuss_study::{
     DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, MapResult, PointMapReport, requested_map,
@@ -96,7 +97,7 @@ fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure
     write_diagnostics(&report.diagnostics, output.strict)?;
     write_directions(report, &output.formats, output.table)?;
     match output.format {
-        MassFormat::Text => write_out(&directions_document(report).text()),
+        MassFormat::Text => write_text(&directions_document(report).text()),
         MassFormat::Json => write_json(report),
         MassFormat::Csv => {
             let mut bytes = Vec::new();
@@ -116,7 +117,7 @@ fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
     }
     write_surfaces(answer, &output.formats, output.table)?;
     match output.format {
-        MassFormat::Text => write_out(&surfaces_document(answer).text()),
+        MassFormat::Text => write_text(&surfaces_document(answer).text()),
         MassFormat::Json => write_json(&answer.report),
         MassFormat::Csv => {
             let mut out = Output::open(None)?;
@@ -139,8 +140,7 @@ fn links(report: &MapReport) -> Table {
         "largest at (m)",
     ]);
     for link in &report.links {
-        let mass =
-            |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short_number(e.effective_mass));
+        let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| number(e.effective_mass));
         let point_of =
             |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| round_point(&e.point_link));
         table.row([
@@ -148,7 +148,7 @@ fn links(report: &MapReport) -> Table {
             link.contacts.to_string(),
             mass(&link.smallest),
             mass(&link.largest),
-            link.area_mean.map_or_else(|| "–".into(), short_number),
+            link.area_mean.map_or_else(|| "–".into(), number),
             counts_without_finite_mass(link),
             point_of(&link.smallest),
             point_of(&link.largest),

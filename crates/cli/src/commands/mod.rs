@@ -12,3 +12,4 @@ pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod suspension;
 pub(crate) mod sweep;
+pub(crate) mod sweep_text;

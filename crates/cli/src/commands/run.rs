@@ -5,7 +5,8 @@ use crate::commands::check;
 use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::damp;
 use crate::commands::exports::{convert, export, generate};
-use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
+use crate::commands::impacts::rigid_impact::{self, ImpactView};
+use crate::commands::impacts::{extremes, restitution, safe_speed};
 use crate::commands::map;
 use crate::commands::mass::{self, contact_list};
 use crate::commands::report;
@@ -16,8 +17,8 @@ use crate::files::contents::{self, TABLES_AND_PICTURES};
 use crate::files::output::{check_writable, ending_of, record_input};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, with_findings, write_diagnostics, write_out};
-use crate::terminal::wrap::fact_line;
+use crate::terminal::report::{note, with_findings, write_diagnostics, write_text};
+use crate::terminal::wrap::wrap_hanging;
 use clap::ValueEnum;
 use percuss_study::{
     Design, DiagnosticRecord, MapQuestion, MassOptions, MassQuestion, MassReport, Names, RowSource,
@@ -144,7 +145,7 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let Some(report) = with_findings(study.impact_report(first), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
-            rigid_impact::write(&report, CheckFormat::Text)
+            rigid_impact::write(&report, CheckFormat::Text, ImpactView::default())
         }));
     }
     if let Some(report) = with_findings(study.extremes_report(first), &study.model)? {
@@ -171,21 +172,21 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         let folder = requested.output.as_deref().unwrap_or_default();
         prints.push(Box::new(move || {
             generate::write_files(&report, folder)?;
-            write_out(&generate::summary(&report, folder))
+            write_text(&generate::summary(&report, folder))
         }));
     }
     if let Some(mut report) = with_findings(study.conversion(), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
             convert::write_files(&mut report)?;
-            write_out(&convert::summary(&report))
+            write_text(&convert::summary(&report))
         }));
     }
     if let Some(mut report) = with_findings(study.exported_impact(), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
             export::write_files(&mut report)?;
-            write_out(&export::summary(&report))
+            write_text(&export::summary(&report))
         }));
     }
     prints.into_iter().try_for_each(|print| print())
@@ -343,8 +344,8 @@ fn note_single_contact(study: &StudyFile) {
 fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), Failure> {
     match percuss_study::mass(&study.model, question) {
         Ok(report) => {
-            let value = format!("{}, at the pose of the study", mass::headline(&report));
-            write_out(&fact_line("effective mass", &value))
+            let text = format!("{}, at the pose of the study", mass::first_line(&report));
+            write_text(&(wrap_hanging(&text, 2) + "\n"))
         }
         Err(error) => {
             note(&format!("no effective mass at the pose of the study: {}", error.message(Names::KEYS)));
@@ -361,7 +362,7 @@ fn write_mass(
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
-    report.map_or(Ok(()), |report| mass::write(&report, &study.mass, additions, format, strict))
+    report.map_or(Ok(()), |report| mass::write(&report, &study.mass, additions, (format, strict), ""))
 }
 
 /// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.

@@ -2,6 +2,8 @@
 
 use crate::args::SweepArgs;
 use crate::commands::mass::refuse_several_contacts;
+use crate::commands::sweep_text::SweepText;
+use crate::document::Document;
 use crate::files::contents::{PICTURES, picture_bytes};
 use crate::files::output::{Output, check_writable, ending_of, record_input, write_file};
 use crate::files::parquet_rows;
@@ -12,7 +14,8 @@ use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::sweep_figure;
 use crate::terminal::console;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{warn, with_findings, write_diagnostics};
+use crate::terminal::limits;
+use crate::terminal::report::{warn, with_findings, write_diagnostics, write_text};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_mechanism::JointKind;
 use percuss_study::{
@@ -20,6 +23,7 @@ use percuss_study::{
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::cell::OnceCell;
+use std::ops::ControlFlow;
 
 thread_local! {
     /// Threads of the runs on this thread; `None` if they cannot be created.
@@ -152,6 +156,9 @@ fn write(
 ) -> Result<SweepEnd, Failure> {
     let (output, path) = (destination.output, destination.output.unwrap_or_default());
     let (figure, end) = match format {
+        Format::Csv if output.is_none() && console::stdout().is_terminal() => {
+            return write_table(sweep, bar);
+        }
         Format::Csv => return sweep_rows::csv(sweep, model, destination.table, Output::open(output)?, bar),
         Format::Xlsx => return xlsx_rows::write(sweep, model, destination.table, path, bar),
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
@@ -163,6 +170,22 @@ fn write(
     note_clipping(&mut figure);
     // A picture always has an output file, because the file name determines the format.
     write_file(path, &picture_bytes(&figure, ending_of(path, &PICTURES)?)?)?;
+    Ok(end)
+}
+
+/// Writes a table for people to the terminal.
+fn write_table(sweep: Sweep, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
+    let mut text = SweepText::new(sweep.heading());
+    let end = sweep.run(&mut |row| {
+        bar.inc(1);
+        text.add(&row);
+        ControlFlow::Continue(())
+    })?;
+    bar.finish_and_clear();
+    let mut out = Document::default();
+    out.table(text.table(limits::SWEEP_ROWS_ON_TERMINAL));
+    out.remark(format!("{}\nall rows and columns: -o FILE.csv, or a pipe", text.summary()));
+    write_text(&out.text())?;
     Ok(end)
 }
 

@@ -1,8 +1,8 @@
 //! Ends of the axes of curves that grow without bound near an immovable pose or a limit of the travel.
 
 use crate::terminal::limits;
+use crate::terminal::number::number;
 use crate::terminal::report::note;
-use crate::terminal::text::short_number;
 use percuss_render::{Figure, Series, Style};
 
 /// Ends each axis without given limits before a few values that would take most of it. Returns the caption: the end of the
@@ -35,11 +35,11 @@ pub fn clip_outliers(figure: &mut Figure) -> String {
             let place = drawn.iter().find(|(_, y)| *y == extreme).map_or(0.0, |(x, _)| *x);
             captions.push(format!(
                 "{name}: the axis ends at {}; {count} of {} values are {sense}, the extreme {} at {} {}.",
-                short_number(end),
+                number(end),
                 values.len(),
-                short_number(extreme),
+                number(extreme),
                 figure.x_label,
-                short_number(place)
+                number(place)
             ));
         };
         if top < greatest {
@@ -69,7 +69,7 @@ pub fn remove_flat_panels(figure: &mut Figure) -> String {
         };
         let is_alone = constants.len() == 1;
         let value = |(series, constant): (&Series, &f64)| {
-            let constant = short_number(*constant);
+            let constant = number(*constant);
             if is_alone { constant } else { format!("{constant} ({})", series.name) }
         };
         let values: Vec<String> = panel.series.iter().zip(&constants).map(value).collect();

@@ -1,7 +1,7 @@
 //! Belted ellipsoid as a surface. The distance of the surface from the point is m̄ in that direction; 1 corresponds
 //! to 1 kg.
 
-use crate::terminal::text::short_number;
+use crate::terminal::number::number;
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, PointMapReport};
 use std::f64::consts::{PI, TAU};
@@ -37,13 +37,10 @@ pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
     let ellipsoid = Ellipsoid { principal: &report.principal, cut: is_infinite.then_some(CUTOFF * largest) };
     let marks = report.principal.iter().filter_map(|d| {
         let mass = d.effective_mass?;
-        Some(SkinMark {
-            at: d.direction_world.map(|e| e * mass),
-            label: format!("{} kg", short_number(mass)),
-        })
+        Some(SkinMark { at: d.direction_world.map(|e| e * mass), label: format!("{} kg", number(mass)) })
     });
-    let cut = ellipsoid.cut.map_or_else(String::new, |cut| format!(", cut off at {} kg", short_number(cut)));
-    let [x, y, z] = report.point_link.map(short_number);
+    let cut = ellipsoid.cut.map_or_else(String::new, |cut| format!(", cut off at {} kg", number(cut)));
+    let [x, y, z] = report.point_link.map(number);
     Ok(Skin {
         title: format!("Effective mass in all directions at ({x}, {y}, {z}) m of {}", report.link),
         subtitle: format!("distance from the point proportional to m̄{cut}"),

@@ -11,12 +11,12 @@ use percuss_study::{
 const DRAWN_IMPULSE: f64 = 1e-3;
 
 /// Explanation of the picture of the impulses.
-const LEGEND: &str = "Impulses of the impact. The red arrow p is the impulse on the contact link, the blue arrows are the impulses that \
-    the bearings exert on the second of their links, as in the tables below. All arrows have the same scale.";
+const LEGEND: &str = "Impulses of the impact. The blue arrow p is the impulse on the contact link, the green arrows are the impulses that \
+    the bearings exert on the second of their links, as in the table below. All arrows have the same scale.";
 
 /// Caption of the drawing for a moment about an axis.
 const LEGEND_OF_MOMENT: &str = "Impulses of the impact. The arrows are the impulses that the bearings exert on the second of their links, as in \
-    the tables below. The contact is a moment about an axis and has no arrow.";
+    the table below. The contact is a moment about an axis and has no arrow.";
 
 /// Caption of the drawing of the impulses.
 pub fn caption(report: &ImpactReport) -> String {

@@ -5,7 +5,7 @@ use crate::files::output::{Output, ending_of};
 use crate::files::table_style::TableStyle;
 use crate::pictures::ellipsoid;
 use crate::terminal::failure::Failure;
-use crate::terminal::text::short_number;
+use crate::terminal::number::number;
 use percuss_dynamics::ContactStatus;
 use percuss_render::{Picture, RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
@@ -203,7 +203,7 @@ pub fn skin(answer: &MapAnswer) -> Skin {
     };
     let mark = |name: &str, e: &Extreme| SkinMark {
         at: e.point_world,
-        label: format!("{name} {} kg", short_number(e.effective_mass)),
+        label: format!("{name} {} kg", number(e.effective_mass)),
     };
     let smallest = extreme(|l| l.smallest.as_ref(), 1.0).map(|e| mark("smallest", e));
     let largest = extreme(|l| l.largest.as_ref(), -1.0).map(|e| mark("largest", e));

@@ -1,7 +1,8 @@
 //! Picture of a sweep: effective mass with the estimate, and the motion ratio below.
 
 use crate::terminal::failure::Failure;
-use crate::terminal::text::short_number;
+use crate::terminal::number::number;
+use crate::terminal::units::varied_name;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{
@@ -41,11 +42,8 @@ fn estimate_name(question: &MassQuestion) -> String {
 pub fn motion_ratio_name(of: Option<&str>) -> String {
     match of {
         Some("estimate") => "contact per travel of the point of the estimate".to_owned(),
-        Some(motion @ ("heave" | "roll")) => format!("contact per {motion}"),
-        Some(of) => match of.strip_prefix("travel:") {
-            Some(link) => format!("contact per travel of {link}"),
-            None => "contact per travel".to_owned(),
-        },
+        Some("travel:wheel_centre" | "wheel-travel") => "contact per wheel travel".to_owned(),
+        Some(of) => format!("contact per {}", varied_name(of)),
         None => "contact per travel".to_owned(),
     }
 }
@@ -165,7 +163,7 @@ impl SweepCurves {
             None => series("effective mass", Style::Line, curve),
             Some(outer) => {
                 let (scale, unit) = axis_unit(outer, heading.length_unit);
-                let name = format!("{} = {} {unit}", outer.name, short_number(scale * value));
+                let name = format!("{} = {} {unit}", outer.name, number(scale * value));
                 series(name.trim_end(), Style::Line, curve)
             }
         };
@@ -179,6 +177,7 @@ impl SweepCurves {
             y_label: format!("m̄ ({})", heading.unit),
             series: first,
             y_limits: requested.y_limits.map(AxisLimits::ends),
+            ..Panel::default()
         }];
         if alone && is_drawn(&ratios) {
             let of = motion_ratio_name(heading.motion_ratio_of.as_deref());
@@ -189,16 +188,17 @@ impl SweepCurves {
                 ..Panel::default()
             });
         }
-        let varied = heading.varied.last().map_or("", |varied| varied.name.as_str());
+        let varied = heading.varied.last().map_or_else(String::new, |varied| varied_name(&varied.name));
         Ok(Figure {
             title: requested.title.clone().unwrap_or_else(|| {
                 format!("Effective mass at {}", heading.contact.as_ref().unwrap_or(&heading.link))
             }),
             x_limits: requested.x_limits.map(AxisLimits::ends),
             subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
-            x_label: if unit.is_empty() { varied.to_owned() } else { format!("{varied} ({unit})") },
+            x_label: if unit.is_empty() { varied } else { format!("{varied} ({unit})") },
             panels,
             marks,
+            is_half: false,
         })
     }
 }

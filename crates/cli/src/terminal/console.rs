@@ -1,15 +1,85 @@
 //! Standard output and standard error of the run on this thread: the streams of the process, or texts in memory.
 
-use std::cell::RefCell;
+use crate::terminal::escape;
+use crate::terminal::number::true_minus;
+use crate::terminal::wrap;
+use std::cell::{Cell, RefCell};
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Text in memory that an output on another thread can also write.
 type Text = Arc<Mutex<Vec<u8>>>;
 
+/// Codes of terminals: end of all styles, bold, dim, yellow, red.
+const STYLES: [&str; 5] = ["\u{1b}[0m", "\u{1b}[1m", "\u{1b}[2m", "\u{1b}[33m", "\u{1b}[31m"];
+
 thread_local! {
+    /// True if standard output and standard error of the run on this thread have styles.
+    static STYLED: Cell<[bool; 2]> = const { Cell::new([false; 2]) };
     /// Texts of standard output and standard error; `None`: the streams of the process.
     static CAPTURED: RefCell<Option<[Text; 2]>> = const { RefCell::new(None) };
+}
+
+/// Prepares both streams for a run: styles only on a terminal and without `NO_COLOR`, lines as wide as the terminal.
+pub fn begin_run() {
+    let is_wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+        && std::env::var_os("TERM").is_none_or(|value| value != "dumb");
+    STYLED.set([stdout(), stderr()].map(|stream| is_wanted && stream.is_terminal()));
+    let size = stdout().is_terminal().then(terminal_size::terminal_size).flatten();
+    wrap::use_columns(size.map(|(terminal_size::Width(columns), _)| columns.into()));
+}
+
+/// Text in bold on standard output.
+pub fn bold(text: &str) -> String {
+    styled(0, 1, text)
+}
+
+/// Dim text on standard output.
+pub fn dim(text: &str) -> String {
+    styled(0, 2, text)
+}
+
+/// Writes a line of a message to standard error, with true minus signs and its severity in yellow or red. A closed stream changes nothing.
+pub fn write_line(line: &str) {
+    let mut text = wrap::wrap_message(&escape::line(&true_minus(line)));
+    // A file and its line precede the severity, so that editors find the place.
+    for (severity, style) in [("warning: ", 3), ("error: ", 4)] {
+        let at = if text.starts_with(severity) {
+            Some(0)
+        } else {
+            text.find(&format!(": {severity}")).map(|at| at + 2)
+        };
+        if let Some(at) = at {
+            let (before, after) = text.split_at(at);
+            text = format!("{before}{}{}", styled(1, style, severity), &after[severity.len()..]);
+            break;
+        }
+    }
+    let _ = writeln!(stderr(), "{text}");
+}
+
+/// Text with a style, if the stream has styles.
+fn styled(stream: usize, style: usize, text: &str) -> String {
+    if STYLED.get()[stream] && !text.is_empty() {
+        format!("{}{text}{}", STYLES[style], STYLES[0])
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Applies a change to the parts of a text between the styles.
+pub fn between_styles(text: &str, change: impl Fn(&str) -> String) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find('\u{1b}') {
+        out += &change(&rest[..at]);
+        rest = &rest[at..];
+        let code = STYLES.iter().find(|code| STYLED.get()[0] && rest.starts_with(**code));
+        let taken = code.map_or(1, |code| code.len());
+        out += &code.map_or_else(|| change(&rest[..1]), |code| (*code).to_owned());
+        rest = &rest[taken..];
+    }
+    out + &change(rest)
 }
 
 /// Output stream.

@@ -1,7 +1,7 @@
 //! Differences between designs as text.
 
 use crate::terminal::limits;
-use crate::terminal::text::{number, triple};
+use crate::terminal::number::{number, triple};
 use percuss_study::{ChangeKind, ComparisonReport, DesignChange, DesignRecord};
 
 /// One sentence per design with a reference: both names and the differences. Equal changes at several contacts give one

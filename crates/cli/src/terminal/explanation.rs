@@ -1,6 +1,6 @@
 //! Friction thresholds, motion ratios and named contacts, as text.
 
-use crate::terminal::text::{number, short_number, triple};
+use crate::terminal::number::{number, triple};
 use percuss_study::{
     EstimateRecord, FrictionThresholdsRecord, MotionRatioRecord, NamedContactRecord, UPWARDS,
     WheelTravelRecord,
@@ -9,7 +9,7 @@ use percuss_study::{
 /// Coefficients of friction for sticking, jamming and wedging as text; `None` for a contact point that does not slide while the gap closes.
 pub fn friction_thresholds(found: &FrictionThresholdsRecord) -> Option<String> {
     match found.slope {
-        None => Some(match (found.sticking.map(short_number), found.jamming.map(short_number)) {
+        None => Some(match (found.sticking.map(number), found.jamming.map(number)) {
             (Some(sticks), Some(jams)) => {
                 format!("the contact can stick from a coefficient of {sticks}, and jam from {jams}")
             }
@@ -21,9 +21,9 @@ pub fn friction_thresholds(found: &FrictionThresholdsRecord) -> Option<String> {
             }
             (None, None) => "the contact can neither stick nor jam".to_owned(),
         }),
-        Some(_) => found
-            .jamming
-            .map(|wedges| format!("the contact wedges from a coefficient of {}", short_number(wedges))),
+        Some(_) => {
+            found.jamming.map(|wedges| format!("the contact wedges from a coefficient of {}", number(wedges)))
+        }
     }
 }
 
@@ -62,35 +62,47 @@ fn ratio_per_travel(ratio: Option<f64>, point: &str, direction: Option<[f64; 3]>
 pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)> {
     let mut facts =
         vec![("contact", format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
-    if let (Some(drawn), Some(gap)) = (contact.gap_as_drawn, contact.gap) {
-        let drawn = format!("{} as drawn", contact.unit.text(drawn));
-        facts.push(match (contact.brought_to_touch, gap) {
-            (true, _) if contact.touching.is_empty() => ("gap", format!("0, at the touch; {drawn}")),
-            (true, _) => {
-                let others = contact.touching.join(", ");
-                ("gap", format!("0, at the touch, as that of {others}; {drawn}"))
-            }
-            (false, gap) if gap < 0.0 => {
-                ("gap", format!("{}: a penetration at this pose; {drawn}", contact.unit.text(gap)))
-            }
-            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", contact.unit.text(gap))),
-        });
-    }
-    if let Some(together) = contact.effective_mass_together {
-        let others = contact.touching.join(", ");
-        let text =
-            format!("{} kg if {others} closes at the same speed; above: this stop alone", number(together));
-        facts.push(("both stops", text));
-    }
+    facts.extend(travel_and_gap(contact).map(|text| ("travel and gap", text)));
+    facts.extend(both_stops(contact));
+    facts
+}
+
+/// Wheel travel at the pose of the result, and the gap of the contact; `None` for parts that always touch.
+pub fn travel_and_gap(contact: &NamedContactRecord) -> Option<String> {
+    let (drawn, gap) = contact.gap_as_drawn.zip(contact.gap)?;
+    let with_name = contact.wheel_travel.len() > 1;
     let travel = |wheel: &WheelTravelRecord| {
         let sense = if wheel.travel < 0.0 { "down" } else { "up" };
-        format!("{} {sense} from the pose as drawn, at {}", contact.unit.text(wheel.travel.abs()), wheel.link)
+        let name = if with_name { &*wheel.link } else { "wheel" };
+        format!("{name} {} {sense}", contact.unit.text(wheel.travel.abs()))
     };
-    // The travel of a contact without a gap is that of the question.
-    if contact.gap.is_some() {
-        facts.extend(contact.wheel_travel.iter().map(|wheel| ("wheel travel", travel(wheel))));
-    }
-    facts
+    let travels: Vec<String> = contact.wheel_travel.iter().map(travel).collect();
+    let drawn = contact.unit.text(drawn);
+    let gap = match gap {
+        _ if contact.brought_to_touch && contact.touching.is_empty() => format!("gap of {drawn} closed"),
+        _ if contact.brought_to_touch => {
+            format!("gap of {drawn} closed, as that of {}", contact.touching.join(", "))
+        }
+        gap if gap < 0.0 => {
+            format!("pressed in by {}; gap in the design position {drawn}", contact.unit.text(-gap))
+        }
+        gap => format!("no touch: gap {} here, {drawn} in the design position", contact.unit.text(gap)),
+    };
+    let place = if travels.is_empty() {
+        String::new()
+    } else {
+        format!("{} from the design position; ", travels.join(", "))
+    };
+    Some(place + &gap)
+}
+
+/// m̄ of the motion in which the stop of the other side closes too; `None` without one.
+pub fn both_stops(contact: &NamedContactRecord) -> Option<(&'static str, String)> {
+    let together = contact.effective_mass_together?;
+    let others = contact.touching.join(", ");
+    let text =
+        format!("{} kg if {others} closes at the same speed; above: this stop alone", number(together));
+    Some(("both stops", text))
 }
 
 /// Body of a named contact, with the damper of a stop on its rod.

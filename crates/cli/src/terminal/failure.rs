@@ -1,15 +1,13 @@
 //! Reasons for a command without a result, and exit codes.
 
-use crate::terminal::console;
+use crate::terminal::console::write_line;
 use crate::terminal::diagnostics::lines;
-use crate::terminal::escape;
-use crate::terminal::wrap;
 use percuss_formats::LoadError;
 use percuss_render::RenderError;
 use percuss_study::{
     DesignError, DiagnosticRecord, InvalidKey, Names, StudyError, StudyFileError, StudyKeys,
 };
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 /// Failure of a command.
@@ -94,11 +92,7 @@ impl Failure {
             }
             Failure::ClosedPipe => return 0,
         };
-        let mut stderr = console::stderr();
-        for line in lines {
-            // A closed stderr does not affect the exit code.
-            let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
-        }
+        lines.iter().for_each(|line| write_line(line));
         code
     }
 }

@@ -1,28 +1,30 @@
 //! Thresholds of the text and CSV output, each with its unit and its reason.
 
+/// Significant digits in texts for people: those that a sheet of masses and points supports.
+pub const DIGITS: usize = 4;
+/// Load from which its unit has the prefix kilo.
+pub const KILO: f64 = 1e3;
 /// Default relative tolerance of --expect: larger than the rounding of the computation, smaller than any change of
 /// the model.
 pub const DEFAULT_TOLERANCE: f64 = 1e-9;
 /// Number of warnings or notes of one kind shown in full: enough to recognise their common cause.
 pub const DIAGNOSTICS_SHOWN: usize = 3;
+/// Assumptions of a simulator without --details: the last ones, which depend on the model and the impact.
+pub const ASSUMPTIONS_SHOWN: usize = 3;
 /// Largest number of differences per design in the text of a comparison; JSON has all differences.
 pub const CHANGES_SHOWN: usize = 6;
-/// Joints listed on one line of text; more do not fit in a terminal.
-pub const JOINTS_SHOWN: usize = 8;
 /// Share of the effective mass below which a contribution is only counted, because it would be shown as 0.0 %.
 pub const MIN_CONTRIBUTION: f64 = 5e-4;
-/// Length of the bar of a contribution of 100 %, in characters; half of a terminal of 80 columns remains for names.
-pub const BAR_WIDTH: usize = 30;
+/// Length of the longest bar beside a table, in characters: a quarter of a line of 80 columns.
+pub const BAR_WIDTH: usize = 20;
+/// Length of the longest bar below which a table has no bars: bars of a few characters cannot be compared.
+pub const LEAST_BAR_WIDTH: usize = 6;
 /// Smallest width of a wrapped last column, in characters: about four words per line.
 pub const MIN_COLUMN: usize = 24;
 /// Indentation of continued table columns, in characters, to distinguish them from the next row.
 pub const BAND_INDENT: usize = 4;
-/// Error of the estimate, in percent, below which zero is shown: half of the last digit shown (two decimals).
-pub const ESTIMATE_ROUNDING: f64 = 0.005;
 /// Difference of wheel travels, m, below which two touches count as the same: half of the last digit shown.
 pub const SAME_TRAVEL: f64 = 5e-6;
-/// Drift of the mass, in percent, below which zero is shown: half of the last digit shown (three decimals).
-pub const DRIFT_ROUNDING: f64 = 5e-4;
 /// Relative difference up to which two curves are equal and drawn once: rounding.
 pub const EQUAL_CURVES: f64 = 1e-9;
 /// Component of a vector, relative to the largest, below which zero is shown: some tens of roundings.
@@ -38,14 +40,26 @@ pub const CELLS_OF_A_GROUP: usize = 1 << 20;
 /// Rows of a row group; readers load one group at a time.
 #[cfg(feature = "tables")]
 pub const ROWS_OF_A_GROUP: std::ops::RangeInclusive<usize> = 1024..=1 << 17;
-/// Numbered points of the picture in a report; more numbers would cover the mechanism.
-pub const NAMED_POINTS: usize = 40;
+/// Parts with a name in the picture of a report; more names would cover the mechanism.
+pub const NAMED_PARTS: usize = 24;
+/// Rows of the first page of a report: what fits on one sheet of A4.
+pub const PARTS_ON_FIRST_PAGE: usize = 8;
+pub const VARIANTS_ON_FIRST_PAGE: usize = 3;
+pub const RATES_ON_FIRST_PAGE: usize = 5;
+/// Cosine of the angle to an axis from which a direction is named by the axis: 20 degrees.
+pub const ALONG_AXIS: f64 = 0.94;
+/// Change of the restitution that needs no action: below the accuracy of a measured restitution.
+pub const SMALL_RESTITUTION_CHANGE: f64 = 0.005;
+/// Main numbers of a report.
+pub const MAIN_NUMBERS: usize = 4;
 /// Bars of a tornado chart: the largest effects, half a page of A4.
 pub const TORNADO_BARS: usize = 16;
 /// Largest number of bins of a histogram: a bin is then wider than ten units of the plot's width.
 pub const HISTOGRAM_BINS: usize = 60;
-/// Rows of a sweep kept for the table of a report; a sweep with more rows is in its CSV file only.
+/// Rows of a sweep of which a report keeps the varied number, for the effect of tolerances.
 pub const ROWS_KEPT: usize = 10_000;
+/// Rows of the table of a sweep on a terminal: about a screen.
+pub const SWEEP_ROWS_ON_TERMINAL: usize = 40;
 /// Rows of a sweep in the table of a report.
 pub const SWEEP_ROWS_SHOWN: usize = 11;
 /// Smallest number of values of a curve that may be clipped; of fewer values each counts.

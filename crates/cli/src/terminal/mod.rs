@@ -8,6 +8,7 @@ pub(crate) mod explanation;
 pub(crate) mod failure;
 pub(crate) mod import_text;
 pub(crate) mod limits;
+pub(crate) mod number;
 pub(crate) mod report;
 pub(crate) mod text;
 pub(crate) mod units;

@@ -1,10 +1,9 @@
 //! Output of all commands: results to stdout, diagnostics to stderr.
 
-use crate::terminal::console;
+use crate::terminal::console::{self, write_line};
 use crate::terminal::diagnostics::lines;
 use crate::terminal::escape::{self, Terminal};
 use crate::terminal::failure::Failure;
-use crate::terminal::wrap;
 use percuss_formats::KNOWN_WARNING;
 use percuss_mechanism::Severity;
 use percuss_study::{DiagnosticRecord, Model};
@@ -14,6 +13,18 @@ use std::io::Write;
 thread_local! {
     /// True if the run on this thread shows notes, false if it only counts them.
     static NOTES_SHOWN: Cell<bool> = const { Cell::new(false) };
+    /// True if the run on this thread shows the details of a result.
+    static DETAILS_SHOWN: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Selects the details of results: points, axes, joints, method.
+pub fn show_details(shown: bool) {
+    DETAILS_SHOWN.set(shown);
+}
+
+/// True if the details of results are shown.
+pub fn details_are_shown() -> bool {
+    DETAILS_SHOWN.get()
 }
 
 /// Selects the output of notes: every note, or the number of notes.
@@ -26,10 +37,19 @@ pub fn notes_are_shown() -> bool {
     NOTES_SHOWN.get()
 }
 
-/// Writes a result to stdout.
+/// Writes a table for programs to stdout, with escapes for unsafe characters.
 pub fn write_out(text: &str) -> Result<(), Failure> {
+    write_bytes(escape::lines(text).as_bytes())
+}
+
+/// Writes a text for people to stdout, with the styles of the terminal.
+pub fn write_text(text: &str) -> Result<(), Failure> {
+    write_bytes(console::between_styles(text, |part| escape::lines(part).into_owned()).as_bytes())
+}
+
+fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = console::stdout();
-    stdout.write_all(escape::lines(text).as_bytes())?;
+    stdout.write_all(bytes)?;
     stdout.flush()?;
     Ok(())
 }
@@ -67,8 +87,7 @@ pub fn warn(message: &str) {
 
 /// Writes `severity: message` to stderr.
 fn write_message(severity: &str, message: &str) {
-    let line = wrap::wrap_message(&format!("{severity}: {}", escape::line(message)));
-    let _ = writeln!(console::stderr(), "{line}");
+    write_line(&format!("{severity}: {message}"));
 }
 
 /// Returns the result of a question. After an error, the findings about the model are written first, because they may be its cause.
@@ -96,9 +115,6 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
         lines.push(format!("error: {warnings} warning(s); --strict treats warnings as errors"));
         return Err(Failure::BadInput(lines));
     }
-    let mut stderr = console::stderr();
-    for line in lines {
-        let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
-    }
+    lines.iter().for_each(|line| write_line(line));
     Ok(())
 }

@@ -1,5 +1,14 @@
 //! Units of the results for a contact: at a point, or a moment about an axis.
 
+/// Name of a varied number in words: "wheel travel", "travel of wheel_centre"; joints keep their name.
+pub fn varied_name(name: &str) -> String {
+    match (name, name.strip_prefix("travel:")) {
+        ("wheel-travel" | "travel:wheel_centre", _) => "wheel travel".to_owned(),
+        (_, Some(link)) => format!("travel of {link}"),
+        (_, None) => name.to_owned(),
+    }
+}
+
 /// Units of the results for a contact.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactUnits {
@@ -9,9 +18,9 @@ pub struct ContactUnits {
     pub speed: &'static str,
     pub impulse: &'static str,
     pub force: &'static str,
-    /// SI unit of penetrations.
+    /// SI unit of compressions.
     pub length: &'static str,
-    /// Unit in which penetrations are shown: a thousandth of the SI unit.
+    /// Unit in which compressions are shown: a thousandth of the SI unit.
     pub small_length: &'static str,
 }
 

@@ -1,12 +1,31 @@
-//! Lines of at most 80 columns. Words are never broken: a wider path or name is on a line of its own and can be
+//! Lines as wide as the terminal, at most 120 columns; 80 columns in a file or a pipe. Words are never broken: a wider path or name is on a line of its own and can be
 //! copied.
 
 use crate::terminal::escape;
+use std::cell::Cell;
 use textwrap::core::display_width;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
-/// Columns of a terminal.
+/// Columns in a file or a pipe.
 pub const WIDTH: usize = 80;
+/// Least and largest number of columns on a terminal: longer lines are hard to read.
+const COLUMNS: [usize; 2] = [40, 120];
+
+thread_local! {
+    /// Columns of the run on this thread.
+    static COLUMNS_USED: Cell<usize> = const { Cell::new(WIDTH) };
+}
+
+/// Sets the number of columns to that of the terminal; `None`: a file or a pipe.
+pub fn use_columns(of_terminal: Option<usize>) {
+    let [least, most] = COLUMNS;
+    COLUMNS_USED.set(of_terminal.map_or(WIDTH, |columns| columns.clamp(least, most)));
+}
+
+/// Number of columns of a line.
+pub fn columns() -> usize {
+    COLUMNS_USED.get()
+}
 /// Column of the value of a fact, after its name.
 const VALUE_COLUMN: usize = 21;
 
@@ -17,13 +36,13 @@ pub fn width(text: &str) -> usize {
 
 /// Wraps a line that is too wide; continuation lines are indented.
 pub fn wrap_hanging(text: &str, indent: usize) -> String {
-    if display_width(text) <= WIDTH {
+    if display_width(text) <= columns() {
         return text.to_owned();
     }
     // Leading spaces are excluded from wrapping.
     let begins = text.len() - text.trim_start_matches(' ').len();
     let (before, after) = (&text[..begins], " ".repeat(indent));
-    let options = Options::new(WIDTH)
+    let options = Options::new(columns())
         .initial_indent(before)
         .subsequent_indent(&after)
         .word_separator(WordSeparator::AsciiSpace)

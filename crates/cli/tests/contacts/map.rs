@@ -232,7 +232,7 @@ fn directions_at_a_point_have_their_principal_masses() {
         assert!((number(&d["effective_mass"]) * (inverse(0) + inverse(1)) - 1.0).abs() < 1e-7);
     }
     let text = percuss(&format!("map {ARM} --link finger --point 0.1,0,0 --directions 500"));
-    assert!(text.code == 0 && text.stdout.contains("1.79257813"), "{}", text.stdout);
+    assert!(text.code == 0 && text.stdout.contains("1.793 kg   (0, 1, 0)"), "{}", text.stdout);
 }
 
 /// Positions of the vertices of a PLY.

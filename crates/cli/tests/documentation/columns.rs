@@ -130,7 +130,7 @@ fn maps_lists_and_safe_speeds() {
 fn exports_for_simulators_fit_a_terminal() {
     // All lines except the snippets for simulators, which are indented below their titles.
     let line = "damp --mass-from models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 \
-        --along-line bump_stop:0,0,0 --against chassis --stiffness 2e5 --restitution 0.3 --speed 0.5 --for all";
+        --along-line bump_stop:0,0,0 --against chassis --stiffness 2e5 --restitution 0.3 --speed 0.5 --for all --details";
     let outcome = percuss(line);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let mut lines = 0;

@@ -210,7 +210,7 @@ fn extremes_list_the_held_joints() {
     let both = percuss(&format!("{arm} --range elbow=-1:1 --set elbow=0.5"));
     assert!(both.code == 2 && both.stderr.contains("has a range and a given position"), "{}", both.stderr);
     let outside = percuss(&format!("{arm} --range shoulder=-10:10"));
-    assert!(outside.code == 0 && outside.stderr.contains("leaves the limits -2 to 2"), "{}", outside.stderr);
+    assert!(outside.code == 0 && outside.stderr.contains("leaves the limits −2 to 2"), "{}", outside.stderr);
 }
 
 /// Gap of a bump stop at the extremes: open at the drawn position of the arm, and the same as that of the table of contacts there.
@@ -341,7 +341,7 @@ fn every_command_takes_a_contact_in_one_text() {
     let limit = stop["pose"]["elbow"][0].as_f64().expect("a position");
     assert_eq!(limit, 2.6);
     let text = percuss(&format!("mass {robot} --at elbow:upper")).stdout;
-    assert!(text.contains("kg·m²") && text.contains("stop of joint        elbow"), "{text}");
+    assert!(text.contains("kg·m²") && text.contains("at the stop of elbow"), "{text}");
     let impact = json(&format!("impact {robot} --at elbow:upper --restitution 0.2 --speed 2 --format json"));
     assert!(impact["sticking_mass"].is_null() && impact["mass_states"] == serde_json::json!([]), "{impact}");
     let expected = 1.2 * 2.0 * value(&stop);

@@ -48,7 +48,7 @@ fn a_four_bar_has_the_rates_of_its_fractions() {
     assert_eq!(assumed["motion_before"], "least-energy");
     let text = percuss(&format!("{FOUR_BAR} --speed 2")).stdout;
     assert!(
-        text.contains("assumed: the motion of least energy") && text.contains("?: indeterminate"),
+        text.contains("before: v*, the motion of least energy") && text.contains("?: indeterminate"),
         "{text}"
     );
 }
@@ -112,11 +112,11 @@ fn an_impact_in_time_reaches_its_restitution_and_loads_its_bearings() {
     assert!(number(&pressed["in_time"]["max_penetration"]) > number(&apart["in_time"]["max_penetration"]));
     assert!(pressed["in_time"]["one_freedom"].is_null());
     let text = percuss(&line).stdout;
-    assert!(text.contains("in time") && text.contains("bearing in time"), "{text}");
+    assert!(text.contains("  compression") && text.contains("at ms"), "{text}");
     let svg = scratch.path("time.svg");
     assert_eq!(percuss(&format!("{line} --output {svg}")).code, 0);
     let drawn = std::fs::read_to_string(&svg).expect("written");
-    assert!(drawn.contains("crank_hinge") && drawn.contains("penetration (mm)"));
+    assert!(drawn.contains("crank_hinge") && drawn.contains("compression (mm)"));
 }
 
 #[test]
@@ -325,7 +325,7 @@ fn the_best_constant_armature_of_the_crank() {
     close(&range["best_constant"], 2.0 * a * b / (a + b));
     assert!((number("largest_error") - 0.7146).abs() < 1e-3, "{range}");
     close(&range["held"][0], 52163.0 / 110_250.0);
-    assert!(percuss(&command).stdout.contains("the best constant is"));
+    assert!(percuss(&command).stdout.contains("the best constant"));
     let outcome = percuss(&format!("{FOUR_BAR} --speed 2 --reflected crank_hinge=0:1m:5"));
     assert!(outcome.code == 2 && outcome.stderr.contains("--reflected"), "{}", outcome.stderr);
 }
@@ -336,7 +336,11 @@ fn a_centre_of_percussion_names_open_components() {
     let report = json(&format!("{command} --format json"));
     assert_eq!(report["percussion"][0]["open_components"], serde_json::json!([false, false, true]));
     assert_eq!(report["percussion"][0]["open_by"], serde_json::json!(["rocker_pin"]));
-    assert!(percuss(&command).stdout.contains("determinate components only"));
+    let text = percuss(&command).stdout;
+    assert!(
+        text.split_whitespace().collect::<Vec<_>>().join(" ").contains("determinate components only"),
+        "{text}"
+    );
 }
 
 /// A joint spring makes the impact in time shorter; the check by the equation for one degree of freedom is then omitted.

@@ -48,14 +48,14 @@ fn every_finding_is_in_every_output() {
         let accept = case.accepted().map_or_else(String::new, |accepted| format!("--accept {accepted}"));
         let mass = format!("--notes mass {file} {contact} {accept} {pose}");
         let mut expect = |output: &str, message: Option<&str>, text: &str| match message {
-            Some(message) if text.contains(part(message)) => {}
+            Some(message) if text.contains(&*part(message).replace('−', "-")) => {}
             _ => missing.push(format!("{code}, {output}: {message:?}")),
         };
         let report = percuss(&format!("{mass} --format json"));
         let of_mass = serde_json::from_str(&report.stdout).ok().and_then(|json| message(&json, code));
         let of_mass = of_mass.as_deref();
         expect("JSON", of_mass, &report.stdout.replace("\\\"", "\""));
-        let flat_text = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let flat_text = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").replace('−', "-");
         expect("text", of_mass, &flat_text(&percuss(&mass).stderr));
         if let Some(range) = case.range() {
             let sweep = format!("--notes sweep {file} {contact} {accept} --vary {range} --force");

@@ -228,9 +228,9 @@ fn the_estimate_stands_beside_the_answer() {
     assert!((of("share_left_out") - (1.0 - carried)).abs() < 1e-14);
     let text = percuss(&asked).stdout;
     for words in [
-        "estimate m_K/l²      461.857708 kg   (-10.71 %)",
-        "94.155 kg of wheel, spindle, upright",
-        "0.451510231, closing of the contact per upward travel of\n                     wheel\n",
+        "estimate m_K/l²      461.9 kg   (−10.71 %)",
+        "94.16 kg of wheel, spindle, upright",
+        "0.4515, closing of the contact per upward travel of wheel\n",
     ] {
         assert!(text.contains(words), "{words} is missing in\n{text}");
     }

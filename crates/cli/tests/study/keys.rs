@@ -257,7 +257,7 @@ fn a_study_answers_as_the_commands_do() {
     let safe = printed(&format!("safe-speed {model} {flags} --region chest --force 280 --load 1kg"));
     let of_safe = "[safe_speed]\nregion = \"chest\"\nforce = 280\nload = \"1 kg\"\n";
     let both = run(&format!("{contact}{of_safe}"));
-    assert!(both.starts_with("effective mass") && both.ends_with(&safe), "{both}");
+    assert!(both.contains(" kg  effective mass at ") && both.ends_with(&safe), "{both}");
     let worst = printed(&format!(
         "safe-speed {model} --link finger --point 0.1,0,0 --worst-direction --direction 1,0,0 --energy 3"
     ));

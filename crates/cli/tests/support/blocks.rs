@@ -6,7 +6,7 @@
 //! message. `< FILE` is standard input, `$ cat FILE` shows a file (exit code 1 if there is none), `$ cat FILE > NEW` copies it, and
 //! `$ sed s|OLD|NEW| FILE > NEW` changes the copy. With `PERCUSS_UPDATE=1`, the test writes the output into the page.
 //!
-//! In files of cases, each section has a folder of its own. A block with a file name is written to this folder (`toml car.toml`).
+//! In files of cases, commands have six digits (`--digits 6`), and each section has a folder of its own. A block with a file name is written to this folder (`toml car.toml`).
 //! A block `words` has lines `NAME = words` for the following commands.
 
 use super::{Outcome, Scratch, percuss_with_stdin, root, run, workshop};
@@ -112,8 +112,9 @@ pub fn check_page(page: &str) {
                 updated += prose;
             }
             Part::Block { info: "console", text } => {
-                updated +=
-                    &format!("```console\n{}```\n", run_block(&folder, &names, text, &mut differences));
+                let digits = has_sections.then_some(CASE_DIGITS);
+                let run = run_block(&folder, (&names, digits), text, &mut differences);
+                updated += &format!("```console\n{run}```\n");
                 count += text.matches("$ percuss ").count();
             }
             Part::Block { info, text } => {
@@ -147,8 +148,16 @@ pub fn check_page(page: &str) {
     assert_eq!(count, text.matches("$ percuss ").count(), "{page}: commands are in console blocks");
 }
 
+/// Digits of the commands of cases: more than a text for people has, fewer than a search or an integration reproduces.
+const CASE_DIGITS: &str = "--digits 6";
+
 /// Runs the commands of a block. Returns the updated block, and adds the outcomes of commands that print other lines.
-fn run_block(folder: &Scratch, names: &[(&str, &str)], block: &str, differences: &mut String) -> String {
+fn run_block(
+    folder: &Scratch,
+    (names, digits): (&[(&str, &str)], Option<&'static str>),
+    block: &str,
+    differences: &mut String,
+) -> String {
     let mut updated = String::new();
     for (line, shown) in commands(block) {
         updated += &format!("$ {line}\n");
@@ -162,7 +171,14 @@ fn run_block(folder: &Scratch, names: &[(&str, &str)], block: &str, differences:
         let words = words
             .split_whitespace()
             .map(|word| names.iter().find(|(name, _)| *name == word).map_or(word, |(_, words)| words));
-        let outcome = run_words(folder, &words.flat_map(str::split_whitespace).collect::<Vec<_>>());
+        let mut words = words.flat_map(str::split_whitespace).collect::<Vec<_>>();
+        if words[0] == "percuss" && words.len() > 1 && !line.contains("--digits") {
+            words.splice(1..1, digits.into_iter().flat_map(str::split_whitespace));
+        }
+        let outcome = run_words(folder, &words);
+        if digits.is_none() {
+            check_words(&words, &outcome);
+        }
         let new = updated_output(shown, &outcome);
         if new.as_deref() != Some(shown) {
             let Outcome { code, stdout, stderr, .. } = outcome;
@@ -171,6 +187,40 @@ fn run_block(folder: &Scratch, names: &[(&str, &str)], block: &str, differences:
         updated += new.as_deref().unwrap_or(shown);
     }
     updated
+}
+
+/// Other names of the quantities in the list of `docs/reference/OUTPUTS.md`.
+const OTHER_WORDS: [&str; 9] = [
+    "penetration",
+    "as drawn",
+    "energy loss",
+    "lost energy",
+    "approach speed",
+    "contact lasts",
+    "contribution",
+    "contact/wheel",
+    "share of the kinetic",
+];
+
+/// Asserts that the text of a command has one name for each quantity and true minus signs. Text to copy and tables for programs are
+/// excluded.
+fn check_words(words: &[&str], outcome: &Outcome) {
+    let commands = ["sweep", "init", "template", "schema", "completions", "check", "generate", "convert"];
+    let flags = ["--format", "-h", "--help", "--list-tools", "--list-laws"];
+    let is_copied = words.first() != Some(&"percuss")
+        || words.get(1).is_none_or(|command| commands.contains(command))
+        || words.iter().any(|word| flags.contains(word));
+    let stdout = outcome.stdout.lines().filter(|line| !is_copied && !line.starts_with("    "));
+    for line in stdout.chain(outcome.stderr.lines()) {
+        let other = OTHER_WORDS.iter().find(|word| line.contains(**word));
+        assert!(other.is_none(), "{words:?}: {} in {line}", other.unwrap_or(&""));
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        let is_negative = |pair: &[&str]| {
+            let number = pair[1].trim_start_matches('(').trim_end_matches([',', ')', ';', ':']);
+            !pair[0].starts_with("--") && number.starts_with('-') && number.parse::<f64>().is_ok()
+        };
+        assert!(!cells.windows(2).any(is_negative), "{words:?}: a hyphen for a minus sign in {line}");
+    }
 }
 
 /// Path of a word that names a file: of the repository, or of the folder of the page.

@@ -57,7 +57,7 @@ fn inches_and_pounds_are_read_and_shown() {
     assert!((in_kg / of_metric - 1.0).abs() < 1e-3, "{in_kg}, {of_metric}");
     folder.write("car.toml", &sheet);
     let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop"]);
-    for words in ["at the touch; 1.181 in as drawn", "2.408 in up from the pose as drawn"] {
+    for words in ["gap of 1.181 in closed", "wheel 2.408 in up from the design position"] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let list = done(&folder, &["mass", "car.toml", "--at", "all"]);
@@ -127,7 +127,7 @@ fn a_worksheet_is_chosen_by_a_flag() {
 }
 
 /// Printed positions and normals state their axes; the summary of an import has the unit and the axes of the sheet. Details of the
-/// solution are shown with --notes.
+/// solution are shown with --details.
 #[test]
 fn printed_positions_state_their_axes() {
     let folder = Scratch::new("printed-axes");
@@ -137,20 +137,20 @@ fn printed_positions_state_their_axes() {
     );
     let words = |words: &[&str]| done(&folder, words).split_whitespace().collect::<Vec<_>>().join(" ");
     let imported = words(&["import", "car.toml", "-o", "car.urdf"]);
-    for word in ["(0.00, -76.00, 30.00) cm, axes adams", "track 152.00 cm", "length, cm", "lower_arm 33.572"]
+    for word in ["(0.00, −76.00, 30.00) cm, axes adams", "track 152.00 cm", "length, cm", "lower_arm 33.572"]
     {
         assert!(imported.contains(word), "{word} is not in {imported}");
     }
     let plain = words(&["mass", "car.toml", "--at", "bump_stop"]);
+    let detailed = words(&["mass", "car.toml", "--at", "bump_stop", "--details"]);
     for word in [
         "in the link frame, out of bump_stop_pad",
         "axes of the vehicle (x forward, y left, z up)",
         "axes adams (x backward, y right, z up)",
         "per upward travel of wheel_centre",
     ] {
-        assert!(plain.contains(word), "{word} is not in {plain}");
+        assert!(detailed.contains(word) && !plain.contains(word), "{word} is not in {detailed}");
     }
-    let detailed = words(&["mass", "car.toml", "--at", "bump_stop", "--notes"]);
     for word in ["assembly mode", "rank gap", "loops driven by", "condition"] {
         assert!(detailed.contains(word) && !plain.contains(word), "{word}: {plain}");
     }

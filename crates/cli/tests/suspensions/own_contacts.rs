@@ -260,7 +260,10 @@ fn forces_beyond_the_data_of_a_sheet_are_warned_of() {
         let (at, force) = found.first().expect("a row outside the data");
         let mut words = vec![format!("{name}: the force"), format!("{force:.0} N at {:.2} mm", 1e3 * at)];
         words.extend((found.len() > 1).then(|| format!("({} rows)", found.len())));
-        words.iter().for_each(|words| assert!(told_of.contains(words), "{words}: {told_of}"));
+        words
+            .iter()
+            .map(|words| words.replace('-', "−"))
+            .for_each(|words| assert!(told_of.contains(&words), "{words}: {told_of}"));
     }
     with(&[
         ("spring", &spring(8000.0)),

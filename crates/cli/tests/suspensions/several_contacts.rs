@@ -38,7 +38,10 @@ fn several_contacts_of_a_sheet_are_each_what_mass_and_sweep_say() {
     let table = Sweep::read(&std::fs::read_to_string(csv).expect("a table"));
     assert_eq!(table.number(2, "spring motion_ratio"), report["rows"][2]["motion_ratio"][1].as_f64());
     let drawn = std::fs::read_to_string(svg).expect("a figure");
-    assert!(drawn.contains("motion ratio, contact per travel") && !drawn.contains("difference"), "{drawn}");
+    assert!(
+        drawn.contains("motion ratio, contact per wheel travel") && !drawn.contains("difference"),
+        "{drawn}"
+    );
     // All contacts are those that the table of mass lists, in its order.
     let listed = json(&format!("mass {SHEET} --at all --format json"));
     let all = json(&format!("compare {SHEET} --at all --format json"));

@@ -202,9 +202,7 @@ fn json_svg_and_png_are_written() {
     assert!(run("PNG").starts_with(b"\x89PNG\r\n\x1a\n") && run("png").ends_with(b"IEND\xaeB`\x82"));
     let svg = String::from_utf8(run("svg")).expect("text");
     assert!(
-        svg.contains("effective mass")
-            && svg.contains("travel:wheel_centre (mm)")
-            && svg.contains("estimate"),
+        svg.contains("effective mass") && svg.contains("wheel travel (mm)") && svg.contains("estimate"),
         "{svg}"
     );
     // The picture is valid XML: the loader reads it completely and rejects only the root element.

@@ -25,7 +25,7 @@ pub(super) fn add_drift_error(request: &Request, mut export: Export) -> (Export,
     export.error_bound = Some(bound + effect);
     if effect > 0.0 {
         export.add_assumption(format!(
-            "The effective mass changes by {:.1e} (relative) over the penetration; {effect:.1e} of the stated error is for that.",
+            "The effective mass changes by {:.1e} (relative) over the compression; {effect:.1e} of the stated error is for that.",
             change
         ));
     }

@@ -158,7 +158,7 @@ impl Export {
         let Some(bound) = self.error_bound.filter(|bound| e > 0.0 && *bound > e) else { return Ok(self) };
         let (why, remedy) = if bound - drift_error <= e {
             (
-                "the effective mass changes too much over the penetration: the error bound for this is larger than the restitution",
+                "the effective mass changes too much over the compression: the error bound for this is larger than the restitution",
                 "use a stiffer contact or a slower impact, or move the contact to a pose at which the mass changes less",
             )
         } else {

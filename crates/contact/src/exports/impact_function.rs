@@ -26,7 +26,7 @@ impl ImpactFunction {
         }
         if !limits::RAMPS.contains(&ramp) {
             let (what, valid) =
-                ("IMPACT's ramp d over the undamped penetration".into(), "a number from 1e-4 to 1e4");
+                ("IMPACT's ramp d over the undamped compression".into(), "a number from 1e-4 to 1e4");
             return Err(ContactLawError::OutOfRange { what, got: ramp, valid });
         }
         Ok(Self { exponent, ramp })
@@ -42,7 +42,7 @@ impl ImpactFunction {
         let speed = positive(LawParameter::Speed, speed)?;
         // Sum of logarithms: single terms can overflow.
         let sum = ((exponent + 1.0) / 2.0).ln() + mass.ln() + 2.0 * speed.ln() - stiffness.ln();
-        representable("undamped penetration, m", (sum / (exponent + 1.0)).exp())
+        representable("undamped compression, m", (sum / (exponent + 1.0)).exp())
     }
 
     /// Restitution of the damping ĉ. Errors: ĉ is negative or not finite; the contact does not end.

@@ -42,7 +42,7 @@ impl Linear {
                 tool,
                 exponent,
                 takes: "it is linear, exponent 1",
-                remedy: "choose a linear stiffness that stores the same energy at the same penetration",
+                remedy: "choose a linear stiffness that stores the same energy at the same compression",
             });
         }
         let frequency =

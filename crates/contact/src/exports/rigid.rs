@@ -5,7 +5,7 @@ use crate::limits;
 
 /// Reason of a missing error bound.
 pub(super) const SPEED_MISSING: &str =
-    "approach speed, m/s: the error of a mechanism is proportional to the travel in a time step";
+    "closing speed, m/s: the error of a mechanism is proportional to the travel in a time step";
 
 /// Time step of the request. For a mechanism without a requested step: the step at which [`travel_error`] is half of
 /// the accuracy, with a travel of [`limits::RIGID_TRAVEL`] at most. `None` for a free body and without a speed.

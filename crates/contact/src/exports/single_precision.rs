@@ -23,7 +23,7 @@ pub(super) fn add(
 ) -> Result<(), ExportError> {
     let Some(single) = error(request, step) else {
         export.error_bound = None;
-        export.missing.push("approach speed: what single precision adds to the error depends on it");
+        export.missing.push("closing speed: what single precision adds to the error depends on it");
         return Ok(());
     };
     let Some(bound) = export.error_bound else { return Ok(()) };

@@ -72,6 +72,8 @@ class BodyShare(Record):
 
     link: str
     """The link."""
+    mass: float
+    """Mass of the link, kg; 0 for a link without inertia."""
     share: float | None
     """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
 

@@ -1,14 +1,15 @@
 //! Drawing of a mechanism in two or three orthographic views: lines, circles, symbols, arrows and named points in space.
 
 mod items;
-mod key;
 mod layout;
-mod numbers;
+mod names;
 mod shapes;
 mod symbols;
 mod vectors;
 
-pub use self::shapes::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, DrawnSymbol, SymbolKind};
+pub use self::shapes::{
+    Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, DrawnName, DrawnSymbol, SymbolKind, Views,
+};
 
 use crate::picture::Laid;
 use crate::scene::Scene;

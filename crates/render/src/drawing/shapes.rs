@@ -7,8 +7,10 @@ pub struct Drawing {
     pub title: String,
     /// Subtitle; no subtitle if empty.
     pub subtitle: String,
-    /// Quantity shown by the shading; no legend if empty.
-    pub shading: String,
+    /// Description for readers without the picture; the views if empty.
+    pub content: String,
+    /// Quantity shown by the shading, and its largest value in percent; no legend if `None`.
+    pub shading: Option<(String, f64)>,
     /// Facets of link shapes, drawn below the lines.
     pub facets: Vec<DrawnFacet>,
     /// Lines.
@@ -23,10 +25,35 @@ pub struct Drawing {
     pub symbols: Vec<DrawnSymbol>,
     /// Labelled points.
     pub marks: Vec<crate::SkinMark>,
-    /// Named points, numbered from 1 in the views. The key beside the top view, or below, lists the names.
+    /// Named points: a dot, with the name under the pointer.
     pub points: Vec<crate::SkinMark>,
-    /// True for a third view from above.
-    pub has_top_view: bool,
+    /// Names of parts, each beside its part.
+    pub names: Vec<DrawnName>,
+    /// Views.
+    pub views: Views,
+}
+
+/// Views of a drawing. Views in which the drawing is only a line are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Views {
+    /// From the front and from the left.
+    #[default]
+    Two,
+    /// From the front, from the left and from above.
+    Three,
+    /// The view in which the drawing covers the largest area, and in whose plane its arrows are; on a page of half the width.
+    Best,
+}
+
+/// Name of a part with a leader line from the nearest of several points of the part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnName {
+    /// The name.
+    pub text: String,
+    /// Points of the part, m.
+    pub points: Vec<[f64; 3]>,
+    /// Shading value of the part from 0 to 1: names of small values are lighter.
+    pub intensity: Option<f64>,
 }
 
 /// Triangle of a link shape.
@@ -43,11 +70,11 @@ pub struct DrawnFacet {
 pub struct DrawnLine {
     /// End points, m.
     pub ends: [[f64; 3]; 2],
-    /// Shading value from 0 to 1; `None` is drawn in ink without shading.
+    /// Shading value from 0 to 1: colour and width; `None` is drawn in ink without shading.
     pub intensity: Option<f64>,
 }
 
-/// A circle in space.
+/// A circle in space, or the outline of a wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DrawnCircle {
     /// Centre, m.
@@ -56,6 +83,10 @@ pub struct DrawnCircle {
     pub axis: [f64; 3],
     /// Radius, m.
     pub radius: f64,
+    /// Width along the axis, m; 0 for a circle.
+    pub width: f64,
+    /// Shading value from 0 to 1 of the colour.
+    pub intensity: Option<f64>,
 }
 
 /// Arrow. Its length shows a magnitude, not a distance.

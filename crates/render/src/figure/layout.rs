@@ -3,17 +3,21 @@
 use crate::figure::axis::{Axis, drawable, extent};
 use crate::figure::colours::assign_colours;
 use crate::figure::curve;
+use crate::figure::ends;
 use crate::figure::legend::{DOT, ROW, WIDTH_RESERVE, band_tint, layout_legend, stroke};
 use crate::figure::marks::{MarkStrip, layout_marks};
-use crate::figure::{Figure, Panel, Series, Style};
+use crate::figure::{Figure, LabelledPoint, Panel, Series, Style};
 use crate::font::Font;
-use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO};
+use crate::palette::{AXIS, Colour, GRID, INK, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Item, Point, Scene, pixel_centre, solid};
 use crate::text::{fit_to_width, medium, regular, width, wrap_to_width};
 
+/// Width of a page, and of a page beside text.
 const WIDTH: f64 = 900.0;
-/// Margin on the left and right of the page.
+const HALF_WIDTH: f64 = 360.0;
+/// Margin on the left and right of a page.
 const MARGIN: f64 = 28.0;
+const HALF_MARGIN: f64 = 6.0;
 /// Height of a panel's frame.
 const FRAME: f64 = 232.0;
 /// Height of a panel's heading, above its frame.
@@ -77,47 +81,68 @@ const TITLE_LINES: usize = 3;
 
 /// Lays out a figure on one page.
 pub(crate) fn layout_figure(figure: &Figure) -> Scene {
-    let title = wrap_to_width(&figure.title, TITLE, WIDTH - 2.0 * MARGIN, TITLE_LINES);
-    let subtitle = wrap_to_width(&figure.subtitle, SUBTITLE, WIDTH - 2.0 * MARGIN, TITLE_LINES);
-    let caption = [title.join(" "), subtitle.join(" ")].into_iter().filter(|s| !s.is_empty());
-    let caption = caption.collect::<Vec<_>>().join(" — ");
-    let mut scene = Scene { width: WIDTH, height: 0.0, caption, items: Vec::new() };
+    let (page, margin) = if figure.is_half { (HALF_WIDTH, HALF_MARGIN) } else { (WIDTH, MARGIN) };
+    let panels: Vec<Panel> = figure.panels.iter().map(ends::merge_equal).collect();
+    let title = wrap_to_width(&figure.title, TITLE, page - 2.0 * margin, TITLE_LINES);
+    let subtitle = wrap_to_width(&figure.subtitle, SUBTITLE, page - 2.0 * margin, TITLE_LINES);
+    let mut scene =
+        Scene { width: page, height: 0.0, caption: caption(figure, &title, &subtitle), items: Vec::new() };
 
-    let mut y_cursor = 16.0;
+    let mut y_cursor = if figure.is_half { -12.0 } else { 16.0 };
     for (lines, font, colour, height) in [(title, TITLE, INK, 24.0), (subtitle, SUBTITLE, SOFT_INK, 20.0)] {
         for text in lines {
             y_cursor += height;
-            scene.text(text, (MARGIN, y_cursor), Anchor::Start, font, colour);
+            scene.text(text, (margin, y_cursor), Anchor::Start, font, colour);
         }
     }
     y_cursor += 12.0;
 
-    let y_axes: Vec<Axis> = figure.panels.iter().map(y_axis).collect();
-    let left = MARGIN + LABEL_DISTANCE + widest(&y_axes).ceil();
-    let right = WIDTH - MARGIN;
+    let y_axes: Vec<Axis> = panels.iter().map(y_axis).collect();
+    let left = margin + LABEL_DISTANCE + widest(&y_axes).ceil();
+    let names = ends::width_of_names(&panels, page);
+    let right = page - margin - names.unwrap_or(0.0);
     let x_axis = x_axis(figure, right - left);
-    let colours = assign_colours(figure);
+    let colours = assign_colours(&panels);
     let strip = layout_marks(&figure.marks, &x_axis, left, right);
 
-    for (i, ((panel, y_axis), colours)) in figure.panels.iter().zip(&y_axes).zip(&colours).enumerate() {
+    for (i, ((panel, y_axis), colours)) in panels.iter().zip(&y_axes).zip(&colours).enumerate() {
         let baseline = y_cursor + 20.0;
-        let label = fit_to_width(&panel.y_label, LABEL, right - MARGIN);
-        let heading_width = right - MARGIN - WIDTH_RESERVE * width(&label, LABEL) - 32.0;
-        scene.text(label, (MARGIN, baseline), Anchor::Start, LABEL, INK);
-        let legend = layout_legend(&panel.series, right - MARGIN, heading_width);
+        let label = fit_to_width(&panel.y_label, LABEL, right - margin);
+        let heading_width = right - margin - WIDTH_RESERVE * width(&label, LABEL) - 32.0;
+        scene.text(label, (margin, baseline), Anchor::Start, LABEL, INK);
+        // Series without a name at their end are in the legend.
+        let is_listed = |series: &Series| names.is_none() || !ends::is_line(series);
+        let listed: Vec<Series> = if panel.series.len() > 1 {
+            panel.series.iter().filter(|series| is_listed(series)).cloned().collect()
+        } else {
+            Vec::new()
+        };
+        let of_listed: Vec<Colour> = panel
+            .series
+            .iter()
+            .zip(colours)
+            .filter(|(series, _)| is_listed(series))
+            .map(|(_, c)| *c)
+            .collect();
+        let legend = layout_legend(&listed, right - margin, heading_width);
         let above = HEADING + legend.rows as f64 * ROW + if i == 0 { strip.height() } else { 0.0 };
-        legend.draw(&mut scene, &panel.series, colours, (MARGIN, right), baseline);
+        legend.draw(&mut scene, &listed, &of_listed, (margin, right), baseline);
         let frame = Frame { x: &x_axis, y: y_axis, left, right, top: y_cursor + above };
         draw_panel(&mut scene, panel, colours, &frame, &strip, i == 0);
+        if let Some(available) = names {
+            let place = (right, frame.top, frame.bottom());
+            ends::draw_names(&mut scene, panel, colours, &|x, y| frame.point_at(x, y), place, available);
+        }
+        draw_values(&mut scene, panel, colours, &frame);
         y_cursor = frame.bottom();
         if i + 1 < figure.panels.len() {
             y_cursor += PANEL_DISTANCE;
         } else {
-            draw_x_labels(&mut scene, &frame);
+            draw_x_labels(&mut scene, &frame, page);
         }
     }
     if figure.panels.is_empty() {
-        scene.text("nothing to draw".into(), (MARGIN, y_cursor + 20.0), Anchor::Start, SUBTITLE, SOFT_INK);
+        scene.text("nothing to draw".into(), (margin, y_cursor + 20.0), Anchor::Start, SUBTITLE, SOFT_INK);
         y_cursor += 20.0;
     } else {
         let label = fit_to_width(&figure.x_label, LABEL, right - left);
@@ -128,6 +153,53 @@ pub(crate) fn layout_figure(figure: &Figure) -> Scene {
     scene
 }
 
+/// Description of a figure: its title and subtitle, or the labels of its axes.
+fn caption(figure: &Figure, title: &[String], subtitle: &[String]) -> String {
+    let titles = [title.join(" "), subtitle.join(" ")].into_iter().filter(|text| !text.is_empty());
+    let titles = titles.collect::<Vec<_>>().join(" — ");
+    if !titles.is_empty() {
+        return titles;
+    }
+    let labels = figure.panels.iter().map(|panel| &panel.y_label).chain([&figure.x_label]);
+    let labels = labels.map(|label| fit_to_width(label, LABEL, WIDTH)).filter(|label| !label.is_empty());
+    labels.collect::<Vec<_>>().join(" over ")
+}
+
+/// Draws the labelled values of a panel with their uncertainty.
+fn draw_values(scene: &mut Scene, panel: &Panel, colours: &[Colour], frame: &Frame) {
+    let colour = colours.first().copied().unwrap_or(INK);
+    for value in &panel.values {
+        let (Some(x), Some(y)) = (drawable(value.x), drawable(value.y)) else { continue };
+        if !(frame.x.contains(x) && frame.y.contains(y)) {
+            continue;
+        }
+        let at = frame.point_at(x, y);
+        let mut above = 9.0;
+        if let Some(spread) = value.spread.and_then(drawable) {
+            let ends =
+                [y + spread, y - spread].map(|y| frame.point_at(x, y).1.clamp(frame.top, frame.bottom()));
+            let cap = |y: f64| vec![(at.0 - 4.0, y), (at.0 + 4.0, y)];
+            scene.lines(
+                vec![vec![(at.0, ends[0]), (at.0, ends[1])], cap(ends[0]), cap(ends[1])],
+                solid(colour, 1.5),
+            );
+            above += at.1 - ends[0];
+        }
+        scene.dots(vec![at], 4.0, colour);
+        // Below the curve without an uncertainty, and inside the frame.
+        let y = if value.spread.is_none() && at.1 + 24.0 < frame.bottom() {
+            at.1 + 20.0
+        } else {
+            (at.1 - above).max(frame.top + 12.0)
+        };
+        let half = 0.5 * WIDTH_RESERVE * width(&value.label, LABEL) + 4.0;
+        let is_right = at.0 + half > frame.right;
+        let anchor = if is_right { Anchor::End } else { Anchor::Middle };
+        let x = if is_right { at.0.min(frame.right) - 6.0 } else { at.0.max(frame.left + half) };
+        scene.text_with_halo(value.label.clone(), (x, y), anchor, LABEL, INK);
+    }
+}
+
 /// Axis of a panel: the given limits, or the range of the points with a margin.
 fn y_axis(panel: &Panel) -> Axis {
     if let Some(limits) = panel.y_limits.and_then(|(low, high)| extent([low, high].into_iter())) {
@@ -135,12 +207,16 @@ fn y_axis(panel: &Panel) -> Axis {
     }
     let points = panel.series.iter().flat_map(|s| &s.points);
     // A value without a drawable x is not drawn, so it does not affect the range.
-    Axis::with_margin(extent(points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1)), 6)
+    let points = points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1);
+    let spread = |value: &LabelledPoint| value.spread.unwrap_or(0.0);
+    let values = panel.values.iter().flat_map(|value| [value.y + spread(value), value.y - spread(value)]);
+    Axis::with_margin(extent(points.chain(values)), 6)
 }
 
 /// Shared x axis with as many ticks as fit side by side.
 fn x_axis(figure: &Figure, width_available: f64) -> Axis {
     let points = figure.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|p| p.0);
+    let points = points.chain(figure.panels.iter().flat_map(|p| &p.values).map(|value| value.x));
     let limits = figure.x_limits.and_then(|(low, high)| extent([low, high].into_iter()));
     let range = limits.or_else(|| extent(points)).or_else(|| extent(figure.marks.iter().map(|m| m.x)));
     let fits = |axis: &Axis| {
@@ -203,7 +279,7 @@ fn draw_panel(
     }
     if empty {
         let at = (0.5 * (frame.left + frame.right), frame.top + 0.5 * FRAME);
-        scene.text_on_paper("no value to draw".into(), at, SUBTITLE, SOFT_INK);
+        scene.text_with_halo("no value to draw".into(), at, Anchor::Middle, SUBTITLE, SOFT_INK);
     }
 }
 
@@ -251,8 +327,6 @@ fn draw_grid(scene: &mut Scene, frame: &Frame) {
     let horizontal_lines =
         |fractions: Vec<f64>| fractions.into_iter().map(|f| frame.horizontal_line(frame.y_at(f)));
     let tick_fractions = |axis: &Axis| axis.ticks().iter().map(|t| t.fraction).collect::<Vec<_>>();
-    let minor = vertical_lines(frame.x.minor()).chain(horizontal_lines(frame.y.minor())).collect();
-    scene.lines(minor, solid(MINOR_GRID, 1.0));
     let major =
         vertical_lines(tick_fractions(frame.x)).chain(horizontal_lines(tick_fractions(frame.y))).collect();
     scene.lines(major, solid(GRID, 1.0));
@@ -278,10 +352,10 @@ fn draw_grid(scene: &mut Scene, frame: &Frame) {
 }
 
 /// Draws the tick labels of x below the last panel; labels at the ends are moved to stay on the page.
-fn draw_x_labels(scene: &mut Scene, frame: &Frame) {
+fn draw_x_labels(scene: &mut Scene, frame: &Frame, page: f64) {
     for tick in frame.x.ticks() {
         let half = 0.5 * width(&tick.label, NUMBER) + 4.0;
-        let x = frame.x_at(tick.fraction).clamp(half, (WIDTH - half).max(half));
+        let x = frame.x_at(tick.fraction).clamp(half, (page - half).max(half));
         scene.text(tick.label, (x, frame.bottom() + 22.0), Anchor::Middle, NUMBER, SOFT_INK);
     }
 }

@@ -5,7 +5,7 @@ use crate::figure::axis::{Axis, drawable};
 use crate::font::Font;
 use crate::limits;
 use crate::palette::SOFT_INK;
-use crate::scene::{Scene, Stroke, pixel_centre};
+use crate::scene::{Anchor, Scene, Stroke, pixel_centre};
 use crate::text::{fit_to_width, regular, width};
 
 const FONT: Font = regular(12.0);
@@ -66,7 +66,7 @@ impl MarkStrip {
     pub fn draw_labels(&self, scene: &mut Scene, top: f64) {
         for name in &self.labels {
             let at = (name.middle, top - 8.0 - ROW * name.row as f64);
-            scene.text_on_paper(name.text.clone(), at, FONT, SOFT_INK);
+            scene.text_with_halo(name.text.clone(), at, Anchor::Middle, FONT, SOFT_INK);
         }
     }
 

@@ -3,6 +3,7 @@
 pub(crate) mod axis;
 mod colours;
 mod curve;
+mod ends;
 pub(crate) mod layout;
 pub(crate) mod legend;
 mod marks;
@@ -24,6 +25,8 @@ pub struct Figure {
     pub x_limits: Option<(f64, f64)>,
     /// Labelled positions on the x axis; their lines cross all panels.
     pub marks: Vec<Mark>,
+    /// True for a figure beside text, on a page of half the width.
+    pub is_half: bool,
 }
 
 /// Panel with its own y axis.
@@ -31,10 +34,26 @@ pub struct Figure {
 pub struct Panel {
     /// Label of the y axis with its unit: `Effective mass m̄ (kg)`.
     pub y_label: String,
-    /// Series; the first is drawn on top. Two or more get a legend.
+    /// Series; the first is drawn on top. Two or more lines have their names at their ends, or a legend. Lines with equal points are drawn
+    /// once, with both names.
     pub series: Vec<Series>,
     /// Ends of the y axis; `None` takes the range of the points with a margin.
     pub y_limits: Option<(f64, f64)>,
+    /// Values with a label, in the colour of the first series.
+    pub values: Vec<LabelledPoint>,
+}
+
+/// Value of a curve with a label.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LabelledPoint {
+    /// Position.
+    pub x: f64,
+    /// Value.
+    pub y: f64,
+    /// Uncertainty of the value, drawn as a bar to both sides.
+    pub spread: Option<f64>,
+    /// Label.
+    pub label: String,
 }
 
 /// Data series. Series with the same name have the same colour in every panel.

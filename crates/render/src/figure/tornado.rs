@@ -104,7 +104,7 @@ impl Laid for Tornado {
         scene.text(label, (0.5 * (left + right), bottom + 40.0), Anchor::Middle, LABEL, INK);
         if self.bars.is_empty() {
             let at = (0.5 * (left + right), top + 0.7 * ROW);
-            scene.text_on_paper("nothing to draw".into(), at, SUBTITLE, SOFT_INK);
+            scene.text_with_halo("nothing to draw".into(), at, Anchor::Middle, SUBTITLE, SOFT_INK);
         }
         scene.height = (bottom + 54.0).ceil();
         scene

@@ -71,7 +71,7 @@ impl Skin {
             let half = 0.5 * width(&label, font) + 4.0;
             let at =
                 (x.clamp(left + half, left + SIDE - half), if y < TOP + 30.0 { y + 20.0 } else { y - 11.0 });
-            scene.text_on_paper(label, at, font, INK);
+            scene.text_with_halo(label, at, Anchor::Middle, font, INK);
         }
     }
 

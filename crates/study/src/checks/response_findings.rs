@@ -77,7 +77,7 @@ const REMARKS: [(RemarkFlags, FindingKind, &str); 24] = {
         (
             Flags::DRAWN_OPEN,
             Kind::DrawnOpen,
-            "a loop as drawn is open by more than a hundredth of its size: is a point mistyped?",
+            "a loop is open in the design position by more than a hundredth of its size: is a point mistyped?",
         ),
         (
             Flags::INEXACT_LOOPS,

@@ -32,7 +32,7 @@ fn section(name: &str) -> &str {
 /// Springs with a rate in the suspension sheet of a model.
 pub(crate) fn sheet_springs(model: &Model) -> Vec<SheetSpring<'_>> {
     let Some(sheet) = model.origin.sheet.as_deref() else { return Vec::new() };
-    let springs = &sheet.kinematics.forces.springs;
+    let springs = &sheet.understood.forces.springs;
     let mechanism = &model.mechanism;
     let spring = |contact: &'_ percuss_mechanism::NamedContact| {
         let (ContactNormal::Toward(other) | ContactNormal::Away(other)) = *contact.normal() else {
@@ -143,6 +143,6 @@ fn sheet_curve(evaluated: &EvaluatedQuestion) -> Result<Option<GivenCurve>, Stud
     let Some(sheet) = model.origin.sheet.as_deref() else { return Ok(None) };
     let Some(contact) = evaluated.prepared.question.named_contact(&model.mechanism)? else { return Ok(None) };
     let name = contact.name();
-    let stop = sheet.kinematics.forces.stops.iter().find(|(stop, _)| stop == section(name));
+    let stop = sheet.understood.forces.stops.iter().find(|(stop, _)| stop == section(name));
     Ok(stop.map(|(_, curve)| GivenCurve::of_stop(name, curve)))
 }

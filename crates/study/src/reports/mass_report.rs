@@ -29,6 +29,8 @@ use std::collections::BTreeMap;
 pub struct BodyShare {
     /// The link.
     pub link: String,
+    /// Mass of the link, kg; 0 for a link without inertia.
+    pub mass: f64,
     /// Share of the kinetic energy at unit closing speed; null unless m̄ is finite.
     pub share: Option<f64>,
 }
@@ -289,7 +291,11 @@ impl MassReport {
             error_budget: ErrorBudgetRecord::of(answer),
             bodies: mechanism
                 .link_ids()
-                .map(|link| BodyShare { link: link_name(link), share: share_of(link.index()) })
+                .map(|link| BodyShare {
+                    link: link_name(link),
+                    mass: mechanism.link(link).inertial().map_or(0.0, |inertial| inertial.mass),
+                    share: share_of(link.index()),
+                })
                 .collect(),
             rotors: rotors
                 .iter()

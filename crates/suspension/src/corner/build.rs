@@ -136,12 +136,16 @@ fn check_gap(
     if gap < 0.0 {
         let cause = match stop {
             Stop { gap: Some(_), .. } => {
-                format!("write {section}.gap as a positive number, unless the parts overlap as drawn")
+                format!(
+                    "write {section}.gap as a positive number, unless the parts overlap in the design position"
+                )
             }
             Stop { direction: Some(_), .. } => {
-                format!("the sign of {section}.direction is wrong, or the parts overlap as drawn")
+                format!(
+                    "the sign of {section}.direction is wrong, or the parts overlap in the design position"
+                )
             }
-            Stop { .. } => "the parts overlap as drawn".to_owned(),
+            Stop { .. } => "the parts overlap in the design position".to_owned(),
         };
         findings.warning("overlapping-stop", &stop.spot, format!("the gap is {given}: {cause}"));
     } else if gap > 0.0 && !STOP_GAPS.contains(&gap) {

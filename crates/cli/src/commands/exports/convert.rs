@@ -5,7 +5,7 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out, write_unescaped};
+use crate::terminal::report::{write_diagnostics, write_json, write_text, write_unescaped};
 use crate::terminal::wrap::fact_line;
 use percuss_mechanism::Severity;
 use percuss_study::{
@@ -53,7 +53,7 @@ pub(super) fn convert(
     write_files(&mut report)?;
     match report_format {
         CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&summary(&report)),
+        CheckFormat::Text => write_text(&summary(&report)),
     }
 }
 

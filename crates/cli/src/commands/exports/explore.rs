@@ -4,7 +4,7 @@ use crate::args::ExploreArgs;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{note, write_diagnostics, write_out};
+use crate::terminal::report::{note, write_diagnostics, write_text};
 use crate::terminal::wrap::fact_line;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -54,7 +54,7 @@ pub fn run(args: &ExploreArgs) -> Result<(), Failure> {
     check_writable(&output)?;
     let html = page_text(&FirstQuestion { tables, max_size, strict })?;
     write_file(&output, html.as_bytes())?;
-    write_out(&fact_line("written", &line(&output)))?;
+    write_text(&fact_line("written", &line(&output)))?;
     if args.open { open(&output) } else { Ok(()) }
 }
 

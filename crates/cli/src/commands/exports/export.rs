@@ -6,8 +6,9 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{number, shell_quoted};
+use crate::terminal::number::number;
+use crate::terminal::report::{write_diagnostics, write_json, write_text};
+use crate::terminal::text::shell_quoted;
 use crate::terminal::wrap::fact_line;
 use percuss_study::contact::exports::StopMotion;
 use percuss_study::{DampingQuestion, ExportReport, ImpactExportError, export};
@@ -45,7 +46,7 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     write_files(&mut report)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&summary(&report)),
+        CheckFormat::Text => write_text(&summary(&report)),
     }
 }
 
@@ -66,7 +67,7 @@ pub fn summary(report: &ExportReport) -> String {
     let (name, mass, speed) =
         if turns { ("effective inertia", "kg·m²", "rad/s") } else { ("effective mass", "kg", "m/s") };
     out += &fact_line(name, &format!("{} {mass}", number(report.effective_mass)));
-    out += &fact_line("approach speed", &format!("{} {speed}", number(report.approach_speed)));
+    out += &fact_line("closing speed", &format!("{} {speed}", number(report.approach_speed)));
     out += &fact_line("restitution", &format!("{}{bound}", number(report.restitution)));
     out += &fact_line("time step", &format!("{} s", number(report.time_step)));
     out += &fact_line("run", &line(&format!("python {}", shell_quoted(&report.script))));

@@ -4,7 +4,7 @@ use crate::args::GenerateArgs;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{write_diagnostics, write_text};
 use crate::terminal::text::shell_quoted;
 use crate::terminal::wrap::fact_line;
 use percuss_study::{CodeError, CodeReport, LanguageName, generate_code};
@@ -28,7 +28,7 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     make_folder(folder)?;
     let report = generate_code(&model, &question, &code)?;
     write_files(&report, folder)?;
-    write_out(&summary(&report, folder))
+    write_text(&summary(&report, folder))
 }
 
 /// Makes the folder of the files, if it does not exist.

@@ -4,10 +4,11 @@ use crate::args::{CheckFormat, ExtremesArgs};
 use crate::document::{self, Document};
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
+use crate::terminal::number::{number, triple};
 use crate::terminal::report::{with_findings, write_diagnostics};
-use crate::terminal::text::{number, short_number, triple};
-use crate::terminal::units::ContactUnits;
+use crate::terminal::units::{ContactUnits, varied_name};
 use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status, extremes};
+use percuss_suspension::LengthUnit;
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
 const RESTING_GAP: f64 = 1e-6;
@@ -70,7 +71,7 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         }
         if let Some(gap) = record.gap.filter(|gap| gap.abs() > RESTING_GAP) {
             let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
-            facts.push(("  gap", format!("{} m, the stop is {state} here", short_number(gap))));
+            facts.push(("  gap", format!("{}, the stop is {state} here", LengthUnit::Millimetre.text(gap))));
         }
         if let Some(normal) = &record.normal_world {
             let direction = if report.is_moment { "  axis" } else { "  normal" };
@@ -79,7 +80,7 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         let starts = if report.path.is_some() { "local searches" } else { "starts" };
         let kept = record
             .kept_error
-            .map_or_else(String::new, |error| format!("; error of kept points {} m", short_number(error)));
+            .map_or_else(String::new, |error| format!("; error of kept points {} m", number(error)));
         let stopped = match record.is_stopped {
             true => format!(
                 "; stopped by the limit of work in start {} of {}: the best value found",
@@ -93,7 +94,7 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
                 "{} of {} {starts} agree; optimality residual {}{kept}{stopped}",
                 record.agreeing,
                 record.starts,
-                short_number(record.residual)
+                number(record.residual)
             ),
         ));
     }
@@ -109,14 +110,14 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
         facts.push(("kept", kept.join("; ")));
     }
     let range = |(joint, lower, upper): &(String, f64, f64)| {
-        format!("{joint} {} to {}", short_number(*lower), short_number(*upper))
+        format!("{joint} {} to {}", number(*lower), number(*upper))
     };
     let ranges: Vec<String> = report.ranges.iter().map(range).collect();
     if !ranges.is_empty() {
         facts.push(("ranges", format!("{} (rad or m)", ranges.join(", "))));
     }
     if !report.held.is_empty() {
-        let list = |values: &[f64]| values.iter().map(|x| short_number(*x)).collect::<Vec<_>>().join(",");
+        let list = |values: &[f64]| values.iter().map(|x| number(*x)).collect::<Vec<_>>().join(",");
         let held = |(joint, values): &(String, Vec<f64>)| format!("{joint} at {}", list(values));
         let held: Vec<String> = report.held.iter().map(held).collect();
         facts.push(("held", format!("{} (rad or m; give a range to vary it)", held.join(", "))));
@@ -128,7 +129,7 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
 fn on_path(place: &PathPlace) -> String {
     let shown = place.unit.display_unit();
     let (scale, unit) = shown.map_or((1.0, place.unit.si_unit()), |unit| (unit.per_si, unit.name));
-    format!("{} {} {unit}", place.name, short_number(scale * place.value)).trim_end().to_owned()
+    format!("{} {} {unit}", varied_name(&place.name), number(scale * place.value)).trim_end().to_owned()
 }
 
 /// Kept link or point as text.

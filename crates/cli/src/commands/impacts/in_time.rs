@@ -1,11 +1,13 @@
-//! Impact in time: facts, table of the bearings, figure and CSV.
+//! Impact in time: facts, figure and CSV.
 
-use crate::commands::damp::stiffness_text;
+use crate::commands::damp::{law_name, stiffness_text};
+use crate::commands::impacts::bearings::place_name;
 use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
-use crate::terminal::text::{Table, number, short_number};
+use crate::terminal::number::{load, number, signed};
+use crate::terminal::report::details_are_shown;
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, PointSpringRecord, ReactionPlace};
@@ -17,51 +19,20 @@ const LARGEST_PERCENTAGE: f64 = 100.0;
 /// Most bearings in the figure: more lines cannot be told apart.
 const MOST_SHOWN: usize = 5;
 
-/// Name of the place of a reaction.
-pub fn place_name(place: ReactionPlace, name: &str) -> String {
-    match place {
-        ReactionPlace::Joint => name.to_owned(),
-        ReactionPlace::Closure => format!("{name} (closure)"),
-        ReactionPlace::Hold => format!("{name} (held point)"),
-        ReactionPlace::Ground => format!("{name} (ground)"),
-    }
-}
-
-/// Results of the impact in time; empty unless requested.
+/// Further results of the impact in time; empty unless requested.
 pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     let Some(found) = &report.in_time else { return Vec::new() };
-    let change = found.mass_change.map_or_else(String::new, |change| match change {
-        change if change > LARGEST_PERCENTAGE => {
-            "; the mechanism approaches a pose at which the contact is immovable".to_owned()
-        }
-        change => format!("; the effective mass changes by {:+.2} % over it", 100.0 * change),
-    });
     let is_moment = report.mass.contact.is_moment;
-    let ContactUnits { force, small_length, .. } = ContactUnits::new(is_moment);
+    let ContactUnits { force, .. } = ContactUnits::new(is_moment);
     let what = if is_moment { "moment" } else { "force" };
-    let mut facts = vec![
-        (
-            "in time",
-            format!(
-                "restitution {} reached, {} requested; the contact lasts {} ms, peak {what} {} {force}",
-                short_number(found.restitution),
-                number(report.restitution),
-                short_number(1e3 * found.duration),
-                short_number(found.peak_force),
-            ),
-        ),
-        (
-            "penetration",
-            format!("{} {small_length} at most{change}", short_number(1e3 * found.max_penetration)),
-        ),
-    ];
+    let mut facts = Vec::new();
     if let Some(one) = &found.one_freedom {
         facts.push((
             "one freedom",
             format!(
-                "by the effective mass over the penetration alone: restitution {}, peak {what} {} {force}",
-                short_number(one.restitution),
-                short_number(one.peak_force)
+                "by m̄ over the compression alone: restitution {}, peak {what} {}",
+                number(one.restitution),
+                load(one.peak_force, force)
             ),
         ));
     }
@@ -72,15 +43,15 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         let energy = &found.energy;
         let text = format!(
             "{} J kinetic before, {} J after; the contact takes {} J, the other forces give {} J; balance to {:.0e} J",
-            short_number(energy.kinetic_before),
-            short_number(energy.kinetic_after),
-            short_number(energy.taken_by_contact),
-            short_number(energy.work_of_other_forces),
+            number(energy.kinetic_before),
+            number(energy.kinetic_after),
+            number(energy.taken_by_contact),
+            number(energy.work_of_other_forces),
             energy.residual.abs()
         );
         facts.push(("energy", text));
     }
-    if found.loop_gap > 0.0 {
+    if found.loop_gap > 0.0 && details_are_shown() {
         facts.push(("loops", format!("closed to {:.1e} m during the motion", found.loop_gap)));
     }
     facts
@@ -89,10 +60,10 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
 /// Springs between points that act, and those of the sheet that are left out; `None` without both.
 fn acting(found: &ImpactTimeRecord) -> Option<String> {
     let spring = |spring: &PointSpringRecord| {
-        let rate = short_number(1e-3 * spring.rate);
+        let rate = number(1e-3 * spring.rate);
         let force = match spring.force_at_touch {
             0.0 => "the change of its force since the touch".to_owned(),
-            force => format!("{} N at the touch", short_number(force)),
+            force => format!("{} N at the touch", number(force)),
         };
         format!("{} ({rate} N/mm, {force})", spring.name)
     };
@@ -125,19 +96,20 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     }
 }
 
-/// Peak forces of the bearings in time beside their estimates.
-pub fn bearing_table(found: &ImpactTimeRecord) -> Table {
-    let mut table = Table::new(["bearing in time", "peak N", "at ms", "estimate N"]);
-    for bearing in found.bearings.iter().filter(|bearing| is_loaded(bearing, found)) {
-        let mark = if bearing.open_components.contains(&true) { " (determinate components)" } else { "" };
-        table.row([
-            format!("{}{mark}", place_name(bearing.place, &bearing.name)),
-            short_number(bearing.peak_force),
-            short_number(1e3 * bearing.peak_time),
-            short_number(bearing.estimate),
-        ]);
-    }
-    table
+/// Change of m̄ from the touch to the largest compression, as text; empty if unknown.
+pub fn mass_change(found: &ImpactTimeRecord) -> String {
+    found.mass_change.map_or_else(String::new, |change| match change {
+        change if change > LARGEST_PERCENTAGE => {
+            "; the mechanism approaches a pose at which the contact is immovable".to_owned()
+        }
+        change => format!("; m̄ changes by {} % over it", signed(100.0 * change, 2)),
+    })
+}
+
+/// True for the force of the contact, as in the fixed joints beside it: the curve would lie on that of the contact.
+fn follows_contact(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
+    let pairs = bearing.force.iter().zip(&found.force);
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) <= SHOWN_FORCE * found.peak_force
 }
 
 fn is_loaded(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
@@ -188,6 +160,7 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         .bearings
         .iter()
         .filter(|bearing| bearing.place != ReactionPlace::Ground && is_loaded(bearing, found))
+        .filter(|bearing| !follows_contact(bearing, found))
         .collect();
     loaded.sort_by(|a, b| b.peak_force.total_cmp(&a.peak_force));
     for bearing in loaded.into_iter().take(MOST_SHOWN) {
@@ -195,7 +168,7 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         forces.push(series(place_name(bearing.place, &bearing.name), points));
     }
     let panel = |label: &str, series| Panel { y_label: label.into(), series, ..Panel::default() };
-    let depth = series("penetration".into(), over_time(&|k| Some(1e3 * found.penetration[k])));
+    let depth = series("compression".into(), over_time(&|k| Some(1e3 * found.penetration[k])));
     let mass = series("effective mass".into(), over_time(&|k| found.effective_mass[k]));
     let deepest = (0..found.times.len())
         .max_by(|&a, &b| found.penetration[a].total_cmp(&found.penetration[b]))
@@ -206,20 +179,20 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         let units = ContactUnits::new(is_moment);
         let stiffness = stiffness_text(law.stiffness, law.exponent, law.stiffness_curve.as_ref(), &units);
         let stiffness = if law.stiffness.is_some() { format!("stiffness {stiffness}") } else { stiffness };
-        format!("{}, {stiffness}, {} {speed}", law.law, number(report.closing_speed))
+        format!("{}, {stiffness}, {} {speed}", law_name(law.law), number(report.closing_speed))
     });
     let figure = Figure {
         title: format!(
-            "Impact in time: restitution {}, peak force {} {force}",
-            short_number(found.restitution),
-            short_number(found.peak_force)
+            "Impact in time: restitution {}, peak force {}",
+            number(found.restitution),
+            load(found.peak_force, force)
         ),
         subtitle: law,
         x_label: "time (ms)".into(),
         panels: vec![
             // For a moment, the contact has a moment in N·m; the bearings have forces in N.
             panel(if is_moment { "moment (N·m), forces (N)" } else { "force (N)" }, forces),
-            panel(&format!("penetration ({small_length})"), vec![depth]),
+            panel(&format!("compression ({small_length})"), vec![depth]),
             panel(&format!("m̄ ({mass_unit})"), vec![mass]),
         ],
         marks: deepest.into_iter().collect(),

@@ -1,5 +1,6 @@
 //! Commands about impacts: rigid impact, safe speed.
 
+mod bearings;
 pub(crate) mod extremes;
 pub(crate) mod in_time;
 pub(crate) mod reflected;

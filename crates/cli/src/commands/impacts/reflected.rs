@@ -7,8 +7,8 @@ use crate::files::csv::Cell;
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
+use crate::terminal::number::{number, rounded};
 use crate::terminal::report::{with_findings, write_diagnostics};
-use crate::terminal::text::{number, rounded, short_number};
 use percuss_render::{Figure, Panel, Picture, Series, Sheet, Style};
 use percuss_study::{
     Dimension, Input, MimicJointRecord, MimicSubstituteRecord, ReflectedRangeRecord, ReflectedRecord,
@@ -111,8 +111,8 @@ fn armature(range: &ReflectedRangeRecord) -> String {
 fn substitute(range: &ReflectedRangeRecord, found: &MimicSubstituteRecord) -> String {
     let mimic = |joint: &MimicJointRecord| {
         let offset = rounded(joint.offset, 1.0);
-        let (sign, size) = (if offset < 0.0 { '-' } else { '+' }, short_number(offset.abs()));
-        format!("{} = {} q {sign} {size}", joint.joint, short_number(joint.multiplier))
+        let (sign, size) = (if offset < 0.0 { '−' } else { '+' }, number(offset.abs()));
+        format!("{} = {} q {sign} {size}", joint.joint, number(joint.multiplier))
     };
     let joints: Vec<String> = found.joints.iter().map(mimic).collect();
     format!(
@@ -129,7 +129,7 @@ fn substitute(range: &ReflectedRangeRecord, found: &MimicSubstituteRecord) -> St
 
 /// Relative error in percent.
 fn percent(error: f64) -> String {
-    short_number(rounded(100.0 * error, 100.0))
+    number(rounded(100.0 * error, 100.0))
 }
 
 /// True if the range contains the inertia with the other drivers held: the joint drives.

@@ -4,8 +4,9 @@ use crate::args::{CheckFormat, RestitutionArgs};
 use crate::document::{self, Document};
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
+use crate::terminal::number::{number, upper_bound};
 use crate::terminal::report::{with_findings, write_diagnostics};
-use crate::terminal::text::{Table, number, upper_bound};
+use crate::terminal::text::Table;
 use percuss_study::{ReboundRecord, RestitutionReport, restitution, restitution_at};
 
 /// Runs the command.
@@ -59,9 +60,9 @@ fn table(report: &RestitutionReport) -> Table {
         ("restitution", |row| Some(number(row.restitution))),
         ("within", |row| row.error_bound.map(upper_bound)),
         ("lasts ms", |row| row.contact_duration.map(|t| number(1e3 * t))),
-        ("depth mm", |row| row.max_penetration.map(|x| number(1e3 * x))),
+        ("compression mm", |row| row.max_penetration.map(|x| number(1e3 * x))),
         ("peak N", |row| row.peak_force.map(number)),
-        ("lost J", |row| Some(number(row.energy_lost))),
+        ("energy lost J", |row| Some(number(row.energy_lost))),
     ];
     let filled = columns.into_iter().filter(|(_, text)| report.impacts.iter().any(|row| text(row).is_some()));
     let filled: Vec<Column> = filled.collect();

@@ -1,16 +1,18 @@
 //! Command `percuss impact`.
 
 use crate::args::{CheckFormat, ImpactArgs};
-use crate::commands::damp::stiffness_text;
+use crate::commands::damp::{law_name, stiffness_text};
+use crate::commands::impacts::bearings::{BearingTable, place_name};
 use crate::commands::impacts::{in_time, reflected, simultaneous};
-use crate::commands::mass::conditions::facts as mass_facts;
+use crate::commands::mass::conditions::{facts as mass_facts, place as place_of};
 use crate::document::{self, Document};
 use crate::files::contents::{self, TABLES_AND_PICTURES};
 use crate::pictures::impulses;
 use crate::terminal::explanation::friction_thresholds;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{with_findings, write_diagnostics};
-use crate::terminal::text::{Table, number, rounded, short_number, triple};
+use crate::terminal::number::{load, number, rounded, signed, triple, with_unit};
+use crate::terminal::report::{details_are_shown, with_findings, write_diagnostics};
+use crate::terminal::text::Table;
 use crate::terminal::units::ContactUnits;
 use percuss_render::Picture;
 use percuss_study::{
@@ -21,8 +23,14 @@ use percuss_study::{
 /// Largest ratio to the peak force of a bearing at which the forces of the motion before the impact are not reported.
 const SMALL_MOTION_FORCE: f64 = 0.01;
 
-/// Impulse in a bearing, relative to the largest, below which the table of magnitudes has no row.
-const SHOWN_IMPULSE: f64 = 1e-3;
+/// Parts of the text of an impact that are shown on request.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ImpactView {
+    /// Bearings of any load.
+    pub all: bool,
+    /// Components of the reactions.
+    pub components: bool,
+}
 
 /// Runs the command.
 pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
@@ -39,7 +47,7 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     if let Some(path) = &args.output {
         write_output(&report, path)?;
     }
-    write(&report, args.format)
+    write(&report, args.format, ImpactView { all: args.all, components: args.components })
 }
 
 /// Writes the impact in time or the reflected inertias over ranges to a file.
@@ -55,51 +63,106 @@ fn write_output(report: &ImpactReport, path: &str) -> Result<(), Failure> {
 }
 
 /// Writes a report.
-pub fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
-    document::print(report, format, || document(report, None))
+pub fn write(report: &ImpactReport, format: CheckFormat, view: ImpactView) -> Result<(), Failure> {
+    document::print(report, format, || text_document(report, view))
 }
 
-/// Name and value of the main result, and the results beside it, for the head of a page.
-pub fn head(report: &ImpactReport) -> (String, Vec<(&'static str, String)>) {
-    let ContactUnits { impulse, force, .. } = ContactUnits::new(report.mass.contact.is_moment);
-    let what = if report.mass.contact.is_moment { "Peak moment" } else { "Peak force" };
-    let peak = report.in_time.as_ref().map(|found| found.peak_force);
-    let main = match peak.or(report.contact_law.as_ref().map(|law| law.peak_force)) {
-        Some(peak) => format!("{what} {} {force}", short_number(peak)),
-        None => format!("Impulse {} {impulse}", short_number(report.impulse)),
-    };
-    let shown = ["impulse", "energy loss", "closing speed", "in time", "penetration"];
-    let beside = |(name, _): &(&str, String)| shown.contains(name) && !main.to_lowercase().starts_with(name);
-    let beside = results(report).into_iter().filter(beside).collect();
-    (main, beside)
-}
-
-/// Impact: several contacts, results, masses, laws, bearings, rates, impact in time. A page has pictures with the mechanism.
-pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechanism>) -> Document<'a> {
+/// Text for a terminal.
+fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
     let mut out = Document::default();
     if let Some(several) = &report.simultaneous {
-        simultaneous::add(report, several, mechanism, &mut out);
+        simultaneous::add(report, several, None, &mut out);
         if several.contacts.len() > 1 {
             out.heading(format!("Impact of {} alone", several.contacts[0].name));
         }
     }
-    out.facts(results(report));
-    if let Some(mechanism) = mechanism {
-        let svg = || impulses::of_contact(report, mechanism).to_svg();
-        out.large_picture(svg, "Impulses in the mechanism", impulses::caption(report));
+    out.results(results(report));
+    out.facts(facts(report));
+    if let Some(table) = law_table(report) {
+        out.table(table);
+        out.note(law_note(report));
     }
-    let is_page = mechanism.is_some();
-    // Other sections of a page have the conditions.
-    if !is_page {
+    if has_drives(report) || details_are_shown() {
+        out.table(mass_table(report));
+        out.note(mass_note(report));
+    }
+    // A free body has no joints.
+    if !report.reactions.is_empty() {
+        let BearingTable { table, note } = BearingTable::new(report, view.all, false);
+        out.table(table);
+        let components = if view.components { "" } else { "components along the axes: --components" };
+        let separator =
+            if note.is_empty() || note.ends_with('\n') || components.is_empty() { "" } else { " · " };
+        out.note(format!("{note}{separator}{components}").trim_end());
+    }
+    if view.components {
+        out.table(reaction_table(report));
+        out.note(legend(report));
+    }
+    out.table(gear_table(report));
+    add_joint_constraints(report, &mut out);
+    if details_are_shown() {
+        out.table(rate_table(report, false).0);
         out.facts(mass_facts(&report.mass));
     }
-    let title = |out: &mut Document<'a>, text: &str| {
-        if is_page {
-            out.heading(text);
-        }
+    out.remark(validity(report));
+    out
+}
+
+/// Adds the impulses of locks, mimics and couplings.
+fn add_joint_constraints<'a>(report: &'a ImpactReport, out: &mut Document<'a>) {
+    let constraints = joint_constraint_table(report);
+    if !constraints.is_empty() {
+        out.table(constraints);
+        out.note(joint_constraint_note(report));
+    }
+}
+
+/// Motion before the impact, and what is not included.
+fn validity(report: &ImpactReport) -> String {
+    let friction = if report.friction.is_some() { "" } else { "no friction, " };
+    let several = if report.simultaneous.is_some() { "" } else { ", one impact" };
+    let forces = match &report.in_time {
+        None => "gravity, springs and dampers do not act".to_owned(),
+        Some(found) => in_time::forces_sentence(report, found),
     };
+    let before = match report.motion_before {
+        "given" => String::new(),
+        _ => "before: v*, the motion of least energy at this closing speed; --rates sets it\n".to_owned(),
+    };
+    format!("{before}{friction}rigid links{several} · {forces} · docs/howto/IMPACT.md")
+}
+
+/// Section of a page: several contacts, results, masses, laws, bearings, rates, with pictures of the mechanism.
+pub fn document<'a>(report: &'a ImpactReport, mechanism: &'a DrawnMechanism) -> Document<'a> {
+    let mut out = Document::default();
+    if let Some(several) = &report.simultaneous {
+        simultaneous::add(report, several, Some(mechanism), &mut out);
+        if several.contacts.len() > 1 {
+            out.heading(format!("Impact of {} alone", several.contacts[0].name));
+        }
+    }
+    out.results(results(report));
+    out.facts(facts(report));
+    let svg = || impulses::of_contact(report, mechanism).to_svg();
+    out.large_picture(svg, "Impulses in the mechanism", impulses::caption(report));
+    if let Some(found) = &report.in_time {
+        let figure = || in_time::sheet(report, found).to_svg();
+        out.picture(figure, "Forces and compression over time", "");
+    }
+    if !report.reactions.is_empty() {
+        let BearingTable { table, note } = BearingTable::new(report, false, true);
+        out.heading("Bearings");
+        out.table(table);
+        out.note(note);
+        out.heading("Reactions by components");
+        out.table(reaction_table(report));
+        out.note(legend(report));
+    }
+    out.table(gear_table(report));
+    add_joint_constraints(report, &mut out);
     if !report.mass_states.is_empty() {
-        title(&mut out, "Masses");
+        out.heading("Masses");
     }
     out.table(mass_table(report));
     out.note(mass_note(report));
@@ -107,82 +170,91 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: Option<&'a DrawnMechani
         out.table(table);
         out.note(law_note(report));
     }
-    title(&mut out, "Rates of the joints");
-    let (rates, resting) = rate_table(report, is_page);
+    let (rates, resting) = rate_table(report, true);
+    out.heading("Rates of the joints");
     out.table(rates);
     if resting > 0 {
         out.note(format!("{resting} joints without motion are left out."));
     }
-    let reactions = reaction_table(report);
-    // A free body has no joints.
-    if !reactions.is_empty() {
-        if is_page {
-            out.heading("Bearings");
-            out.table(bearing_table(report));
-        }
-        title(&mut out, "Reactions by components");
-        out.table(reactions);
-        out.note(legend(report));
-    }
-    if let Some(found) = &report.in_time {
-        title(&mut out, "Impact in time");
-        out.table(in_time::bearing_table(found));
-        let figure = || in_time::sheet(report, found).to_svg();
-        out.picture(figure, "Forces and penetration over time", "");
-    }
-    out.table(gear_table(report));
-    let constraints = joint_constraint_table(report);
-    if !constraints.is_empty() {
-        out.table(constraints);
-        out.note(joint_constraint_note(report));
-    }
     if !report.reflected_over.is_empty() {
-        title(&mut out, "Reflected inertia");
+        out.heading("Reflected inertia");
         let figure = || reflected::sheet(&report.reflected_over, "").to_svg();
         out.picture(figure, "Reflected inertia over the position of the joint", "");
     }
-    let friction = if report.friction.is_some() { "" } else { "friction, " };
-    let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
-    let forces = match &report.in_time {
-        None => "Gravity, springs and dampers have no effect during an instantaneous impact.".to_owned(),
-        Some(found) => in_time::forces_sentence(report, found),
-    };
-    if is_page {
-        return out;
-    }
-    out.paragraph(format!(
-        "Not included: {friction}compliance of the links{several}.\n{forces}\nSee docs/howto/IMPACT.md."
-    ));
     out
 }
 
-/// Impulse, energy, masses and additional results.
-fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
+/// Table of the loaded bearings, and the remark below it.
+pub fn bearings(report: &ImpactReport) -> (Table, String) {
+    let BearingTable { table, note } = BearingTable::new(report, false, false);
+    (table, note.replace(": --all", ""))
+}
+
+/// True if rotors move with the joints: m̄ depends on the compliance of the gears.
+fn has_drives(report: &ImpactReport) -> bool {
+    let [decoupled, coupled, _] = &report.mass_states[..] else { return false };
+    decoupled.sliding != coupled.sliding || decoupled.sticking != coupled.sticking
+}
+
+/// Peak force, compression, contact time, impulse, energy lost, and m̄ with its place: value and meaning.
+pub fn results(report: &ImpactReport) -> Vec<(String, String)> {
     let is_moment = report.mass.contact.is_moment;
-    let ContactUnits { name: mass_name, mass: mass_unit, impulse, speed, force, .. } =
-        ContactUnits::new(is_moment);
-    let mut facts = vec![
-        ("impulse", format!("{} {impulse}", number(report.impulse))),
-        ("energy loss", format!("{} J", number(report.energy_loss))),
-        (
-            "closing speed",
-            format!("{} {speed}, restitution {}", number(report.closing_speed), number(report.restitution)),
-        ),
-    ];
-    facts.push((
-        "motion before",
-        match report.motion_before {
-            "given" => "as given".to_owned(),
-            _ => "assumed: the motion of least energy with this closing speed, v* times the speed; give another motion by \
-                  --rates"
-                .to_owned(),
-        },
+    let units = ContactUnits::new(is_moment);
+    let ContactUnits { mass: mass_unit, impulse, speed, force, small_length, .. } = units;
+    let what = if is_moment { "peak moment" } else { "peak force" };
+    let at = report
+        .mass
+        .named_contact
+        .as_ref()
+        .map_or_else(String::new, |contact| format!(" at {}", contact.name));
+    let mut results = Vec::new();
+    let law = report.contact_law.as_ref().map_or_else(String::new, |law| {
+        format!(
+            " ({}, {})",
+            law_name(law.law),
+            stiffness_text(law.stiffness, law.exponent, law.stiffness_curve.as_ref(), &units)
+        )
+    });
+    let peak = report.in_time.as_ref().map(|found| found.peak_force);
+    if let Some(peak) = peak.or(report.contact_law.as_ref().map(|law| law.peak_force)) {
+        results.push((load(peak, force), format!("{what}{at}{law}")));
+    }
+    if let Some(found) = &report.in_time {
+        let depth = with_unit(1e3 * found.max_penetration, small_length);
+        results.push((depth, format!("compression{}", in_time::mass_change(found))));
+        results.push((with_unit(1e3 * found.duration, "ms"), "contact time".to_owned()));
+    }
+    let place = if results.is_empty() { &*at } else { "" };
+    results.push((with_unit(report.impulse, impulse), format!("impulse{place}")));
+    let reached = report.in_time.as_ref().map_or_else(
+        || number(report.restitution),
+        |found| format!("{} reached, {} requested", number(found.restitution), number(report.restitution)),
+    );
+    let closing = with_unit(report.closing_speed, speed);
+    results.push((
+        with_unit(report.energy_loss, "J"),
+        format!("energy lost; closing speed {closing}, restitution {reached}"),
     ));
+    if let Some(m) = report.mass.effective_mass {
+        let sliding = match report.sticking_status {
+            Some(Status::Finite) => "\n(sliding contact point)",
+            _ => "",
+        };
+        results.push((with_unit(m, mass_unit), place_of(&report.mass) + sliding));
+    }
+    results
+}
+
+/// Further results: friction, masses, peaks, speeds, reflected inertias, centres of percussion.
+fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
+    let is_moment = report.mass.contact.is_moment;
+    let ContactUnits { speed, force, .. } = ContactUnits::new(is_moment);
+    let mut facts = Vec::new();
     facts.extend(report.friction.iter().flat_map(|friction| friction_facts(friction, report)));
-    let sliding =
-        report.mass.effective_mass.map_or_else(String::new, |m| format!("{} {mass_unit}", number(m)));
-    if let Some(sticking) = report.sticking_status {
-        facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
+    // An immovable sticking point matters with friction only.
+    let is_shown =
+        |sticking: &Status| *sticking == Status::Finite || report.friction.is_some() || details_are_shown();
+    if let Some(sticking) = report.sticking_status.filter(is_shown) {
         facts.push((
             "sticking mass",
             match (sticking, report.sticking_mass) {
@@ -193,42 +265,37 @@ fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 _ => "immovable: the point closes the gap only by sliding sideways".to_owned(),
             },
         ));
-    } else {
-        facts.push((mass_name, sliding));
     }
     if let Some(other) = report.other_body {
         let change = number(other.speed_change);
         facts.push(("other body", format!("{} kg, its speed changes by {change} m/s", number(other.mass))));
     }
     if let Some(law) = &report.contact_law {
-        let change = law.mass_change_over_penetration.map_or_else(String::new, |change| {
-            format!("; the effective mass changes by {:+.2} % over the penetration", 100.0 * change)
-        });
-        let friction = law.mass_in_compression.map_or_else(String::new, |mass| {
+        // With the impact in time, its own change is shown.
+        let change = law.mass_change_over_penetration.filter(|_| report.in_time.is_none());
+        facts.extend(
+            change.map(|change| {
+                ("change of m̄", format!("{} % over the compression", signed(100.0 * change, 2)))
+            }),
+        );
+        facts.extend(law.mass_in_compression.map(|mass| {
             let direction = if law.direction_changes {
                 "; the direction of the contact force changes in compression, and the peaks of the bearings use its mean"
             } else {
                 ""
             };
-            format!("; normal force, as of {} kg without friction (same work of compression){direction}", number(mass))
-        });
-        let units = ContactUnits::new(is_moment);
-        let stiffness = stiffness_text(law.stiffness, law.exponent, law.stiffness_curve.as_ref(), &units);
-        facts.push((
-            if is_moment { "peak moment" } else { "peak force" },
-            format!(
-                "{} {force} at the contact ({}, {stiffness}){change}{friction}",
-                number(law.peak_force),
-                law.law
-            ),
-        ));
+            let text = format!("as of {} kg without friction (same work of compression){direction}", number(mass));
+            ("normal force", text)
+        }));
     }
     let motion = report.contact_law.iter().flat_map(|law| &law.motion_force);
-    facts.extend(motion.filter(|motion| motion.ratio > SMALL_MOTION_FORCE).map(|motion| {
+    let motion = motion.filter(|motion| motion.ratio > SMALL_MOTION_FORCE && report.in_time.is_none());
+    facts.extend(motion.map(|motion| {
         let text = format!(
-            "the velocities before the impact alone load {} with {} N; the peak forces of the bearings exclude it, --in-time includes it",
-            in_time::place_name(motion.place, &motion.name),
-            short_number(motion.force)
+            "the velocities before the impact alone load {} with {}; the peak forces of the bearings exclude it, an impact in time \
+             includes it",
+            place_name(motion.place, &motion.name),
+            load(motion.force, force)
         );
         ("motion forces", text)
     }));
@@ -263,15 +330,15 @@ fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 centre.joint,
                 triple(&centre.point_link),
                 number(centre.distance),
-                short_number(rounded(centre.remaining_ratio, 1.0)),
-                short_number(centre.given_ratio),
+                number(rounded(centre.remaining_ratio, 1.0)),
+                number(centre.given_ratio),
             ),
         ));
         if let (Some(ratio), Some(point)) = (centre.worst_ratio, &centre.worst_point_link) {
             let worst = format!(
                 "impulse at {}: {} of the contact impulse, with the contact point displaced to {} m",
                 centre.joint,
-                short_number(ratio),
+                number(ratio),
                 triple(point)
             );
             facts.push(("displaced point", worst));
@@ -284,9 +351,9 @@ fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
 fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'static str, String)> {
     let end = if friction.wedged { "wedged, without rebound" } else { "rebounds" };
     let slides = match friction.slope {
-        Some(slope) => format!("the point slides with {} of the closing speed", short_number(slope)),
+        Some(slope) => format!("the point slides with {} of the closing speed", number(slope)),
         None => {
-            let speed = |v: &[f64; 3]| short_number(v.iter().map(|x| x * x).sum::<f64>().sqrt());
+            let speed = |v: &[f64; 3]| number(v.iter().map(|x| x * x).sum::<f64>().sqrt());
             let assumed = if report.motion_before == "given" { "" } else { " (by the assumed motion)" };
             format!(
                 "the point slides with {} m/s before{assumed} and {} m/s after the impact",
@@ -301,7 +368,7 @@ fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'st
             "coefficient {}; {slides}: {end}, separation speed {} of the closing speed; impulse on the contact link {} N·s \
              (world)",
             number(friction.coefficient),
-            short_number(rounded(friction.kinematic_restitution, 1.0)),
+            number(rounded(friction.kinematic_restitution, 1.0)),
             triple(&friction.tangential_impulse_world),
         ),
     )];
@@ -348,8 +415,8 @@ fn mass_note(report: &ImpactReport) -> &'static str {
 fn law_table(report: &ImpactReport) -> Option<Table> {
     let friction = report.friction.as_ref()?;
     let mut table =
-        Table::new(["law of restitution", "impulse N·s", "friction N·s", "separation m/s", "energy loss J"]);
-    let shown = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short_number);
+        Table::new(["law of restitution", "impulse N·s", "friction N·s", "separation m/s", "energy lost J"]);
+    let shown = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     for law in &friction.laws {
         let mark = if law.law == friction.law { " (used)" } else { "" };
         let created = if law.creates_energy { " (creates energy)" } else { "" };
@@ -383,9 +450,8 @@ fn rate_table(report: &ImpactReport, only_moving: bool) -> (Table, usize) {
     let mut table = Table::new(["rate, rad/s or m/s", "before", "after", ""]);
     let values = report.rates.iter().flat_map(|r| r.before.iter().chain(&r.after));
     let largest = values.fold(0.0, |most: f64, v| most.max(v.abs()));
-    let list = |values: &[f64]| {
-        values.iter().map(|v| short_number(rounded(*v, largest))).collect::<Vec<_>>().join(",")
-    };
+    let list =
+        |values: &[f64]| values.iter().map(|v| number(rounded(*v, largest))).collect::<Vec<_>>().join(",");
     let is_at_rest =
         |rate: &&JointRateRecord| rate.before.iter().chain(&rate.after).all(|v| rounded(*v, largest) == 0.0);
     let resting = report.rates.iter().filter(|_| only_moving).filter(is_at_rest).count();
@@ -399,47 +465,6 @@ fn rate_table(report: &ImpactReport, only_moving: bool) -> (Table, usize) {
         table.row([name("linear"), list(&base.linear_before), list(&base.linear_after), String::new()]);
     }
     (table, resting)
-}
-
-/// Table of the loaded bearings by magnitude: impulse and moment, and with a contact law their peaks. Open components make a magnitude a
-/// lower bound.
-fn bearing_table(report: &ImpactReport) -> Table {
-    let magnitude =
-        |components: &[Option<f64>; 3]| components.iter().flatten().map(|v| v * v).sum::<f64>().sqrt();
-    let shown = |components: &[Option<f64>; 3], size: f64| {
-        let value = magnitude(components);
-        let value = if value > SHOWN_IMPULSE * size { short_number(value) } else { "0".to_owned() };
-        let is_open = components.iter().any(Option::is_none);
-        if is_open { format!("{value} or more") } else { value }
-    };
-    let largest = |of: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
-        report.reactions.iter().map(|record| magnitude(of(record))).fold(0.0, f64::max)
-    };
-    let (force, moment) = largest_impulses(report, largest(|r| &r.force), largest(|r| &r.moment));
-    let mut bearings: Vec<&ReactionRecord> = report
-        .reactions
-        .iter()
-        .filter(|record| {
-            magnitude(&record.force) > SHOWN_IMPULSE * force
-                || magnitude(&record.moment) > SHOWN_IMPULSE * moment
-        })
-        .collect();
-    bearings.sort_by(|a, b| magnitude(&b.force).total_cmp(&magnitude(&a.force)));
-    let law = report.contact_law.as_ref().filter(|_| report.reactions.iter().all(|r| r.peak_force.is_some()));
-    let peak = law.map(|law| law.peak_force / report.impulse);
-    let mut header = vec!["bearing", "from", "on", "force N·s", "moment N·m·s"];
-    header.extend(peak.iter().flat_map(|_| ["peak force N", "peak moment N·m"]));
-    let mut rows: Vec<Vec<String>> = vec![header.into_iter().map(str::to_owned).collect()];
-    for record in bearings {
-        let link = |name: &Option<String>| name.clone().unwrap_or_else(|| "ground".to_owned());
-        let mut row = vec![place(record), link(&record.from), link(&record.on)];
-        row.extend([shown(&record.force, force), shown(&record.moment, moment)]);
-        if let (Some(factor), Some(f), Some(m)) = (peak, &record.peak_force, &record.peak_moment) {
-            row.extend([shown(f, factor * force), shown(m, factor * moment)]);
-        }
-        rows.push(row);
-    }
-    Table::from_rows(rows)
 }
 
 /// Table of reactions.
@@ -491,8 +516,7 @@ fn is_unloaded(record: &ReactionRecord, force: f64, moment: f64) -> bool {
 
 /// Component as text: 0 for a value that is rounding relative to `size`, ? for an indeterminate component.
 fn component(value: Option<f64>, size: f64) -> String {
-    let digits = |v: f64| number(format!("{v:.3e}").parse().unwrap_or(v));
-    value.map_or_else(|| "?".to_owned(), |v| digits(rounded(v, size)))
+    value.map_or_else(|| "?".to_owned(), |v| number(rounded(v, size)))
 }
 
 /// Explanation of the table of reactions.
@@ -517,7 +541,7 @@ fn legend(report: &ImpactReport) -> String {
 
 /// Name of the place of a reaction.
 fn place(record: &ReactionRecord) -> String {
-    in_time::place_name(record.place, &record.name)
+    place_name(record.place, &record.name)
 }
 
 /// Table of the impulses in gears; empty if no gear has an impulse.

@@ -4,8 +4,9 @@ use crate::args::{CheckFormat, SafeSpeedArgs};
 use crate::commands::mass::conditions::NO_ROTORS;
 use crate::document::{self, Document};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number, triple};
+use crate::terminal::number::{number, triple};
+use crate::terminal::report::{with_findings, write_diagnostics, write_json, write_text};
+use crate::terminal::text::Table;
 use percuss_study::contact::BodyRegion;
 use percuss_study::{SafeSpeedReport, SpeedRecord, safe_speeds};
 use std::path::Path;
@@ -13,7 +14,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     if args.list_regions {
-        return write_out(&regions());
+        return write_text(&regions());
     }
     let Some(path) = &args.model else {
         return Err(Failure::bad_input(

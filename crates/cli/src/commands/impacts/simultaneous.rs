@@ -2,7 +2,8 @@
 
 use crate::document::Document;
 use crate::pictures::impulses;
-use crate::terminal::text::{Table, number, rounded, short_number, triple};
+use crate::terminal::number::{number, rounded, triple};
+use crate::terminal::text::Table;
 use crate::terminal::units::ContactUnits;
 use percuss_render::Picture;
 use percuss_study::{
@@ -61,9 +62,7 @@ fn contact_table(several: &SimultaneousRecord) -> Table {
             .principal_masses
             .iter()
             .zip(&contact.principal_directions_world)
-            .filter_map(|(mass, direction)| {
-                Some(format!("{} along {}", short_number((*mass)?), short(direction)))
-            })
+            .filter_map(|(mass, direction)| Some(format!("{} along {}", number((*mass)?), short(direction))))
             .collect();
         // If one of the contacts is a moment, each value is followed by its unit.
         let ContactUnits { mass, speed, .. } = ContactUnits::new(contact.is_moment);
@@ -72,7 +71,7 @@ fn contact_table(several: &SimultaneousRecord) -> Table {
             format!("{} {}", number_of + 1, contact.name),
             format!(
                 "{}{}{}",
-                short_number(contact.closing_speed),
+                number(contact.closing_speed),
                 with(speed),
                 if opens(contact) { " (opens)" } else { "" }
             ),
@@ -106,7 +105,7 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     // The warning `stop-not-reached` states the distance of a joint from its stop.
     for contact in several.contacts.iter().filter(|contact| !contact.is_joint_stop) {
         if let Some(gap) = contact.gap.filter(|gap| gap.abs() > 1e-6) {
-            note += &format!(" The gap of {} is {} m here.", contact.name, short_number(gap));
+            note += &format!(" The gap of {} is {} m here.", contact.name, number(gap));
         }
     }
     let opening: Vec<&str> = several
@@ -130,8 +129,8 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
 /// Table of the laws of simultaneous impacts: impulses, opening speeds and energy loss, or the reason for a missing result.
 fn law_table(several: &SimultaneousRecord) -> Table {
     let header = match has_moment(several) {
-        true => ["law", "impulses N·s or N·m·s", "opening speeds m/s or rad/s", "energy loss J"],
-        false => ["law", "impulses N·s", "opening speeds m/s", "energy loss J"],
+        true => ["law", "impulses N·s or N·m·s", "opening speeds m/s or rad/s", "energy lost J"],
+        false => ["law", "impulses N·s", "opening speeds m/s", "energy lost J"],
     };
     let mut table = Table::new(header);
     let speed = several.contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.closing_speed.abs()));
@@ -147,9 +146,9 @@ fn law_table(several: &SimultaneousRecord) -> Table {
         };
         table.row([
             law.law.to_owned(),
-            list(law.impulses.iter().map(|p| p.map_or_else(|| "?".to_owned(), short_number)).collect()),
-            list(law.opening_speeds.iter().map(|u| short_number(rounded(*u, speed))).collect()),
-            format!("{}{created}", short_number(rounded(loss, energy))),
+            list(law.impulses.iter().map(|p| p.map_or_else(|| "?".to_owned(), number)).collect()),
+            list(law.opening_speeds.iter().map(|u| number(rounded(*u, speed))).collect()),
+            format!("{}{created}", number(rounded(loss, energy))),
         ]);
     }
     table
@@ -157,14 +156,14 @@ fn law_table(several: &SimultaneousRecord) -> Table {
 
 /// Explanation of the laws.
 fn law_note(several: &SimultaneousRecord) -> String {
-    let ratios: Vec<String> = several.stiffness_ratios.iter().map(|r| short_number(*r)).collect();
+    let ratios: Vec<String> = several.stiffness_ratios.iter().map(|r| number(*r)).collect();
     format!(
         "Without friction. Masses and restitution do not determine several simultaneous impacts: the opening speeds of the laws \
          differ by up to {} of the closing speed. The energetic law has contact stiffnesses in the ratio {} and the exponent {} \
          (--stiffness-ratio, --contact-exponent).{}",
-        short_number(rounded(several.spread.unwrap_or_default(), 1.0)),
+        number(rounded(several.spread.unwrap_or_default(), 1.0)),
         ratios.join(":"),
-        short_number(several.contact_exponent),
+        number(several.contact_exponent),
         open_note(several),
     )
 }
@@ -196,13 +195,12 @@ fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -> Ta
     ]);
     let impulses = sticking.normal_impulses.iter().chain(&sticking.tangential_impulses);
     let largest = impulses.flatten().fold(0.0, |most: f64, p| most.max(p.abs()));
-    let known =
-        |value: Option<f64>| value.map_or_else(|| "?".to_owned(), |p| short_number(rounded(p, largest)));
+    let known = |value: Option<f64>| value.map_or_else(|| "?".to_owned(), |p| number(rounded(p, largest)));
     for (i, contact) in several.contacts.iter().enumerate() {
         let (after, last) = if sticking.sticks[i] {
             ("sticks", friction_needed(sticking, i))
         } else {
-            ("lets go", format!("{} m/s", short_number(sticking.opening_speeds[i])))
+            ("lets go", format!("{} m/s", number(sticking.opening_speeds[i])))
         };
         table.row([
             format!("{} {}", i + 1, contact.name),
@@ -219,8 +217,8 @@ fn sticking_table(several: &SimultaneousRecord, sticking: &StickingRecord) -> Ta
 /// suffices for every contact at the best distribution of the open impulses.
 fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
     match (sticking.required_friction[contact], sticking.least_friction) {
-        (Some(required), _) => short_number(rounded(required, 1.0)),
-        (None, Some(least)) => format!("at most {}", short_number(least)),
+        (Some(required), _) => number(rounded(required, 1.0)),
+        (None, Some(least)) => format!("at most {}", number(least)),
         (None, None) => "none suffices".to_owned(),
     }
 }
@@ -228,8 +226,8 @@ fn friction_needed(sticking: &StickingRecord, contact: usize) -> String {
 /// Conditions of a plastic impact.
 fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String {
     let mut note = format!(
-        "Energy loss {} J. No contact pulls, and none closes its gap. ",
-        short_number(sticking.energy_loss)
+        "Energy lost {} J. No contact pulls, and none closes its gap. ",
+        number(sticking.energy_loss)
     );
     let redundant = sticking.sticks.iter().zip(&sticking.required_friction).any(|(s, mu)| *s && mu.is_none());
     let over = if redundant { ", for the best distribution of the open impulses (?)" } else { "" };
@@ -240,16 +238,16 @@ fn sticking_note(sticking: &StickingRecord, friction: Option<f64>) -> String {
         (Some(least), Some(false), Some(given)) => format!(
             "Warning: this result is not possible: sticking needs a coefficient of friction of at least {}{over}, and {} is given ({} \
              less); the points slide. ",
-            short_number(least),
-            short_number(given),
-            short_number(least - given),
+            number(least),
+            number(given),
+            number(least - given),
         ),
         (Some(least), Some(true), _) => {
-            format!("The given friction suffices: sticking needs at least {}{over}. ", short_number(least))
+            format!("The given friction suffices: sticking needs at least {}{over}. ", number(least))
         }
         (Some(least), _, _) => format!(
             "Sticking needs a coefficient of friction of at least {}{over}; give --friction to check it. ",
-            short_number(least)
+            number(least)
         ),
     };
     if sticking.consistent_subsets > 1 {

@@ -3,19 +3,15 @@
 use crate::args::MassFormat;
 use crate::document::Document;
 use crate::files::csv;
-use crate::files::table_style::round_to_digits;
 use crate::terminal::explanation::body_of;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number};
+use crate::terminal::report::{write_diagnostics, write_json, write_out, write_text};
+use crate::terminal::text::{Table, TableCell};
 use percuss_study::{
     ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, NamedContactRecord,
     contact_list,
 };
 use percuss_suspension::LengthUnit;
-
-/// Significant digits of masses and damping coefficients in the text.
-const DIGITS: i32 = 6;
 
 /// Evaluates all named contacts and writes the result.
 pub fn show(
@@ -34,7 +30,7 @@ pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Re
     match format {
         MassFormat::Json => write_json(report),
         MassFormat::Csv => write_out(&table_as_csv(report)),
-        MassFormat::Text => write_out(&document(report).text()),
+        MassFormat::Text => write_text(&document(report).text()),
     }
 }
 
@@ -64,21 +60,27 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
 fn mass_table(report: &ContactListReport) -> Table {
     let unit = report.contacts.iter().find_map(named).map_or(LengthUnit::Millimetre, |named| named.unit);
     let [gap, travel] = ["gap", "wheel travel"].map(|name| format!("{name}, {}", unit.name()));
-    let mut table = Table::new(["contact", "m̄, kg", &gap, &travel, "contact/wheel", "on"]);
+    let mut table = Table::new(["contact", "m̄, kg", &gap, &travel, "motion ratio", "on"]);
     // The unit is in the header.
-    let length = |x: Option<f64>| {
-        x.map_or("–".to_owned(), |x| unit.text(x).trim_end_matches(unit.name()).trim_end().to_owned())
-    };
+    let length =
+        |x: Option<f64>| x.map_or("–".to_owned(), |x| format!("{:.*}", unit.decimals(), unit.of_metres(x)));
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
-        let ratio = ratio.map_or("–".to_owned(), |x| format!("{x:.4}"));
         let mass = match (&contact.report, mass) {
-            (_, Some(mass)) => number(round_to_digits(mass, DIGITS)),
-            (Some(report), None) => report.status.name().to_owned(),
-            (None, None) => "none".to_owned(),
+            (_, Some(mass)) => TableCell::from(mass),
+            (Some(report), None) => report.status.name().into(),
+            (None, None) => "none".into(),
         };
         let on = named(contact).map_or_else(|| "–".to_owned(), body_of);
-        table.row([contact.name.clone(), mass, length(gap), length(travel), ratio, on]);
+        let ratio = TableCell::from(ratio);
+        table.row([
+            contact.name.clone().into(),
+            mass,
+            length(gap).into(),
+            length(travel).into(),
+            ratio,
+            on.into(),
+        ]);
     }
     table
 }
@@ -89,13 +91,13 @@ fn damper_table(report: &ContactListReport) -> Table {
     let is_requested = report.contacts.iter().any(|contact| numbers(contact)[4].is_some());
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
     for contact in report.contacts.iter().filter(|_| is_requested) {
-        let text = match (named(contact), numbers(contact)) {
-            (Some(named), _) if named.always_touches() => "none: its parts always touch".to_owned(),
-            (_, [.., Some(damping)]) => number(round_to_digits(damping, DIGITS)),
-            (_, [None, ..]) => "none: no effective mass".to_owned(),
-            _ => "none".to_owned(),
+        let cell = match (named(contact), numbers(contact)) {
+            (Some(named), _) if named.always_touches() => "none: its parts always touch".into(),
+            (_, [.., Some(damping)]) => TableCell::from(damping),
+            (_, [None, ..]) => "none: no effective mass".into(),
+            _ => "none".into(),
         };
-        dampers.row([contact.name.clone(), text]);
+        dampers.row([contact.name.clone().into(), cell]);
     }
     dampers
 }
@@ -115,7 +117,7 @@ pub fn document(report: &ContactListReport) -> Document<'_> {
 }
 
 /// Reason for a missing motion ratio.
-pub const NO_MOTION_RATIO: &str = "No ratio contact/wheel is given if more than the wheel can move, such as the other wheel of an axle: \
+pub const NO_MOTION_RATIO: &str = "No motion ratio is given if more than the wheel can move, such as the other wheel of an axle: \
                                    percuss sweep --heave or --roll gives the ratio per travel of both wheels, \
                                    percuss kinematics all ratios.";
 
@@ -124,13 +126,12 @@ fn explanation(report: &ContactListReport) -> String {
     let mut out = String::new();
     let all = || report.contacts.iter().filter_map(named);
     out += if all().any(|named| named.brought_to_touch) || all().all(|named| named.gap.is_none()) {
-        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the upward travel of the wheel at the touch. A \
-         contact without a gap is evaluated at the pose as drawn, unless a pose is given."
+        "A stop is evaluated at the touch: \"gap\" is the gap in the design position, \"wheel travel\" the upward travel of the wheel at the \
+         touch. A contact without a gap is evaluated in the design position, unless a pose is given."
     } else {
-        "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a penetration."
+        "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for parts that overlap."
     };
-    out += "\n\"contact/wheel\" is the motion ratio: the closing of the contact per upward travel of the wheel, negative for a contact \
-            that closes while the wheel moves down.";
+    out += "\nMotion ratio: contact per wheel travel (upward), negative for a contact that closes while the wheel moves down.";
     let has_no_ratio = |contact: &ListedContact| {
         contact.report.as_ref().and_then(|report| report.effective_mass).is_some()
             && numbers(contact)[3].is_none()

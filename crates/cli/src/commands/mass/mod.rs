@@ -2,19 +2,21 @@
 
 pub(crate) mod conditions;
 pub(crate) mod contact_list;
-mod part_names;
 pub(crate) mod sensitivity;
 
 use crate::args::{MassArgs, MassFormat};
 use crate::commands::damp;
 use crate::document::Document;
 use crate::files::csv;
-use crate::terminal::explanation::{estimate_ratio, motion_ratio};
+use crate::terminal::console;
+use crate::terminal::explanation::{both_stops, estimate_ratio, motion_ratio};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{number, triple, within_uncertainty};
-use crate::terminal::units::ContactUnits;
+use crate::terminal::number::{fixed, number, signed, triple, with_unit, within_uncertainty};
+use crate::terminal::report::{
+    details_are_shown, note, with_findings, write_diagnostics, write_json, write_out, write_text,
+};
+use crate::terminal::text::{Table, TableCell};
 use percuss_study::{
     DampingQuestion, MassOptions, MassQuestion, MassReport, Model, Status, StudyAdditions, WithAdditions,
     contact_names, requested_mass,
@@ -87,16 +89,17 @@ fn show(
     strict: bool,
 ) -> Result<(), Failure> {
     let report = with_findings(requested_mass(model, question, damping, requested), model)?;
-    write(&report, requested, &StudyAdditions::default(), format, strict)
+    write(&report, requested, &StudyAdditions::default(), (format, strict), &hints(&report, requested))
 }
 
-/// Writes a report with its findings, and compares it with the expected value. `additions`: further keys of the report in JSON.
+/// Writes a report with its findings, and compares it with the expected value. `additions`: further keys of the report in JSON; `hints`:
+/// last line of the text.
 pub fn write(
     report: &MassReport,
     requested: &MassOptions,
     additions: &StudyAdditions,
-    format: MassFormat,
-    strict: bool,
+    (format, strict): (MassFormat, bool),
+    hints: &str,
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
@@ -115,7 +118,7 @@ pub fn write(
             }
             write_out(&csv::mass_row(report, &report.assumptions.set))?;
         }
-        MassFormat::Text => write_out(&text(report, requested.expected()))?,
+        MassFormat::Text => write_text(&text(report, requested, hints))?,
     }
     check_expected(report, requested)
 }
@@ -144,33 +147,59 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
     }
 }
 
-/// Report as text.
-fn text(report: &MassReport, expected: Option<f64>) -> String {
+/// Report as text: m̄ with its place, its parts, further results, and one line of conditions. `hints`: flags of `percuss mass`.
+fn text(report: &MassReport, requested: &MassOptions, hints: &str) -> String {
     let mut out = Document::default();
-    let expected = expected.zip(report.effective_mass).map(|(expected, m)| {
+    let (value, meaning) = main_result(report);
+    out.results([(value, meaning + &conditions::place(report))]);
+    let expected = requested.expected().zip(report.effective_mass).map(|(expected, m)| {
         let off = (m / expected - 1.0).abs();
         ("expected", format!("{} {}   (relative difference {off:.1e})", number(expected), report.unit))
     });
-    let name = ContactUnits::new(report.contact.is_moment).name;
-    out.facts([(name, headline(report))].into_iter().chain(expected));
-    out.facts(conditions::facts(report));
+    let together = report.named_contact.as_ref().and_then(both_stops);
+    let thresholds = report.friction_thresholds.as_ref();
+    let thresholds = thresholds.map(|found| ("friction", conditions::thresholds_text(found)));
+    out.facts(expected.into_iter().chain(together).chain(thresholds));
+    contributions(report, usize::MAX).into_iter().for_each(|table| out.table(table));
     add_estimate(report, &mut out);
-    out.facts(report.damper.iter().flat_map(damp::facts));
-    add_contributions(report, &mut out);
+    report.damper.iter().for_each(|damper| damp::add_results(damper, &mut out));
     add_explanation(report, &mut out);
-    let forces = match &report.damper {
-        None => {
-            "Gravity, springs, dampers and speed have no effect: a finite force does no work in an instantaneous impact."
-        }
-        Some(_) => {
-            "Gravity, springs, dampers and speed have no effect on the effective mass; the damper is that of the contact alone."
-        }
-    };
-    out.paragraph(format!(
-        "Not included: friction, compliance of the links, several impacts at once.\n{forces} See docs/explanation/LIMITS.md."
-    ));
+    if details_are_shown() {
+        out.facts(conditions::facts(report));
+        out.remark(
+            "Gravity, springs, dampers and speed have no effect on the effective mass: a finite force does no work in an instantaneous impact. See \
+             docs/explanation/LIMITS.md.",
+        );
+    } else {
+        out.remark(conditions::summary(report));
+    }
+    out.note(hints);
     report.damper.iter().for_each(|damper| damp::add_exports(damper, &mut out));
     out.text()
+}
+
+/// Flags of `percuss mass` that show more about a result, in at most two lines; only on a terminal.
+fn hints(report: &MassReport, requested: &MassOptions) -> String {
+    if !console::stdout().is_terminal() {
+        return String::new();
+    }
+    let is_finite = report.effective_mass.is_some();
+    let tolerance = if report.point_in_sheet.is_some() { "mass=2%,point=0.5mm" } else { "mass=2%,com=1mm" };
+    let mut flags = Vec::new();
+    if is_finite && !requested.explain {
+        flags.push("--explain (what changes it)".to_owned());
+    }
+    if !details_are_shown() {
+        flags.push("--details (points, axes, joints)".to_owned());
+    }
+    if is_finite && requested.tolerance().is_none() {
+        flags.push(format!("--tolerance {tolerance} (how sure it is)"));
+    }
+    let [first @ .., last] = &flags[..] else { return String::new() };
+    match first {
+        [] => format!("next: {last}"),
+        first => format!("next: {}\n      {last}", first.join("   ")),
+    }
 }
 
 /// Sections of a page about a contact: conditions, contributions, estimate, motion ratios, sensitivities, tolerances.
@@ -178,10 +207,13 @@ pub fn document(report: &MassReport) -> Document<'_> {
     let mut out = Document::default();
     out.section("Contact and conditions");
     match report.point_in_sheet.as_ref().filter(|_| !report.contact.is_moment) {
-        Some(contact) => out.facts(part_names::facts(report, contact)),
+        Some(contact) => out.facts(conditions::facts_in_sheet(report, contact)),
         None => out.facts(conditions::conditions(report).into_iter().chain([conditions::method(report)])),
     }
-    add_contributions(report, &mut out);
+    if let Some(table) = contributions(report, usize::MAX) {
+        out.section("Share of m̄");
+        out.table(table);
+    }
     add_estimate(report, &mut out);
     if !report.motion_ratios.is_empty() {
         out.section("Motion ratios");
@@ -201,28 +233,45 @@ fn add_explanation<'a>(report: &'a MassReport, out: &mut Document<'a>) {
     }
 }
 
+/// Value of m̄ with its tolerance, or the outcome, and the begin of its meaning.
+fn main_result(report: &MassReport) -> (String, String) {
+    let is_moment = report.contact.is_moment;
+    let (does, gap) = if is_moment { ("turns the link", "about this axis") } else { ("closes", "this gap") };
+    match (report.status, report.effective_mass) {
+        (Status::Immovable, _) => {
+            ("immovable".to_owned(), format!("no motion of the mechanism {does} {gap}\n"))
+        }
+        (Status::Massless, _) => {
+            (format!("massless (0 {})", report.unit), format!("a motion without mass {does} {gap}\n"))
+        }
+        (Status::Finite, m) => (mass_text(report, m.unwrap_or_default()), String::new()),
+    }
+}
+
+/// m̄ with its unit, and with the effect of the tolerances.
+pub fn mass_text(report: &MassReport, mass: f64) -> String {
+    match &report.tolerance {
+        Some(tolerance) if tolerance.root_sum_square > 0.0 => {
+            let spread = tolerance.root_sum_square;
+            let [mass, spread] = [mass, spread].map(|x| within_uncertainty(x, spread));
+            format!("{mass} ± {spread} {}", report.unit)
+        }
+        _ => with_unit(mass, report.unit),
+    }
+}
+
+/// First line of the text: m̄, or the outcome, with its place.
+pub fn first_line(report: &MassReport) -> String {
+    let (value, meaning) = main_result(report);
+    let meaning = meaning + &conditions::place(report);
+    format!("{value}  {}", meaning.lines().next().unwrap_or_default())
+}
+
 /// m̄, or the outcome in words.
 pub fn headline(report: &MassReport) -> String {
-    match (report.status, report.effective_mass) {
-        (Status::Immovable, _) if report.contact.is_moment => {
-            "immovable: no motion of the mechanism turns the link about this axis".into()
-        }
-        (Status::Massless, _) if report.contact.is_moment => {
-            "massless (0 kg·m²): a motion without mass turns the link about this axis".into()
-        }
-        (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
-        (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
-        (Status::Finite, m) => {
-            let mass = m.unwrap_or_default();
-            match &report.tolerance {
-                Some(tolerance) if tolerance.root_sum_square > 0.0 => {
-                    let spread = tolerance.root_sum_square;
-                    let [mass, spread] = [mass, spread].map(|x| within_uncertainty(x, spread));
-                    format!("{mass} ± {spread} {} (tolerances, root sum square)", report.unit)
-                }
-                _ => format!("{} {}", number(mass), report.unit),
-            }
-        }
+    match main_result(report) {
+        (value, meaning) if meaning.is_empty() => value,
+        (value, meaning) => format!("{value}: {}", meaning.trim_end()),
     }
 }
 
@@ -235,12 +284,13 @@ fn add_estimate(report: &MassReport, out: &mut Document<'_>) {
         let none = format!("none: the speed of the point on {first} is undetermined");
         return out.facts([("estimate", none)]);
     };
-    let off =
-        record.error_percent.map_or_else(String::new, |p| format!("   ({:+.2} %)", without_rounding(p)));
+    let off = record.error_percent.map_or_else(String::new, |p| format!("   ({} %)", signed(p, 2)));
     let links = record.links.join(", ");
     let share = record.share_left_out.map(|share| {
-        let percent = without_rounding(100.0 * share);
-        ("  leaves out", format!("{percent:.2} % of the effective mass, contributed by other links"))
+        (
+            "  leaves out",
+            format!("{} % of the effective mass: the share of other links", fixed(100.0 * share, 2)),
+        )
     });
     let facts = [
         ("estimate m_K/l²", format!("{} kg{off}", number(estimate))),
@@ -253,27 +303,50 @@ fn add_estimate(report: &MassReport, out: &mut Document<'_>) {
     out.facts(facts.into_iter().chain(share));
 }
 
-/// Percentage in which a value that rounds to zero has no sign.
-fn without_rounding(percent: f64) -> f64 {
-    if percent.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { percent }
+/// Mass of all links that move in the impact, kg; `None` without shares.
+pub fn moving_mass(report: &MassReport) -> Option<f64> {
+    let moves = |share: Option<f64>| share.is_some_and(|share| share != 0.0);
+    let masses = report.bodies.iter().filter(|body| moves(body.share)).map(|body| body.mass);
+    report.effective_mass.map(|_| masses.sum())
 }
 
-/// Adds the contribution of each link, largest first; negligible ones are counted.
-fn add_contributions(report: &MassReport, out: &mut Document<'_>) {
-    if report.effective_mass.is_none() {
-        return;
+/// Table of the parts of m̄: mass, part and share of each link, rotor and other body, at most `most`. The others, and parts of less than
+/// [`limits::MIN_CONTRIBUTION`], are one row. `None` without a finite m̄.
+pub fn contributions(report: &MassReport, most: usize) -> Option<Table> {
+    let m = report.effective_mass?;
+    let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), Some(b.mass), b.share?)));
+    let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), None, r.share?)));
+    let other = report.other_mass_share;
+    let other = other.map(|share| ("the other body".to_owned(), report.conditions.against_mass, share));
+    let mut parts: Vec<(String, Option<f64>, f64)> =
+        links.chain(rotors).chain(other).filter(|(.., share)| *share != 0.0).collect();
+    parts.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let sum = |parts: &[(String, Option<f64>, f64)]| {
+        let masses = parts.iter().filter_map(|(_, mass, _)| *mass);
+        let mass = parts.iter().any(|(_, mass, _)| mass.is_some()).then(|| masses.sum());
+        (mass, parts.iter().map(|(.., share)| share).sum::<f64>())
+    };
+    let all = sum(&parts);
+    let is_shown = |(.., share): &(String, Option<f64>, f64)| share.abs() >= limits::MIN_CONTRIBUTION;
+    let count = parts.iter().take_while(|part| is_shown(part)).count().min(most);
+    let rest = parts.split_off(count);
+    let mut shown = parts;
+    if !rest.is_empty() {
+        let (mass, share) = sum(&rest);
+        shown.push((format!("{} others", rest.len()), mass, share));
     }
-    let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
-    let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
-    let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
-    let mut shown: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
-    shown.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let all = shown.len();
-    shown.retain(|(_, share)| share.abs() >= limits::MIN_CONTRIBUTION);
-    out.section("Contribution of each link");
-    let rest = all - shown.len();
-    out.shares(shown);
-    if rest > 0 {
-        out.note(format!("  and {rest} of less than {} %", 100.0 * limits::MIN_CONTRIBUTION));
+    let bars: Vec<f64> = shown.iter().map(|(.., share)| *share).collect();
+    let mut table = Table::new(["link", "mass kg", &format!("m̄ {}", report.unit), "%"]);
+    let mut row = |name: String, mass: Option<f64>, share: f64| {
+        let numbers = [mass, Some(share * m), Some(100.0 * share)].map(TableCell::Part);
+        let [mass, part, share] = numbers;
+        table.row([name.into(), mass, part, share]);
+    };
+    let is_single = shown.len() < 2;
+    shown.into_iter().for_each(|(name, mass, share)| row(name, mass, share));
+    if is_single {
+        return Some(table);
     }
+    row("sum".to_owned(), all.0, all.1);
+    Some(table.with_sum().with_bars(&bars))
 }

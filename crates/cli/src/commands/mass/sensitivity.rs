@@ -2,21 +2,20 @@
 
 use crate::document::Document;
 use crate::terminal::limits;
-use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
+use crate::terminal::number::{number, triple, within_uncertainty};
+use crate::terminal::text::{Table, TableCell};
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Style, Tornado, TornadoBar};
 use percuss_study::{Explanation, SampleRecord, ToleranceReport};
 
-/// Effect in both directions with three significant digits.
+/// Effect in both directions.
 pub fn effect_text(kg: f64) -> String {
-    let rounded: f64 = format!("{:.2e}", kg.abs()).parse().unwrap_or(kg);
-    format!("± {}", number(rounded))
+    format!("± {}", number(kg.abs()))
 }
 
-/// Rate per millimetre with four significant digits.
-fn per_millimetre(rate: f64) -> String {
+/// Rate per millimetre.
+fn per_millimetre(rate: f64) -> TableCell {
     // A rate below a microgram per millimetre is rounding.
-    let rate = if rate.abs() < 1e-6 { 0.0 } else { rate };
-    number(format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3))
+    TableCell::Part(Some(if rate.abs() < 1e-6 { 0.0 } else { rate * 1e-3 }))
 }
 
 /// Adds the changes that lower m̄ most, and its rates. `unit`: unit of m̄. The joints of a suspension (`has_sheet`) have no rotors.
@@ -29,11 +28,10 @@ pub fn add_sensitivities<'a>(
     out.section("Sensitivities");
     out.note("To first order: an opposite change has the opposite effect.");
     let masses = explained.most_per_kilogram.iter();
-    let masses =
-        masses.map(|c| format!("1 kg less of {}: {} {unit} less", c.link, short_number(c.lowers_by)));
+    let masses = masses.map(|c| format!("1 kg less of {}: {} {unit} less", c.link, number(c.lowers_by)));
     let moves = explained.most_per_millimetre.iter().map(|c| {
         let direction = c.direction.map(|x| (x * 1e4).round() / 1e4);
-        format!("{} 1 mm along {}: {} {unit} less", c.point, triple(&direction), short_number(c.lowers_by))
+        format!("{} 1 mm along {}: {} {unit} less", c.point, triple(&direction), number(c.lowers_by))
     });
     let named = |name: &'static str| std::iter::once(name).chain(std::iter::repeat(""));
     out.facts(named("most per kilogram").zip(masses).chain(named("most per millimetre").zip(moves)));
@@ -85,34 +83,27 @@ fn add_tornado(
 fn add_rates(explained: &Explanation, unit: &str, has_sheet: bool, out: &mut Document<'_>) {
     let (per_kg, per_mm) = (format!("{unit} per kg"), format!("{unit} per mm: x"));
     let rates = |rates: Option<[f64; 3]>| {
-        rates.map_or_else(|| [(); 3].map(|()| "–".to_owned()), |rates| rates.map(per_millimetre))
+        rates.map_or_else(|| [(); 3].map(|()| TableCell::Part(None)), |rates| rates.map(per_millimetre))
     };
-    let mut links = Table::new(["link", "kg", "share %", &per_kg, &per_mm, "y", "z"]);
+    let mut links = Table::new(["link", "mass kg", "% of m̄", &per_kg, &per_mm, "y", "z"]);
     for link in &explained.links {
         let [x, y, z] = rates(link.per_metre_of_com);
-        let share = format!("{:.2}", 100.0 * link.share);
-        links.row([
-            link.link.clone(),
-            short_number(link.mass),
-            share,
-            short_number(link.per_kilogram),
-            x,
-            y,
-            z,
-        ]);
+        let [mass, share, per_kg] =
+            [link.mass, 100.0 * link.share, link.per_kilogram].map(|x| TableCell::Part(Some(x)));
+        links.row([link.link.clone().into(), mass, share, per_kg, x, y, z]);
     }
     out.table(links);
     out.note("The last columns are for a displacement of the centre of mass in the axes of the link.");
     let mut rotors = Table::new(["joint", &format!("{unit} per kg·m² (or kg) of armature")]);
     for rotor in explained.rotors.iter().filter(|_| !has_sheet) {
-        let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short_number(*rate)).collect();
+        let rates: Vec<String> = rotor.per_armature.iter().map(|rate| number(*rate)).collect();
         rotors.row([rotor.joint.clone(), rates.join(", ")]);
     }
     out.table(rotors);
     let mut points = Table::new(["hardpoint", &per_mm, "y", "z"]);
     for point in &explained.points {
         let [x, y, z] = rates(point.per_metre);
-        points.row([point.point.clone(), x, y, z]);
+        points.row([TableCell::from(point.point.clone()), x, y, z]);
     }
     out.table(points);
     if explained.points.iter().any(|point| point.per_metre.is_none()) {
@@ -128,18 +119,16 @@ pub fn add_tolerances<'a>(report: &'a ToleranceReport, unit: &'static str, out: 
         [("mass", given.mass, report.parts.mass), ("armature", given.armature, report.parts.armature)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} %: {} {unit}", short_number(100.0 * part), short_number(of)));
+            words.push(format!("{name} {} %: {} {unit}", number(100.0 * part), number(of)));
         }
     }
     for (name, part, of) in [("com", given.com, report.parts.com), ("point", given.point, report.parts.point)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} mm: {} {unit}", short_number(1e3 * part), short_number(of)));
+            words.push(format!("{name} {} mm: {} {unit}", number(1e3 * part), number(of)));
         }
     }
-    let effect = |m: f64| {
-        format!("± {} {unit} ({} %)", short_number(m), short_number(100.0 * m / report.effective_mass))
-    };
+    let effect = |m: f64| format!("± {} {unit} ({} %)", number(m), number(100.0 * m / report.effective_mass));
     out.section("Tolerances");
     out.facts([
         ("nominal value", format!("{} {unit}", number(report.effective_mass))),
@@ -196,6 +185,7 @@ fn histogram(samples: &SampleRecord, nominal: f64, unit: &str) -> Figure {
             y_label: "samples".into(),
             series: vec![Series { name: "samples".into(), style: Style::Bars, points }],
             y_limits: Some((0.0, 1.06 * most)),
+            ..Panel::default()
         }],
         marks: vec![
             mark(nominal, "nominal"),

@@ -2,15 +2,15 @@
 
 use super::findings::add_warnings;
 use super::results::first_with_result;
-use crate::commands::impacts::rigid_impact;
 use crate::commands::mass::contact_list;
-use crate::commands::mass::headline;
 use crate::commands::mass::sensitivity::effect_text;
 use crate::files::html::Page;
-use crate::terminal::explanation::named_contact;
-use crate::terminal::text::{number, upper_bound, within_uncertainty};
-use crate::terminal::units::ContactUnits;
-use percuss_study::{ContactListReport, DiagnosticRecord, ImpactReport, MassOptions, MassReport};
+use crate::terminal::limits;
+use crate::terminal::number::{fixed, number, upper_bound, within_uncertainty};
+use percuss_study::{ContactListReport, DiagnosticRecord, MassOptions, MassReport};
+
+/// Code of the finding about a change of m̄ during the contact.
+const MASS_CHANGES: &str = "mass-drifts";
 
 /// Adds the results of all contacts of a study with several, before all sections.
 pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
@@ -26,39 +26,49 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
     }
 }
 
-/// Adds the result before all sections: the main numbers of an impact, the mass, its uncertainty, the contact, and the findings.
-pub(super) fn add_result(
-    report: &MassReport,
-    requested: &MassOptions,
-    impact: Option<&ImpactReport>,
-    findings: &[&DiagnosticRecord],
-    page: &mut Page,
-) {
-    let mass = format!("m̄ = {}", headline(report));
-    match impact.map(rigid_impact::head) {
-        Some((main, facts)) => {
-            page.open_result(&main);
-            let name = ContactUnits::new(report.contact.is_moment).name;
-            page.facts(facts.into_iter().chain([(name, headline(report))]));
-        }
-        None => page.open_result(&mass),
+/// Adds the warnings about the result. A change of m̄ without an effect on the damper is a note.
+pub(super) fn add_findings(report: &MassReport, findings: &[&DiagnosticRecord], page: &mut Page) {
+    let stroke = report.damper.as_ref().and_then(|damper| Some((damper.over_stroke?, damper)));
+    let is_small = stroke.is_some_and(|(stroke, damper)| {
+        (stroke.restitution - damper.damper.restitution).abs() < limits::SMALL_RESTITUTION_CHANGE
+    });
+    let is_change = |finding: &&DiagnosticRecord| is_small && finding.code == MASS_CHANGES;
+    add_warnings(findings.iter().copied().filter(|finding| !is_change(finding)), page);
+    for finding in findings.iter().copied().filter(is_change) {
+        let Some((stroke, damper)) = stroke else { continue };
+        page.note(&format!(
+            "{}. Effect on the rebound: e = {} instead of {}. No action needed.",
+            finding.line(),
+            fixed(stroke.restitution, 4),
+            fixed(damper.damper.restitution, 4)
+        ));
     }
+}
+
+/// Words about the uncertainty of m̄, for the first page.
+pub(super) fn uncertainty_words(report: &MassReport) -> String {
+    let Some(tolerance) = &report.tolerance else { return String::new() };
+    let given = &tolerance.tolerance;
+    let parts = [
+        ("mass", 100.0 * given.mass, "%"),
+        ("centre of mass", 1e3 * given.com, "mm"),
+        ("armature", 100.0 * given.armature, "%"),
+        ("point", 1e3 * given.point, "mm"),
+    ];
+    let parts = parts.iter().filter(|(_, size, _)| *size > 0.0);
+    let parts: Vec<String> =
+        parts.map(|(name, size, unit)| format!("{name} {} {unit}", number(*size))).collect();
+    format!("tolerances: {}", parts.join(", "))
+}
+
+/// Facts about the accuracy of the result: expected value, tolerances, samples, numerical error.
+pub(super) fn accuracy(report: &MassReport, requested: &MassOptions) -> Vec<(&'static str, String)> {
     let mut facts = uncertainty(report);
     if let (Some(expected), Some(mass)) = (requested.expected(), report.effective_mass) {
         let off = 100.0 * (mass / expected - 1.0);
         facts.push(("expected", format!("{} {}, difference {off:+.2e} %", number(expected), report.unit)));
     }
-    match &report.named_contact {
-        Some(contact) => facts.extend(named_contact(contact)),
-        None => {
-            let other =
-                report.contact.against.as_ref().map_or_else(String::new, |link| format!(" against {link}"));
-            facts.push(("contact", report.contact.link.clone() + &other));
-        }
-    }
-    page.facts(facts);
-    page.close_result();
-    add_warnings(findings.iter().copied(), page);
+    facts
 }
 
 /// Uncertainty due to tolerances, and numerical error.

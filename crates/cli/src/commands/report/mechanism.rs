@@ -5,35 +5,32 @@ use super::results::StudyResults;
 use crate::commands::check;
 use crate::files::html::Page;
 use crate::pictures::mechanism::drawing;
-use crate::terminal::limits;
 use crate::terminal::text::shell_quoted;
 use percuss_render::Picture;
 use percuss_study::CheckReport;
 use std::path::Path;
 
-/// Explanation of the picture.
-const LEGEND: &str = "Arms and rods of a suspension are drawn from each bush to the outer point. For other links a line joins the \
-    joints, the loops' ends and the centre of mass, over the shapes if the model has shapes. Springs, dampers, stops and contact \
-    patches are drawn where the model names them; the gap of a stop is the distance between its pad and the hatched face. A \
-    wheel of a suspension is a circle.";
+/// Explanation of the picture: of links, and of the parts of a suspension.
+const LEGEND: &str = "A line joins the joints, the ends of loops and the centre of mass of a link, over its shapes if the model has shapes. \
+    The pointer shows the names of the joints.";
+const LEGEND_OF_SHEET: &str = "Arms and rods are drawn from each bush to the outer point, the tyre as an outline. The gap of a stop is the \
+    distance between its pad and the hatched face. The pointer shows the names of the points.";
 
 /// Section with the picture of the mechanism.
 pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
     page.section("The mechanism at this pose");
     let report = results.report.mass.as_ref();
-    let mut caption = LEGEND.to_owned();
+    let has_sheet = !results.mechanism.wheels.is_empty();
+    let mut caption = if has_sheet { LEGEND_OF_SHEET } else { LEGEND }.to_owned();
     if let Some(report) = report {
         caption += match report.contact.is_moment {
             true => {
-                " The contact is a moment about an axis: n is the axis, and the red dot is the origin of the contact link."
+                " The contact is a moment about an axis: n is the axis, and the blue dot is the origin of the contact link."
             }
-            false => " The red dot is the contact point, and n is its normal.",
+            false => " The blue dot is the contact point, and n is its normal.",
         };
-        caption += " Blue arrows are the velocities of the centres of mass while the contact closes; the longest is drawn as long as n.";
-    }
-    let named = results.mechanism.points.len() + results.mechanism.elements.len();
-    if named > limits::NAMED_POINTS {
-        caption += &format!(" {} of {named} named points are numbered.", limits::NAMED_POINTS);
+        caption += " Colour and width of a link show its share of m̄. Grey arrows are the velocities of the centres of mass while the \
+                    contact closes; the longest is drawn as long as n.";
     }
     let views = "The mechanism from the front, from the left and from above";
     page.large_picture(&drawing(report, &results.mechanism).to_svg(), views);

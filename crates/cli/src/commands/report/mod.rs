@@ -5,6 +5,7 @@ mod answers;
 mod bands;
 mod contact;
 mod findings;
+mod first_page;
 mod mechanism;
 mod outputs;
 mod page;
@@ -17,7 +18,7 @@ use crate::commands::mass::{check_expected, headline};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{warn, write_diagnostics, write_out};
+use crate::terminal::report::{warn, write_diagnostics, write_text};
 use percuss_study::{RowSource, StudyFile, SweepQuestion};
 use results::StudyResults;
 use std::path::Path;
@@ -84,6 +85,6 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     let headline =
         answers.report.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
     let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));
-    write_out(&(headline.unwrap_or_default() + &written))?;
+    write_text(&(headline.unwrap_or_default() + &written))?;
     answers.report.mass.map_or(Ok(()), |mass| check_expected(&mass, &study.mass))
 }

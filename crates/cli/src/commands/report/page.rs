@@ -2,7 +2,7 @@
 
 use super::findings::add_warnings;
 use super::results::StudyResults;
-use super::{answers, contact, mechanism};
+use super::{answers, contact, first_page, mechanism};
 use crate::args::RunArgs;
 use crate::commands::impacts::in_time::forces_sentence;
 use crate::commands::impacts::{extremes, restitution, rigid_impact, safe_speed};
@@ -27,8 +27,9 @@ pub(super) fn text(
         contact::add_contact_list(listed, &mut page);
     }
     if let Some(report) = &results.report.mass {
-        let impact = results.report.impact.as_ref();
-        contact::add_result(report, &study.mass, impact, &results.unlisted(report), &mut page);
+        first_page::add(results, report, &mut page);
+        contact::add_findings(report, &results.unlisted(report), &mut page);
+        first_page::add_quadrants(results, report, &foot(results, args, path, inputs), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {
@@ -36,6 +37,7 @@ pub(super) fn text(
     }
     if let Some(report) = &results.report.mass {
         mass::document(report).show(&mut page);
+        page.facts(contact::accuracy(report, &study.mass));
     }
     if let Some(contents) = &results.contents {
         mechanism::add_model(contents, &mut page);
@@ -69,7 +71,7 @@ pub(super) fn text(
     }
     if let Some(report) = &results.report.impact {
         page.section("Impact");
-        rigid_impact::document(report, Some(&results.mechanism)).show(&mut page);
+        rigid_impact::document(report, &results.mechanism).show(&mut page);
         add_warnings(&report.diagnostics, &mut page);
     }
     if let Some(report) = &results.report.extremes {
@@ -120,6 +122,46 @@ fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
     }
 }
 
+/// Command that makes the report again, in the folder of the study.
+fn command(args: &RunArgs, path: &str) -> String {
+    format!(
+        "percuss run {} --report {}{}{}",
+        shell_quoted(&file_name(&args.study)),
+        shell_quoted(&file_name(path)),
+        if args.allow_outside { " --allow-outside" } else { "" },
+        args.explorer.as_ref().map_or_else(String::new, |explorer| format!(
+            " --explorer {}",
+            shell_quoted(&relative(explorer, path))
+        ))
+    )
+}
+
+/// Foot of the first page: validity, and the inputs with the first digits of their hashes.
+fn foot(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input]) -> Vec<(&'static str, String)> {
+    let short =
+        |input: &Input| format!("{} {}", file_name(&input.path), &input.sha256[..input.sha256.len().min(8)]);
+    let files: Vec<String> = inputs.iter().map(short).collect();
+    vec![
+        ("Holds for", validity(results)),
+        ("Made by", format!("{}; inputs {}", command(args, path), files.join(", "))),
+    ]
+}
+
+/// Assumptions of the results.
+fn validity(results: &StudyResults) -> String {
+    let impact = results.report.impact.as_ref();
+    let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "no friction, " };
+    let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
+    let several = if is_several { "" } else { ", one contact at a time" };
+    let in_time = impact.and_then(|impact| Some((impact, impact.in_time.as_ref()?)));
+    let in_time =
+        in_time.map_or_else(String::new, |(impact, found)| format!(" {}", forces_sentence(impact, found)));
+    format!(
+        "{friction}rigid links{several}. Gravity, springs and dampers have no effect: a finite force does no work in an instantaneous \
+         impact. The effective mass does not depend on the speed.{in_time}"
+    )
+}
+
 /// Section of the inputs, with the findings about them, the command, and the limits of validity.
 fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input], page: &mut Page) {
     page.section("Inputs and validity");
@@ -144,41 +186,16 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
         page.table(&rows);
     }
     if !of_variants.is_empty() {
-        page.paragraph(
-            "soft",
-            &format!("{} notes about the variants: percuss compare --notes.", of_variants.len()),
-        );
+        page.paragraph("soft", &format!("{} notes about the variants are not shown.", of_variants.len()));
     }
     if diagnostics.is_empty() {
         page.paragraph("soft", "No warnings and no notes.");
     }
     page.heading("Command");
     page.paragraph("soft", "In the folder of the study, this command makes the report again:");
-    page.code(&format!(
-        "percuss run {} --report {}{}{}",
-        shell_quoted(&file_name(&args.study)),
-        shell_quoted(&file_name(path)),
-        if args.allow_outside { " --allow-outside" } else { "" },
-        args.explorer.as_ref().map_or_else(String::new, |explorer| format!(
-            " --explorer {}",
-            shell_quoted(&relative(explorer, path))
-        ))
-    ));
+    page.code(&command(args, path));
     page.heading("Validity");
-    let impact = results.report.impact.as_ref();
-    let friction = if impact.is_some_and(|impact| impact.friction.is_some()) { "" } else { "friction, " };
-    let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
-    let several = if is_several { "" } else { ", several impacts at once" };
-    let in_time = impact.and_then(|impact| Some((impact, impact.in_time.as_ref()?)));
-    let in_time =
-        in_time.map_or_else(String::new, |(impact, found)| format!(" {}", forces_sentence(impact, found)));
-    page.paragraph(
-        "",
-        &format!(
-            "Not included: {friction}compliance of the links{several}. Gravity, springs and dampers have no effect: a finite force \
-             does no work in an instantaneous impact. The effective mass does not depend on the speed.{in_time}"
-        ),
-    );
+    page.paragraph("", &validity(results));
 }
 
 /// File name without its folder.

@@ -59,7 +59,8 @@ impl StudyResults {
         let compared = report.comparison.as_ref();
         let tolerances =
             compared.map_or(Ok(Vec::new()), |compared| tolerances_of_contacts(study, compared))?;
-        let sweep = study.tables.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
+        let sweep = study.tables.sweep.as_ref();
+        let sweep = sweep.map(|requested| run_sweep(study, requested, report.mass.as_ref())).transpose()?;
         Ok(Self { report, mechanism, contents, sweep, tolerances })
     }
 

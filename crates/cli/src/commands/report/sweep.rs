@@ -2,6 +2,7 @@
 
 use super::bands::{add_band, tolerances_over};
 use super::findings::add_warnings;
+use crate::commands::sweep_text::SweepText;
 use crate::files::csv::SweepTable;
 use crate::files::html::Page;
 use crate::files::table_style::TableStyle;
@@ -9,9 +10,10 @@ use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::sweep_figure::{SweepCurves, axis_unit, motion_ratio_name};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::text::{number, short_number};
-use percuss_render::Picture;
-use percuss_study::{Input, Status, StudyFile, SweepEnd, SweepQuestion};
+use crate::terminal::number::number;
+use crate::terminal::units::varied_name;
+use percuss_render::{Figure, LabelledPoint, Picture, Style};
+use percuss_study::{Input, MassReport, StudyFile, SweepEnd, SweepQuestion};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -22,36 +24,38 @@ pub(super) struct SweepSection {
     pub inputs: Vec<Input>,
     /// Figure and caption, or the reason for no figure.
     picture: Result<(String, String), String>,
-    least: Option<f64>,
-    greatest: Option<f64>,
-    /// Numbers of rows whose contact is immovable or massless.
-    immovable: usize,
-    massless: usize,
-    /// Unit of m̄.
-    unit: &'static str,
+    /// Rows of the table on the page.
+    text: SweepText,
     /// Name of the motion ratio.
     ratio: String,
-    /// Name of the varied number with its unit, and rows of the table on the page; empty for several varied numbers.
-    column: String,
-    rows: Vec<[String; 3]>,
+    /// Name of the varied number.
+    pub varied: String,
+    /// Curve of m̄ for the first page; `None` without a picture.
+    pub half_figure: Option<String>,
 }
 
-/// Runs the sweep of a study: its table, its end, and its picture.
-pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<SweepSection, Failure> {
+/// Runs the sweep of a study: its table, its end, and its pictures. `mass`: result that is marked on the curve.
+pub(super) fn run_sweep(
+    study: &StudyFile,
+    requested: &SweepQuestion,
+    mass: Option<&MassReport>,
+) -> Result<SweepSection, Failure> {
     let question = &study.question_of_rows(study.question.as_ref().unwrap_or(&study.conditions));
     let sweep = study.prepared_sweep(requested, question)?;
     let table =
         SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table()));
-    let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));
-    let (inputs, unit) = (sweep.heading().inputs.clone(), sweep.heading().unit);
-    let varied = match &sweep.heading().varied[..] {
-        [varied] => Some((varied.name.clone(), axis_unit(varied, sweep.heading().length_unit))),
-        _ => None,
+    let ratio = motion_ratio_name(sweep.heading().motion_ratio_of.as_deref());
+    let inputs = sweep.heading().inputs.clone();
+    let scale = match &sweep.heading().varied[..] {
+        [varied] => axis_unit(varied, sweep.heading().length_unit).0,
+        _ => 1.0,
     };
+    let varied = sweep.heading().varied.last().map_or_else(String::new, |varied| varied_name(&varied.name));
+    let is_travel =
+        sweep.heading().varied.len() == 1 && WHEEL_TRAVELS.contains(&&*sweep.heading().varied[0].name);
+    let mut half_figure = None;
     let mut csv = table.header().to_owned();
-    let (mut least, mut greatest) = (None::<f64>, None::<f64>);
-    let (mut immovable, mut massless) = (0, 0);
-    let mut rows: Vec<[String; 3]> = Vec::new();
+    let mut text = SweepText::new(sweep.heading());
     let mut values = Vec::new();
     let mut curves = SweepCurves::new(sweep.heading()).ok();
     let end = sweep.run(&mut |row| {
@@ -60,24 +64,9 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
         if curves.as_mut().is_some_and(|curves| !curves.add(&row)) {
             curves = None;
         }
-        immovable += usize::from(row.status == Status::Immovable.name());
-        massless += usize::from(row.status == Status::Massless.name());
-        if let Some(m) = row.effective_mass {
-            least = Some(least.map_or(m, |l| l.min(m)));
-            greatest = Some(greatest.map_or(m, |g| g.max(m)));
-        }
-        if let Some((_, (scale, _))) = &varied
-            && rows.len() < limits::ROWS_KEPT
-        {
-            let value = row.varied.values().first().copied().unwrap_or_default();
-            values.push(value);
-            let at = scale * value;
-            let mass = row.effective_mass.map_or_else(|| row.status.to_owned(), short_number);
-            rows.push([
-                short_number(at),
-                mass,
-                row.motion_ratio.map_or_else(|| "–".to_owned(), short_number),
-            ]);
+        text.add(&row);
+        if values.len() < limits::ROWS_KEPT {
+            values.push(row.varied.values().first().copied().unwrap_or_default());
         }
         ControlFlow::Continue(())
     })?;
@@ -87,14 +76,17 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
             let model = Path::new(&figure.subtitle).file_name();
             figure.subtitle = model.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             let clipped = clip_outliers(&mut figure);
-            let scale = varied.as_ref().map_or(1.0, |(_, (scale, _))| *scale);
             let band = match &study.question {
                 Some(question) => tolerances_over(study, question, &requested.rows(), &values, scale)?,
                 None => Vec::new(),
             };
             let band = add_band(&mut figure, &band);
+            if is_travel {
+                mark_result(&mut figure, mass, scale);
+            }
             let constants = remove_flat_panels(&mut figure);
             let caption = [&constants, &clipped, band].join(" ").trim().to_owned();
+            half_figure = half_of(&figure);
             if figure.panels.is_empty() { Err(caption) } else { Ok((figure.to_svg(), caption)) }
         }
         // The picture cannot show this sweep; the table contains it.
@@ -103,24 +95,54 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &SweepQuestion) -> Result<
                 .to_owned(),
         ),
     };
-    let column = varied.map_or_else(String::new, |(name, (_, unit))| match unit {
-        "" => name,
-        unit => format!("{name} ({unit})"),
+    Ok(SweepSection { csv, end, inputs, picture, text, ratio, varied, half_figure })
+}
+
+/// Varied numbers that are the travel of the wheel.
+const WHEEL_TRAVELS: [&str; 2] = ["wheel-travel", "travel:wheel_centre"];
+
+/// Marks the result at its touch and the value in the design position on the curve of m̄. `scale`: factor to the unit of the axis.
+fn mark_result(figure: &mut Figure, mass: Option<&MassReport>, scale: f64) {
+    let Some(panel) = figure.panels.first_mut() else { return };
+    let Some(series) = panel.series.iter_mut().find(|series| series.style == Style::Line) else { return };
+    let drawn = series.points.iter().find(|(x, _)| x.abs() < 1e-9).and_then(|(x, y)| Some((*x, (*y)?)));
+    panel.values.extend(drawn.map(|(x, y)| LabelledPoint {
+        x,
+        y,
+        spread: None,
+        label: format!("{} in the design position", number(y)),
+    }));
+    let touch = mass.and_then(|report| {
+        let contact = report.named_contact.as_ref().filter(|contact| contact.brought_to_touch)?;
+        let [wheel] = &contact.wheel_travel[..] else { return None };
+        Some((scale * wheel.travel, report.effective_mass?, report))
     });
-    Ok(SweepSection {
-        csv,
-        end,
-        inputs,
-        picture,
-        least,
-        greatest,
-        immovable,
-        massless,
-        unit,
-        ratio,
-        column,
-        rows,
-    })
+    if let Some((x, y, report)) = touch {
+        let spread = report.tolerance.as_ref().map(|tolerance| tolerance.root_sum_square);
+        panel.values.push(LabelledPoint { x, y, spread, label: format!("{} at the touch", number(y)) });
+        // The curve continues to the touch.
+        let at = series.points.partition_point(|point| point.0 < x);
+        if series.points.get(at).is_none_or(|point| point.0 != x) {
+            series.points.insert(at, (x, Some(y)));
+        }
+    }
+}
+
+/// Curve of m̄ for a place beside text; `None` if the figure has no panel.
+fn half_of(figure: &Figure) -> Option<String> {
+    // A constant has no curve.
+    let mut panel = figure.panels.first().filter(|panel| panel.y_label.starts_with("m̄"))?.clone();
+    for series in panel.series.iter_mut().filter(|series| series.style == Style::Dashed) {
+        series.name = "estimate by the motion ratio".to_owned();
+    }
+    let half = Figure {
+        title: String::new(),
+        subtitle: String::new(),
+        panels: vec![panel],
+        is_half: true,
+        ..figure.clone()
+    };
+    Some(half.to_svg())
 }
 
 impl SweepSection {
@@ -147,41 +169,8 @@ impl SweepSection {
                 self.end.rows_without_result
             ));
         }
-        let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} {}", number(m), self.unit));
-        let counts = [
-            (self.immovable, "immovable"),
-            (self.massless, "massless"),
-            (self.end.rows_without_result, "without a result"),
-        ];
-        let counts = counts.iter().filter(|(count, _)| *count > 0);
-        let rows: String = counts.map(|(count, what)| format!(", {count} {what}")).collect();
-        page.facts([
-            ("rows", format!("{}{rows}", self.end.rows)),
-            ("smallest", mass(self.least)),
-            ("largest", mass(self.greatest)),
-            ("all rows", table.to_owned()),
-        ]);
-        self.add_rows(page);
-    }
-
-    /// Table of evenly distributed rows, with the first and the last. A sweep of more rows than are kept has none.
-    fn add_rows(&self, page: &mut Page) {
-        if self.rows.is_empty() || self.end.rows > self.rows.len() {
-            return;
-        }
-        let last = self.rows.len() - 1;
-        let steps = last.clamp(1, limits::SWEEP_ROWS_SHOWN - 1);
-        let mass = format!("m̄ ({})", self.unit);
-        let has_ratio = self.rows.iter().any(|row| row[2] != "–");
-        let chosen = (0..=steps.min(last)).map(|i| &self.rows[(i * last + steps / 2) / steps]);
-        if has_ratio {
-            let mut rows = vec![[self.column.as_str(), &mass, self.ratio.as_str()].map(str::to_owned)];
-            rows.extend(chosen.cloned());
-            page.table(&rows);
-        } else {
-            let mut rows = vec![[self.column.as_str(), &mass].map(str::to_owned)];
-            rows.extend(chosen.map(|[at, mass, _]| [at.clone(), mass.clone()]));
-            page.table(&rows);
-        }
+        page.facts([("rows", self.text.summary()), ("all rows", table.to_owned())]);
+        page.table_with_bars(&self.text.table(limits::SWEEP_ROWS_SHOWN));
+        page.paragraph("soft", &format!("Motion ratio: {}.", self.ratio));
     }
 }

@@ -7,7 +7,8 @@ use crate::files::own_files::append_hash;
 use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
 use crate::terminal::import_text::import_summary;
-use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
+use crate::terminal::number::true_minus;
+use crate::terminal::report::{write_diagnostics, write_text, write_unescaped};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
 use percuss_suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
@@ -39,7 +40,7 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
         return write_unescaped(text.as_bytes());
     }
     write_file(&args.output, text.as_bytes())?;
-    write_out(&import_summary(&imported.understood, &args.output))
+    write_text(&true_minus(&import_summary(&imported.understood, &args.output)))
 }
 
 /// Import options of the flags.

@@ -9,9 +9,10 @@ use crate::files::table_style::TableStyle;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
+use crate::terminal::number::{fixed, number};
+use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, write_out, write_text};
+use crate::terminal::text::Table;
+use crate::terminal::wrap::{columns, width, wrap_hanging};
 use percuss_render::Picture;
 use percuss_study::{
     KinematicColumn, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow, Model,
@@ -42,6 +43,7 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     match &args.output {
         Some(path) if args.format.is_none() => write_output(&report, !args.columns.is_empty(), path)?,
         Some(path) => write_file(path, text_of(&report, format).as_bytes())?,
+        None if format == KinematicsFormat::Table => write_text(&text_of(&report, format))?,
         None => write_out(&text_of(&report, format))?,
     }
     check_rows(&report)
@@ -68,7 +70,7 @@ pub fn show_of_study(
     write_diagnostics(&report.diagnostics, strict)?;
     match &requested.output {
         Some(path) => write_output(report, !requested.columns.is_empty(), path)?,
-        None => write_out(&tables(report))?,
+        None => write_text(&tables(report))?,
     }
     check_rows(report)
 }
@@ -127,7 +129,7 @@ fn show_search(
     let report = search_targets(model, question, search)?;
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
     match args.format.unwrap_or(KinematicsFormat::Table) {
-        KinematicsFormat::Table => write_out(&search_text(&report))?,
+        KinematicsFormat::Table => write_text(&search_text(&report))?,
         KinematicsFormat::Csv => write_out(&search_as_csv(&report))?,
         KinematicsFormat::Json => write_json(&report)?,
     }
@@ -245,14 +247,7 @@ fn cells(report: &KinematicsReport) -> Cells {
 /// Text of a value in the unit of tables; – without a value.
 fn shown(unit: KinematicUnit, length_unit: LengthUnit, value: Option<f64>) -> String {
     let (_, factor, decimals) = unit.of_table(length_unit);
-    match value.map(|x| format!("{:.decimals$}", x * factor)) {
-        None => "–".to_owned(),
-        // A value that rounds to zero is shown without a sign.
-        Some(text) if text.trim_start_matches(['-', '0', '.']).is_empty() => {
-            text.trim_start_matches('-').to_owned()
-        }
-        Some(text) => text,
-    }
+    value.map_or_else(|| "–".to_owned(), |x| fixed(x * factor, decimals))
 }
 
 /// Name of a quantity in words; a motion ratio is written `motion ratio CONTACT/wheel`.
@@ -336,7 +331,7 @@ fn blocks(report: &KinematicsReport) -> String {
         .chain((0..report.rows.len()).map(variable))
         .collect();
     let given = report.columns.iter().enumerate().filter(|(_, column)| column.missing.is_none());
-    let columns = given.map(|(i, column)| {
+    let shown_columns = given.map(|(i, column)| {
         let head = [column.name().replace('_', " "), column.unit.of_table(unit).0.to_owned()];
         let values =
             report.rows.iter().map(|row| shown(column.unit, unit, row.values.get(i).copied().flatten()));
@@ -352,8 +347,8 @@ fn blocks(report: &KinematicsReport) -> String {
         }
         out += &aligned(&lines);
     };
-    for column in columns {
-        if block.len() > 1 && used + wide(&column) > WIDTH {
+    for column in shown_columns {
+        if block.len() > 1 && used + wide(&column) > columns() {
             flush(&block);
             (block, used) = (vec![first.clone()], wide(&first));
         }

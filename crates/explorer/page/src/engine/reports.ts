@@ -21,7 +21,7 @@ export interface BodyAlone {
 }
 
 export interface BodyShare {
-  link: string; share: number | null;
+  link: string; mass: number; share: number | null;
 }
 
 export interface ConditionsRecord {

@@ -64,7 +64,7 @@ pub struct DrawnElement {
 /// Drawing of a mechanism at the pose of a result, and findings about the shapes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnMechanism {
-    /// Links with lines or triangles.
+    /// Links with lines, triangles or a mass.
     pub links: Vec<DrawnLink>,
     /// Wheels of an imported suspension, world frame, m.
     pub wheels: Vec<WheelCircle>,
@@ -78,7 +78,7 @@ pub struct DrawnMechanism {
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// Drawing of an evaluated question: every link with lines or triangles.
+/// Drawing of an evaluated question: every link with lines, triangles or a mass.
 pub(crate) fn draw_evaluated(evaluated: &EvaluatedQuestion) -> DrawnMechanism {
     let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
     draw_pose(prepared.model, pose, Some(&answer.response))
@@ -144,10 +144,12 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         let facets: Vec<_> =
             shapes.link_triangles(id).into_iter().map(|corners| corners.map(in_world)).collect();
         let mut link = of_link(id);
-        if !is_drawn(&id) {
+        let is_drawn = is_drawn(&id);
+        if !is_drawn {
             link.lines.clear();
         }
-        if !(link.lines.is_empty() && facets.is_empty()) {
+        // A wheel has a mass and neither lines nor shapes.
+        if !(link.lines.is_empty() && facets.is_empty()) || is_drawn && link.com.is_some() {
             drawing.links.push(DrawnLink { facets, ..link });
         }
     }

@@ -36,7 +36,7 @@ pub(crate) const FACTS: Facts = Facts {
             by_hand: None,
         },
     ],
-    caution: "friction and contactSlop 0 as written: PyBullet's defaults change the rebound of levers, and the penetration",
+    caution: "friction and contactSlop 0 as written: PyBullet's defaults change the rebound of levers, and the compression",
     sources: &[
         "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
         "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
@@ -121,7 +121,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         "Frictionless: with lateralFriction 0.5 on both sides the error of a pendulum's restitution is up to 0.08.",
     );
     export.add_assumption(
-        "contactSlop is 0: with PyBullet's 10 µm the penetration increases by 10 µm. In C++ the default is 0.",
+        "contactSlop is 0: with PyBullet's 10 µm the compression increases by 10 µm. In C++ the default is 0.",
     );
     export.cannot.push(
         "an accurate rigid bounce: restitution acts before the contact closes, and gives 0.43 … 0.58 for 0.5 at \

@@ -11,7 +11,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "dart",
     title: "DART",
     aliases: &["dartpy"],
-    law: "Newton's restitution: the speed of separation is e times the approach speed",
+    law: "Newton's restitution: the speed of separation is e times the closing speed",
     combines: "product of the restitutions; the smaller friction",
     measured: &[Measurement {
         engine: "dartpy 6.20.0",
@@ -76,14 +76,14 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
             let travel = rigid::travel_error(request, export.time_step);
             export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_SOFTENING + travel);
         }
-        None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
+        None => export.missing.push("closing speed, m/s: there is no rebound below 0.1 m/s"),
     }
     export.add_assumption(
         "One side has the restitution, the other 1: DART multiplies the two. The default is 0.",
     );
     rigid::add_travel_assumption(&mut export, request);
     export.add_assumption("The joints have no damping, springs or friction of their own, as by default.");
-    export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
+    export.cannot.push("stiffness, compression, duration, peak force: the contact is rigid");
     Ok(export)
 }
 

@@ -12,7 +12,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "gazebo",
     title: "Gazebo (gz-sim, dartsim)",
     aliases: &["gz", "gz-sim", "ignition", "sdf", "sdformat", "dartsim"],
-    law: "rigid: the speed of separation is e times the approach speed if the result is above 0.1 m/s, otherwise 0",
+    law: "rigid: the speed of separation is e times the closing speed if the result is above 0.1 m/s, otherwise 0",
     combines: "product of the restitution_coefficients: one side has e and the other 1",
     measured: &[Measurement {
         engine: "ign-physics 5.1.0",
@@ -21,7 +21,7 @@ pub(crate) const FACTS: Facts = Facts {
         worst: [None, Some(1.6e-5), Some(1.9e-5)],
         by_hand: None,
     }],
-    caution: "no rebound below 0.1 m/s: e times the approach speed must be larger",
+    caution: "no rebound below 0.1 m/s: e times the closing speed must be larger",
     sources: &[
         "DART 6.12, dart/constraint/ContactConstraint.cpp: DART_BOUNCING_VELOCITY_THRESHOLD, DART_CFM, mRestitutionCoeff",
         "gz-physics, dartsim/src/SDFFeatures.cc, bullet-featherstone/src/SDFFeatures.cc",
@@ -40,7 +40,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     match request.speed {
         Some(speed) => check_rebound(e, speed)?,
-        None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
+        None => export.missing.push("closing speed, m/s: there is no rebound below 0.1 m/s"),
     }
     export.time_step = rigid::time_step(request);
     let travel = request.speed.and_then(|_| rigid::travel_error(request, export.time_step));
@@ -62,7 +62,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
          The contact has no spring: m̄ has no effect.",
     );
     rigid::add_travel_assumption(&mut export, request);
-    export.cannot.push("stiffness, penetration, duration, peak force: gz-physics does not read kp and kd");
+    export.cannot.push("stiffness, compression, duration, peak force: gz-physics does not read kp and kd");
     export.cannot.push("bullet-featherstone: its restitution was not measured");
     Ok(export)
 }
@@ -74,7 +74,7 @@ fn check_rebound(e: f64, speed: f64) -> Result<(), ExportError> {
     if e > 0.0 && e * speed <= limits::DART_SLOWEST_REBOUND {
         return Err(unreachable(
             "there is no rebound at 0.1 m/s or below (DART_BOUNCING_VELOCITY_THRESHOLD)",
-            "use a larger approach speed, or a tool with a spring and damper",
+            "use a larger closing speed, or a tool with a spring and damper",
         ));
     }
     if e * speed > limits::DART_FASTEST_REBOUND {

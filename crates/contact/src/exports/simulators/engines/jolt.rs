@@ -12,7 +12,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "jolt",
     title: "Jolt Physics",
     aliases: &["jolt-physics", "joltphysics", "godot"],
-    law: "Newton's restitution: the speed of separation is e times the approach speed",
+    law: "Newton's restitution: the speed of separation is e times the closing speed",
     combines: "the greater of the two restitutions; frictions by the root of their product",
     measured: &[
         Measurement {
@@ -100,7 +100,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
             export.error_bound = travel.map(|travel| limits::JOLT_ERROR + travel);
         }
         None => export.missing.push(
-            "approach speed, m/s: the threshold for a rebound, the step and the error \
+            "closing speed, m/s: the threshold for a rebound, the step and the error \
             bound depend on the speed",
         ),
     }
@@ -128,7 +128,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
         );
     }
     rigid::add_travel_assumption(&mut export, request);
-    export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
+    export.cannot.push("stiffness, compression, duration, peak force: the contact is rigid");
     Ok(export)
 }
 

@@ -11,7 +11,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "rapier",
     title: "Rapier",
     aliases: &["rapier3d"],
-    law: "rigid, Newton's restitution: the speed of separation is e times the approach speed",
+    law: "rigid, Newton's restitution: the speed of separation is e times the closing speed",
     combines: "by the combine rule with the higher priority of the two; average has the lowest: the mean of \
         both sides by default",
     measured: &[Measurement {
@@ -74,7 +74,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     rigid::add_travel_assumption(&mut export, request);
     export
         .cannot
-        .push("stiffness, penetration, duration, peak force: the contact's softness only removes overlap");
+        .push("stiffness, compression, duration, peak force: the contact's softness only removes overlap");
     Ok(export)
 }
 

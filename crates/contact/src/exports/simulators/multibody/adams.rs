@@ -14,7 +14,7 @@ pub(crate) const FACTS: Facts = Facts {
     law: "spring k xᵖ and a damping that increases over the depth d; never pulls",
     combines: "none: the values apply to the pair",
     measured: &[],
-    caution: "for one approach speed; with the default ERROR and HMAX the integrator steps over the start of \
+    caution: "for one closing speed; with the default ERROR and HMAX the integrator steps over the start of \
         the contact",
     sources: &[
         "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
@@ -51,7 +51,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
          and its force law was not checked against a source."
     ));
     let Some(speed) = request.speed else {
-        export.missing.push("approach speed, m/s: damping and the depth of full damping depend on it");
+        export.missing.push("closing speed, m/s: damping and the depth of full damping depend on it");
         return Ok(export);
     };
     let depth = ImpactFunction::undamped_penetration(p, mass, stiffness, speed)?;

@@ -72,7 +72,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     match dissipation {
         Some(d) => export.set("hunt_crossley_dissipation", d, "s/m"),
         None => export.missing.push(
-            "approach speed, m/s: the dissipation of continuous and lagged plants is proportional to 1/speed",
+            "closing speed, m/s: the dissipation of continuous and lagged plants is proportional to 1/speed",
         ),
     }
     let relaxation = set_discrete_parameters(&mut export, &linear, request.options.time_step)?;
@@ -163,7 +163,7 @@ fn add_snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, r
     );
     let d = dissipation.map_or_else(|| "0.0".to_owned(), |d| format!("{d:?}"));
     if dissipation.is_none() {
-        python += "# Without the approach speed this is for SAP alone: continuous and lagged plants need a dissipation.\n";
+        python += "# Without the closing speed this is for SAP alone: continuous and lagged plants need a dissipation.\n";
     }
     python += &format!(
         "AddContactMaterial(\n    dissipation={d},\n    point_stiffness={stiffness:?},\n    \

@@ -94,13 +94,13 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
             );
         }
         None => {
-            export.missing.push("approach speed, m/s: the iteration tolerance of contacts is a force, k v h")
+            export.missing.push("closing speed, m/s: the iteration tolerance of contacts is a force, k v h")
         }
     }
     text += "    return of\n";
     export.add_snippet("Exudyn", "python", text);
     export.add_assumption("The solver is the default of SolveDynamic, generalized alpha, with adaptive steps (the default too).");
-    export.add_assumption("A plane is a sphere of a radius much larger than the penetration.");
+    export.add_assumption("A plane is a sphere of a radius much larger than the compression.");
     Ok(export)
 }
 

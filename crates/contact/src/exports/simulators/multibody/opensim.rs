@@ -21,7 +21,7 @@ pub(crate) const FACTS: Facts = Facts {
         worst: [Some(4e-5), Some(7e-5), Some(7e-5)],
         by_hand: None,
     }],
-    caution: "the dissipation is for one approach speed; the greatest step must be set, otherwise the \
+    caution: "the dissipation is for one closing speed; the greatest step must be set, otherwise the \
         integrator detects the contact too late",
     sources: &[
         "Simbody, Simbody/src/HuntCrossleyForce.cpp: calcForce",
@@ -44,7 +44,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
             tool: TOOL,
             exponent,
             takes: "Hertz's spring has 3/2",
-            remedy: "give the exponent 1.5 and the stiffness in N/m^1.5 that stores the same energy at the same penetration",
+            remedy: "give the exponent 1.5 and the stiffness in N/m^1.5 that stores the same energy at the same compression",
         });
     }
     let number = hunt_crossley::dissipation_number(request.restitution)?;
@@ -55,7 +55,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     export.add_assumption("No friction: static, dynamic and viscous friction 0.");
     let Some(speed) = request.speed else {
         export.missing.push(
-            "approach speed, m/s: the dissipation is proportional to 1/speed, and the greatest step depends on \
+            "closing speed, m/s: the dissipation is proportional to 1/speed, and the greatest step depends on \
              the speed",
         );
         return Ok(export);

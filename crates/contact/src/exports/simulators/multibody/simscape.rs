@@ -14,7 +14,7 @@ pub(crate) const FACTS: Facts = Facts {
     law: "linear spring and damper, never pulling, faded in over a transition region",
     combines: "none: the values apply to the pair",
     measured: &[],
-    caution: "for one approach speed; the automatic absolute tolerance is too large for small penetrations",
+    caution: "for one closing speed; the automatic absolute tolerance is too large for small compressions",
     sources: &[
         "Simscape Multibody, reference page \"Spatial Contact Force\" (mathworks.com/help/sm/ref/spatialcontactforce.html)",
     ],
@@ -61,7 +61,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
             ));
         }
         None => export.missing.push(
-            "approach speed, m/s: the transition region must be thin compared with the penetration, speed over ω",
+            "closing speed, m/s: the transition region must be thin compared with the compression, speed over ω",
         ),
     }
     export.add_snippet("MATLAB", "matlab", text);
