@@ -40,9 +40,9 @@ export interface ContactRecord {
 
 export interface DampingReport {
   schema: 'percuss.damp/1'; percuss: string; inputs: Input[]; effective_mass: number; unit: string; is_moment: boolean;
-  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number; exponent: number;
-  speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean; separation: string | null;
-  damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
+  named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number | null; exponent: number | null;
+  stiffness_curve: ForceCurveRecord | null; speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean;
+  separation: string | null; damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
   contact_duration: number | null; max_penetration: number | null; time_of_max_penetration: number | null; peak_force: number | null;
   time_of_peak_force: number | null; energy_lost: number | null; rebound_speed: number | null; drift: Drift | null;
   over_stroke: VaryingMassImpact | null; body_alone: BodyAlone | null; exports: Record<string, ExportRecord>;
