@@ -39,9 +39,11 @@ pub fn dim(text: &str) -> String {
     styled(0, 2, text)
 }
 
-/// Writes a line of a message to standard error, with true minus signs and its severity in yellow or red. A closed stream changes nothing.
+/// Writes a line of a message to standard error with its severity in yellow or red. Warnings have true minus signs; errors repeat what was
+/// given. A closed stream changes nothing.
 pub fn write_line(line: &str) {
-    let mut text = wrap::wrap_message(&escape::line(&true_minus(line)));
+    let shown = if line.contains("warning: ") { true_minus(line) } else { line.into() };
+    let mut text = wrap::wrap_message(&escape::line(&shown));
     // A file and its line precede the severity, so that editors find the place.
     for (severity, style) in [("warning: ", 3), ("error: ", 4)] {
         let at = if text.starts_with(severity) {

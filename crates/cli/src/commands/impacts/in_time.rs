@@ -96,6 +96,11 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     }
 }
 
+/// Energy that the contact takes, J: of the impact in time, if there is one.
+pub fn energy_lost(report: &ImpactReport) -> f64 {
+    report.in_time.as_ref().map_or(report.energy_loss, |found| found.energy.taken_by_contact)
+}
+
 /// Change of m̄ from the touch to the largest compression, as text; empty if unknown.
 pub fn mass_change(found: &ImpactTimeRecord) -> String {
     found.mass_change.map_or_else(String::new, |change| match change {

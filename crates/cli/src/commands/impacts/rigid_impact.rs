@@ -225,14 +225,15 @@ pub fn results(report: &ImpactReport) -> Vec<(String, String)> {
         results.push((with_unit(1e3 * found.duration, "ms"), "contact time".to_owned()));
     }
     let place = if results.is_empty() { &*at } else { "" };
-    results.push((with_unit(report.impulse, impulse), format!("impulse{place}")));
+    let instantaneous = if report.in_time.is_some() { " of the instantaneous impact" } else { "" };
+    results.push((with_unit(report.impulse, impulse), format!("impulse{place}{instantaneous}")));
     let reached = report.in_time.as_ref().map_or_else(
         || number(report.restitution),
         |found| format!("{} reached, {} requested", number(found.restitution), number(report.restitution)),
     );
     let closing = with_unit(report.closing_speed, speed);
     results.push((
-        with_unit(report.energy_loss, "J"),
+        with_unit(in_time::energy_lost(report), "J"),
         format!("energy lost; closing speed {closing}, restitution {reached}"),
     ));
     if let Some(m) = report.mass.effective_mass {

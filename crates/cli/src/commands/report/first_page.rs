@@ -3,6 +3,7 @@
 use super::contact::uncertainty_words;
 use super::results::StudyResults;
 use crate::commands::damp::{self, law_name};
+use crate::commands::impacts::in_time::energy_lost;
 use crate::commands::impacts::rigid_impact::bearings;
 use crate::commands::mass::{contributions, mass_text, moving_mass};
 use crate::files::html::{MainNumber, Page};
@@ -185,7 +186,7 @@ fn impact_numbers(report: &ImpactReport) -> Vec<MainNumber> {
     };
     let lost = MainNumber {
         label: format!("energy lost {at}"),
-        value: with_unit(report.energy_loss, "J"),
+        value: with_unit(energy_lost(report), "J"),
         note: String::new(),
     };
     peak.into_iter().chain([of_impulse, lost]).collect()
