@@ -68,7 +68,7 @@ impl<'a> CompliantContact<'a> {
             StiffnessLaw::Power { coefficient, exponent: p } => {
                 // √(m̄/k) v first: intermediate squares cannot overflow.
                 let root = self.mass.sqrt() / coefficient.sqrt() * speed;
-                let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
+                let scale = (0.5 * (p + 1.0)).sqrt() * representable("compression, m", root)?;
                 scale.powf(2.0 / (p + 1.0))
             }
             StiffnessLaw::Curve(curve) => {
@@ -76,7 +76,7 @@ impl<'a> CompliantContact<'a> {
                 curve.depth(energy).ok_or(ContactLawError::NotStopped { energy })?
             }
         };
-        representable("penetration, m", depth)
+        representable("compression, m", depth)
     }
 }
 

@@ -4,7 +4,7 @@ use super::Cli;
 use std::collections::BTreeSet;
 
 /// Flags that need no key, and why.
-const WITHOUT_KEY: [(&str, &str); 12] = [
+const WITHOUT_KEY: [(&str, &str); 17] = [
     ("help", "of the command line"),
     ("notes", "how much is shown on a terminal: a flag of run too"),
     ("max_size", "a limit of the reader: a flag of run too"),
@@ -16,6 +16,11 @@ const WITHOUT_KEY: [(&str, &str); 12] = [
     ("list_tools", "a list, no question"),
     ("list_regions", "a list, no question"),
     ("damp mass", "a study has a model, whose mass it takes"),
+    ("restitution mass", "a study has a model, whose mass it takes"),
+    ("digits", "what is printed: a flag of run too"),
+    ("details", "what is printed: a flag of run too"),
+    ("impact all", "what is printed"),
+    ("components", "what is printed"),
     ("version", "of the command line"),
 ];
 

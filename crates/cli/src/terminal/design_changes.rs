@@ -75,7 +75,7 @@ mod tests {
         };
         assert_eq!(
             change(ChangeKind::Point, &[0.0, 0.1, 0.2], &[0.0, 0.1, 0.188]),
-            "part moved by (0, 0, -12) mm"
+            "part moved by (0, 0, −12) mm"
         );
         assert_eq!(change(ChangeKind::Mass, &[18.5], &[16.25]), "mass of part 16.25 kg instead of 18.5 kg");
         assert_eq!(change(ChangeKind::Gap, &[0.03], &[0.02]), "gap of part 20 mm instead of 30 mm");

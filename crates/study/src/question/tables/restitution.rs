@@ -68,7 +68,7 @@ pub struct RestitutionQuestion {
         arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
     )]
     pub exponent: Option<Plain>,
-    /// Damping c of the force k x^p + c x^((p-1)/2) v (N·s/m).
+    /// Damping c of k x^p + c x^((p-1)/2) v (N·s/m).
     ///
     /// With an exponent p the unit is N·s/m^((p+1)/2).
     #[cfg_attr(
@@ -76,7 +76,7 @@ pub struct RestitutionQuestion {
         arg(long, value_name = "C", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
     )]
     pub damping: Option<Plain>,
-    /// Dissipation d of the force k x^p (1 + d v), in s/m: Hunt-Crossley.
+    /// Dissipation d of k x^p (1 + d v), s/m.
     #[cfg_attr(
         feature = "flags",
         arg(
