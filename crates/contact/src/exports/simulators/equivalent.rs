@@ -1,6 +1,6 @@
 //! Spring of a tool in place of a force curve.
 
-use crate::exports::{Export, ExportError, Request, Tool};
+use crate::exports::{Export, ExportError, Request, Tool, Value};
 use crate::stepping::runge_kutta_step;
 use crate::{CompliantContact, ContactLawError, Impact, Law, LawParameter, Separation, StiffnessLaw};
 
@@ -16,10 +16,9 @@ pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportErro
     };
     let (mass, curve) = (request.contact.mass(), request.contact.stiffness());
     let law = |law: Law, contact: CompliantContact| -> Result<Impact, ContactLawError> {
-        let separation = match request.options.stop {
-            Some(_) => Separation::GapCloses,
-            None => Separation::ForceVanishes,
-        };
+        // The stops of these two pull until the joint is back.
+        let pulls = request.options.stop.is_some() && [Tool::NEWTON, Tool::PHYSX].contains(&tool);
+        let separation = if pulls { Separation::GapCloses } else { Separation::ForceVanishes };
         law.damper(contact, request.restitution, Some(speed), separation)?.impact(contact, speed)
     };
     let exact = law(Law::HuntCrossley, request.contact)?;
@@ -53,10 +52,13 @@ pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportErro
         }
         let peak = if tool == Tool::ADAMS {
             peak_of_impact_function(&export, mass, speed)
+        } else if request.options.stop.is_some() {
+            law(Law::KelvinVoigt, replaced.contact)?.peak_force
         } else {
-            let is_hunt_crossley = [Tool::DRAKE, Tool::OPENSIM].contains(&tool);
-            let of_tool = if is_hunt_crossley { Law::HuntCrossley } else { Law::KelvinVoigt };
-            law(of_tool, replaced.contact)?.peak_force
+            let contacts = tool.simulated(mass, &numbers(&export, request))?;
+            let peaks = contacts.iter().map(|contact| contact.impact(mass, speed));
+            let peaks = peaks.map(|impact| Ok(impact?.peak_force.unwrap_or(f64::NAN)));
+            peaks.collect::<Result<Vec<f64>, ContactLawError>>()?.into_iter().fold(f64::NAN, f64::max)
         };
         let (stiffness, exponent) = replaced.power_law();
         let power = if exponent == 1.0 { String::new() } else { format!("^{exponent:.4}") };
@@ -75,6 +77,19 @@ pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportErro
         what: LawParameter::Stiffness,
         why: "the tool has no spring in place of the force curve",
     }))
+}
+
+/// Exported numbers that determine the impact in the tool.
+fn numbers(export: &Export, request: &Request) -> Vec<(String, Vec<f64>)> {
+    let is_read = |name: &str| name != "solref_standard" && !name.starts_with("equality_");
+    let read = export.parameters.iter().filter(|parameter| is_read(parameter.name));
+    let numbers = read.filter_map(|parameter| match &parameter.value {
+        Value::Number(number) => Some((parameter.name.to_owned(), vec![*number])),
+        Value::Numbers(numbers) => Some((parameter.name.to_owned(), numbers.clone())),
+        Value::Word(_) => None,
+    });
+    let ratio = request.options.diagonal_ratio.filter(|_| export.tool == Tool::MUJOCO);
+    numbers.chain(ratio.map(|ratio| ("diagonal_ratio".to_owned(), vec![ratio]))).collect()
 }
 
 /// Largest force of Adams' function at the exported parameters, N.
