@@ -34,10 +34,18 @@ pub enum Request {
         #[serde(default)]
         vary: Option<String>,
     },
+    /// Results at all named contacts, under the conditions and the pose of a question.
+    Contacts {
+        /// Question; its contact is not evaluated.
+        question: QuestionRequest,
+    },
     /// Sensitivities of m̄ to hardpoints, masses and centres of mass.
     Explain {
         /// Question.
         question: QuestionRequest,
+        /// Hardpoints; default: all.
+        #[serde(default)]
+        points: Option<Vec<String>>,
     },
     /// Damper for a restitution, and the parameters of simulators.
     Damp {

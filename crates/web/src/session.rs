@@ -8,10 +8,10 @@ use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DampingReport, DesignError,
     DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicVariable,
-    KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
-    RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
-    contact_list, damp_contact, damp_stop, explain, given_contact_masses, impact, kinematics, link_frames,
-    map_point, mass_with_frames, safe_speeds, scene, scene_shapes, starting_contact, sweep_report,
+    KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Moved, Names, PointMapReport,
+    PosedMass, RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
+    contact_list, damp_contact, damp_stop, given_contact_masses, impact, kinematics, link_frames, map_point,
+    mass_with_frames, safe_speeds, scene, scene_shapes, starting_contact, sweep_report,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -106,6 +106,7 @@ impl<T, E: Into<Refusal>> From<Result<T, E>> for Outcome<T> {
 enum Reply {
     Opened(Box<Opened>),
     Shown(Box<Shown>),
+    Contacts(Box<ContactListReport>),
     Explained(Option<Explanation>),
     Sheet(String),
     Damped(Box<DampingReport>),
@@ -201,7 +202,16 @@ impl Session {
             Request::Show { question, vary } => {
                 Ok(Reply::Shown(Box::new(self.show(&question, vary.as_deref())?)))
             }
-            Request::Explain { question } => Ok(Reply::Explained(self.explain(&question)?)),
+            Request::Contacts { question } => {
+                let conditions = question.conditions().map_err(Refusal::of_message)?;
+                let model = self.model(&question.model.changes())?;
+                Ok(Reply::Contacts(Box::new(contact_list(model, &conditions, None)?)))
+            }
+            Request::Explain { question, points } => {
+                let (model, question) = self.model_and_question(&question)?;
+                let points = points.as_deref().unwrap_or_else(|| model.hardpoints());
+                Ok(Reply::Explained(Explanation::of_points(model, &question, points)?))
+            }
             Request::Damp { question, damping } => {
                 let wanted = damping
                     .checked()?
@@ -311,12 +321,6 @@ impl Session {
         let question = request.question().map_err(Refusal::of_message)?;
         Ok((self.model(&request.model.changes())?, question))
     }
-
-    /// Sensitivities of m̄; `None` if m̄ is not finite or the pose is singular.
-    fn explain(&mut self, request: &QuestionRequest) -> Result<Option<Explanation>, Refusal> {
-        let (model, question) = self.model_and_question(request)?;
-        Ok(explain(model, &question)?)
-    }
 }
 
 /// Source of a model. `files`: base64 of the files to which the model may refer.
@@ -352,13 +356,15 @@ fn kinematics_question(
     Ok(KinematicsQuestion { state, range, ..KinematicsQuestion::default() })
 }
 
-/// m̄ over the range `vary`, which replaces the position of the same joint and all travels of the question.
+/// m̄ over the range `vary`, which replaces the position of the same joint, and the travels of the question except an independent one, such
+/// as a roll beside the varied heave.
 fn curve(model: &Model, question: &MassQuestion, vary: &str) -> Result<Curve, Refusal> {
     let vary = Vary::parse(vary).map_err(|error| Refusal::of_message(error.to_string()))?;
     let name = vary.name();
     let mut question = question.clone();
     question.set.retain(|(joint, _)| *joint != name);
-    question.travel.clear();
+    let varied = WheelMotion::from_name(&name).map(Moved::Wheels);
+    question.travel.retain(|travel| varied.as_ref().is_some_and(|varied| travel.moved.is_beside(varied)));
     let report = sweep_report(model, &question, RowSource::Grid(vec![vary]))?;
     let unit = report.heading.varied.first().map_or("", |column| column.unit.si_unit());
     let row = |row: percuss_study::SweepRow| CurveRow {

@@ -490,6 +490,56 @@ fn maps_and_directions_are_single_questions() {
     assert!((inverse * single[3] - 1.0).abs() < RELATIVE, "{inverse}, {}", single[3]);
 }
 
+/// The contacts of a changed design have the masses of the library, and sensitivities to some hardpoints are a part of all sensitivities.
+#[test]
+fn contacts_and_sensitivities_are_those_of_the_changed_design() {
+    let mut session = Session::new();
+    let path = double_wishbone();
+    open(&mut session, &path);
+    let question = |moves: Value| json!({ "model": { "path": path.to_string_lossy(), "move": moves }, "contact": { "at": "bump_stop" } });
+    let masses = |session: &mut Session, moves: Value| -> Vec<f64> {
+        let reply = ask(session, &json!({ "do": "contacts", "question": question(moves) }));
+        let contacts = reply["ok"]["contacts"].as_array().expect("contacts");
+        contacts.iter().map(|contact| contact["report"]["effective_mass"].as_f64().unwrap()).collect()
+    };
+    let first = masses(&mut session, json!({}));
+    let moved = masses(&mut session, json!({ "bump_stop_pad": [0.0, 0.002, 0.0] }));
+    let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default()).unwrap();
+    let changes = Changes { moves: vec![("bump_stop_pad".into(), [0.0, 0.002, 0.0])], ..Changes::default() };
+    let native = MassQuestion { at: Some("bump_stop".into()), ..MassQuestion::without_contact() };
+    let expected = mass(&model.with_changes(&changes).unwrap(), &native).unwrap().effective_mass;
+    assert_eq!(Some(moved[0]), expected);
+    assert!(moved.len() == first.len() && moved.len() > 4 && first[0] > moved[0] + 1.0, "{first:?}");
+    let explain = |session: &mut Session, points: Value| {
+        let request = json!({ "do": "explain", "question": question(json!({})), "points": points });
+        ask(session, &request)["ok"]["points"].as_array().unwrap().clone()
+    };
+    let all = explain(&mut session, Value::Null);
+    let one = explain(&mut session, json!(["lower_ball"]));
+    assert!(one.len() == 1 && all.len() > 10 && all.contains(&one[0]), "{one:?}");
+}
+
+/// The curve of an axle over the heave has its roll.
+#[test]
+fn a_curve_keeps_an_independent_travel() {
+    let mut session = Session::new();
+    let path = models().join("suspensions/solid-axle-panhard.toml");
+    open(&mut session, &path);
+    let mut shown = |travel: Value| {
+        let question = json!({ "model": { "path": path.to_string_lossy() }, "contact": { "at": "spring_left" },
+                               "pose": { "travel": travel } });
+        ask(&mut session, &json!({ "do": "show", "question": question, "vary": "heave=-10mm:10mm:3" }))["ok"]
+            .clone()
+    };
+    let rolled = shown(json!(["roll=15mm"]));
+    let at_pose = rolled["result"]["ok"]["report"]["effective_mass"].as_f64().unwrap();
+    let row = &rolled["curve"]["ok"]["rows"][1];
+    assert_eq!(row["at"].as_f64(), Some(0.0));
+    assert!((row["mass"].as_f64().unwrap() / at_pose - 1.0).abs() < RELATIVE, "{row}, {at_pose}");
+    let straight = shown(json!([]))["curve"]["ok"]["rows"][1]["mass"].as_f64().unwrap();
+    assert!((straight / at_pose - 1.0).abs() > RELATIVE, "the roll changes the mass");
+}
+
 #[test]
 fn invalid_requests_are_refused_with_a_reason() {
     let mut session = Session::new();

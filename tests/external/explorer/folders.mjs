@@ -49,14 +49,28 @@ async function choose(page, name) {
   await page.waitForFunction((file) => document.querySelector('.file')?.textContent === file && window.percussView.isSettled(), name);
 }
 
-/** Drops a folder of the file system on the page, as a file manager does. */
-async function drop(page, path) {
+/** Drops a folder or a file of the file system on the page, as a file manager does. */
+async function drop(page, path, x = 300, types = ['dragEnter', 'dragOver', 'drop']) {
   const session = await page.context().newCDPSession(page);
   const data = { items: [], files: [path], dragOperationsMask: 1 };
-  for (const type of ['dragEnter', 'dragOver', 'drop']) await session.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
+  for (const type of types) await session.send('Input.dispatchDragEvent', { type, x, y: 300, data });
 }
 
 export const folderTests = {
+  async 'a file is dropped anywhere'(browser) {
+    const page = await open(browser, explore(SHEET));
+    await settle(page);
+    const file = join(root, 'models/four_bar.urdf');
+    // Over the tables, where no picture is.
+    await drop(page, file, 1300, ['dragEnter', 'dragOver']);
+    await page.waitForSelector('.drop');
+    await drop(page, file, 1300, ['drop']);
+    await page.waitForFunction(() => document.querySelector('.file')?.textContent === 'four_bar.urdf' && window.percussView.isSettled());
+    assert.equal(await page.locator('.drop').count(), 0);
+    await agrees(page, join(root, 'models'), 'the dropped file');
+    await close(page);
+  },
+
   async 'a chosen folder opens with its includes, meshes and tables'(browser) {
     const top = makeFolder('several');
     const page = await open(browser, explore(SHEET));

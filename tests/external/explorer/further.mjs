@@ -103,7 +103,7 @@ export const furtherTests = {
     const arm = await open(browser, explore('models/six_r_arm.urdf', '--link', 'tool', '--point', '0.08,0,0', '--normal', '0,0,-1'));
     await openPanel(arm, 'safe');
     await rested(arm);
-    assert.match(await arm.textContent('details.safe .box'), /limit|force/);
+    assert.match(await arm.textContent('details.safe'), /Give the limit/);
     await arm.fill('details.safe input >> nth=0', '140 N');
     await arm.keyboard.press('Tab');
     const [safe] = await result(arm, 'safe');
@@ -126,7 +126,7 @@ export const furtherTests = {
     const first = await check('--wheel-travel=20mm');
     const onPage = Number(await page.getAttribute('[data-quantity=camber]', 'data-value'));
     assert.equal(onPage, first);
-    await page.click('text=Freeze');
+    await page.click('button[title^="Keeps the present"]');
     await page.fill('[aria-label="upper_ball y, mm"]', String(Number(await page.inputValue('[aria-label="upper_ball y, mm"]')) - 5));
     await page.keyboard.press('Tab');
     assert.notEqual(await check('--wheel-travel=20mm', '--move=upper_ball=0,-5mm,0'), first);
@@ -224,7 +224,7 @@ export const furtherTests = {
   async 'bands of a target and of tolerances'(browser) {
     const page = await open(browser, explore(SHEET, ...at));
     await rested(page);
-    await page.click('text=Bands');
+    await page.click('text=Target, tolerance');
     await page.check('.bands >> text=target');
     await page.fill('[aria-label="target from, kg"]', '1');
     await page.keyboard.press('Tab');
@@ -251,6 +251,7 @@ export const furtherTests = {
   async 'a map colours the facets, an ellipsoid shows the directions'(browser) {
     const model = 'models/shaped_arm.urdf';
     const page = await open(browser, explore(model));
+    await page.click('.menu summary');
     await page.click('.shows >> text=Map');
     await rested(page);
     const [low, high] = (await page.getAttribute('.legend[data-map]', 'data-map')).split(' ').map(Number);
@@ -282,7 +283,7 @@ export const furtherTests = {
     await settle(page);
     for (const kind of ['impact', 'damper']) await openPanel(page, kind);
     await rested(page);
-    await page.click('text=Freeze');
+    await page.click('button[title^="Keeps the present"]');
     assert.equal(await page.locator('img').count(), 0);
     assert.ok((await page.textContent('body')).includes(name));
     await agrees(page, folder, 'hostile names');

@@ -2,19 +2,24 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Vector3 } from 'three';
-import type { ViewName } from './model/store';
+import type { ViewName } from './model/link';
 import { store } from './model/store';
-import { digits, fixed } from './model/numbers';
+import { digits, fixed, words } from './model/numbers';
 import { toHash } from './model/link';
+import { nextName } from './model/variants';
 import { filesOfDrop, filesOfInput } from './model/files';
 import { Away, copy } from './panels/away';
 import { Chooser } from './panels/chooser';
+import { Changes } from './panels/changes';
 import { CurvePanel } from './panels/curve';
 import { DamperPanel, ImpactPanel, KinematicsPanel, SafeSpeedPanel } from './panels/further';
+import { Hints } from './panels/hints';
 import { useStore } from './panels/hooks';
+import { ContactCards } from './panels/contacts';
 import { ContactPanel, PosePanel } from './panels/question';
 import { Result } from './panels/result';
-import { Contributions, CurveTable, Findings, Hardpoints, Masses, Ratios, Sensitivities } from './panels/tables';
+import { VariantTable } from './panels/variants';
+import { Contributions, CurveTable, Findings, Hardpoints, Masses, Ratios } from './panels/tables';
 import { rangeOfMap } from './view/further';
 import { rampGradient } from './view/space';
 import { View } from './view/view';
@@ -24,6 +29,7 @@ const VIEWS: [ViewName, string, string][] = [['3d', '3D', '3'], ['front', 'Front
 export function App() {
   const { failure, opened, refusal } = useStore();
   const view = useRef<View | null>(null);
+  const [dropping, setDropping] = useState(false);
   useEffect(() => {
     const key = (event: KeyboardEvent) => {
       const target = event.target as HTMLElement;
@@ -38,6 +44,7 @@ export function App() {
         event.preventDefault();
         store.redo();
       } else if (event.key === 'Escape') {
+        if (store.choosing) store.set({ choosing: false });
         void store.end();
       } else if (!typing && !event.ctrlKey && !event.metaKey && !event.altKey && !store.inGesture) {
         const chosen = VIEWS.find(([, , letter]) => letter === event.key.toUpperCase());
@@ -47,45 +54,57 @@ export function App() {
     };
     const drop = (event: DragEvent) => {
       event.preventDefault();
+      setDropping(false);
       if (event.dataTransfer) void openDropped(event.dataTransfer);
     };
-    const over = (event: DragEvent) => event.preventDefault();
+    const over = (event: DragEvent) => {
+      event.preventDefault();
+      setDropping(!!event.dataTransfer?.types.includes('Files'));
+    };
+    const leave = (event: DragEvent) => {
+      if (!event.relatedTarget) setDropping(false);
+    };
     addEventListener('keydown', key);
     addEventListener('drop', drop);
     addEventListener('dragover', over);
+    addEventListener('dragleave', leave);
     return () => {
       removeEventListener('keydown', key);
       removeEventListener('drop', drop);
       removeEventListener('dragover', over);
+      removeEventListener('dragleave', leave);
     };
   }, []);
   return (
     <div class="page">
+      {dropping ? <div class="drop">Drop a model file or a folder</div> : null}
       <Bar />
       <Notice />
       <Chooser />
       {failure ? <main class="message"><div class="box bad"><p><b>No engine.</b> {failure}</p></div></main> : null}
       {refusal ? <Refused /> : null}
+      <ContactCards />
       {opened ? (
         <main class="work">
           <Stage view={view} />
           <CurvePanel />
           <aside class="side" aria-label="Question and result">
             <Result />
+            <Findings />
+            <VariantTable />
             <ContactPanel />
             <PosePanel />
             <Contributions />
             <Ratios />
             <KinematicsPanel />
+            <Changes />
             <Hardpoints />
             <Masses />
-            <Sensitivities />
             <DamperPanel />
             <ImpactPanel />
-            <SafeSpeedPanel />
+            {opened.scene.sheet ? null : <SafeSpeedPanel />}
             <Away png={() => view.current?.png()} />
             <CurveTable />
-            <Findings />
           </aside>
         </main>
       ) : failure || refusal ? null : <main class="message"><p class="soft">The engine starts …</p></main>}
@@ -110,7 +129,7 @@ async function openDropped(data: DataTransfer) {
 }
 
 function Bar() {
-  const { fileName, past, future, posed, problem, busy, scene } = useStore();
+  const { fileName, past, future, posed, problem, busy, scene, variants } = useStore();
   const input = useRef<HTMLInputElement>(null);
   const folder = useRef<HTMLInputElement>(null);
   useEffect(() => folder.current!.setAttribute('webkitdirectory', ''), []);
@@ -118,7 +137,9 @@ function Bar() {
   const short = fileName.replace(/.*[\\/]/, '');
   return (
     <header class="bar">
-      <b class="brand">percuss</b><span class="brand-sub">explorer</span>
+      <b class="brand" title="percuss explorer">{scene?.name ? words(scene.name) : 'percuss explorer'}</b>
+      <span class="file" title={scene?.name}>{short}</span>
+      {scene?.sheet ? <span class="soft sheet-axes">{scene.sheet.axes}</span> : null}
       <button onClick={() => input.current!.click()}>Open…</button>
       <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.sdf,.world,.toml,.csv,.json" aria-label="Model file"
         onChange={(event) => {
@@ -133,34 +154,17 @@ function Bar() {
           if (files?.length) void store.openFolder(filesOfInput(files));
           event.currentTarget.value = '';
         }} />
-      <span class="file" title={scene?.name}>{short}</span>
       {busy ? <span class="busy" role="status">computing … <button onClick={() => void store.end()}>End (Esc)</button></span> : null}
       <span class="grow" />
       <button disabled={!past.length} title={past.at(-1) ? `Undo ${past.at(-1)!.label} (Ctrl Z)` : 'Undo'} onClick={() => store.undo()} aria-label="Undo">↶<span class="wide"> Undo</span></button>
       <button disabled={!future.length} title="Redo (Ctrl Shift Z)" onClick={() => store.redo()} aria-label="Redo">↷<span class="wide"> Redo</span></button>
-      <button disabled={!posed || !!problem} onClick={() => store.freeze()} title="Keeps the present design for comparison">Freeze</button>
-      <Variants />
+      <button disabled={!posed || !!problem} onClick={() => store.freeze()} title="Keeps the present design for comparison"><span class="wide">Keep as </span><span class="narrow">Keep </span>{nextName(variants)}</button>
       <button onClick={async () => {
         history.replaceState(null, '', await toHash(store.linked()));
         setCopied(await copy(location.href));
         setTimeout(() => setCopied(false), 1500);
       }} aria-label="Copy link">{copied ? 'Copied' : <><span class="wide">Copy link</span><span class="narrow">Link</span></>}</button>
     </header>
-  );
-}
-
-function Variants() {
-  const { variants } = store;
-  if (!variants.length) return null;
-  return (
-    <span class="variants">
-      {variants.map((v) => (
-        <span key={v.name} class="variant">
-          <button title={`Back to variant ${v.name}`} onClick={() => store.change(v.study, `variant ${v.name}`)}>{v.name}</button>
-          <button aria-label={`Remove variant ${v.name}`} onClick={() => store.set({ variants: variants.filter((o) => o !== v) })}>×</button>
-        </span>
-      ))}
-    </span>
   );
 }
 
@@ -184,7 +188,7 @@ function Refused() {
 interface Picked { link: number; at: Vector3; normal: Vector3 }
 
 function Stage({ view }: { view: { current: View | null } }) {
-  const { view: name, posed, problem, colours, scene, showsPoints, showsMotion, showsDesign } = useStore();
+  const { view: name, posed, problem, colours, scene, showsPoints, showsNames, showsMotion, showsDesign } = useStore();
   const element = useRef<HTMLDivElement>(null);
   const [picked, setPicked] = useState<Picked | undefined>();
   useEffect(() => {
@@ -206,9 +210,12 @@ function Stage({ view }: { view: { current: View | null } }) {
         ))}
         <button title="Fit (0)" aria-label="Fit the view" onClick={() => view.current?.fit()}>⤢</button>
       </div>
-      <div class="shows" role="group" aria-label="Shown">
+      <details class="menu">
+        <summary>Show</summary>
+        <div class="shows" role="group" aria-label="Shown">
         {scene?.sheet ? <Toggle on={showsPoints} label="Hardpoints" set={(on) => store.set({ showsPoints: on })} /> : null}
         <Toggle on={colours === 'share'} label="Shares" title="Colours of the links by their shares of m̄" set={(on) => store.set({ colours: on ? 'share' : 'plain' })} />
+        <Toggle on={showsNames} label="Names" title="Names of the links with their shares of m̄" set={(on) => store.set({ showsNames: on })} />
         <Toggle on={showsMotion} label="Motion" title="Velocities of the centres of mass when the gap closes" set={(on) => store.set({ showsMotion: on })} />
         <Toggle on={showsDesign} label="Design pose" set={(on) => store.set({ showsDesign: on })} />
         <Toggle on={store.answers.isShown('directions')} label="Directions" title="Ellipsoid of m̄ over directions at the contact point: its radius is in proportion to √m̄"
@@ -217,6 +224,7 @@ function Stage({ view }: { view: { current: View | null } }) {
           <Toggle on={store.answers.isShown('map')} label="Map" title="m̄ of a contact at each facet, along its outward normal" set={(on) => store.answers.show('map', on)} />
         ) : null}
       </div>
+      </details>
       <MapLegend />
       {!store.answers.isShown('map') && posed?.report.status === 'finite' && most > 0 && colours === 'share' && !problem ? (
         <div class="legend"><span>share of m̄ 0</span><i style={{ backgroundImage: `linear-gradient(90deg, ${rampGradient()})` }} /><span>{fixed(100 * most, 0)} %</span></div>
@@ -233,7 +241,7 @@ function Stage({ view }: { view: { current: View | null } }) {
           )}
           <button class="quiet" aria-label="Close" onClick={() => setPicked(undefined)}>×</button>
         </div>
-      ) : null}
+      ) : <Hints />}
     </section>
   );
 }
@@ -261,6 +269,6 @@ function describe(): string {
   const { scene, posed } = store;
   if (!scene) return 'Mechanism';
   const contact = posed?.report.contact;
-  const where = contact ? `; contact on ${contact.link} at ${contact.point_world.map((x) => fixed(x * 1000, 0)).join(', ')} mm` : '';
+  const where = contact ? `; contact on ${contact.link} at ${contact.point_world.map((x, k) => fixed(x * store.axes[k] * 1000, 0)).join(', ')} mm` : '';
   return `${scene.name}: ${scene.links.length} links, ${scene.joints.length} joints, ${scene.closures.length} loop closures${where}`;
 }

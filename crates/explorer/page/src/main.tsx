@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { App } from './app';
-import { store, type Start } from './model/store';
+import { store } from './model/store';
+import type { Start } from './model/link';
 
 const start = JSON.parse(document.getElementById('start')!.textContent || '{}') as Start;
 const app = document.getElementById('app')!;

@@ -97,7 +97,21 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
-    explain_parts(&EvaluatedQuestion::new(model, question)?, question, true)
+    Explanation::of_points(model, question, model.hardpoints())
+}
+
+impl Explanation {
+    /// Sensitivities as for [`explain`], of the hardpoints to the named ones only: each takes twelve evaluations.
+    ///
+    /// # Errors
+    /// [`StudyError`], as for `mass`.
+    pub fn of_points(
+        model: &Model,
+        question: &MassQuestion,
+        points: &[String],
+    ) -> Result<Option<Self>, StudyError> {
+        explain_evaluated(&EvaluatedQuestion::new(model, question)?, question, points)
+    }
 }
 
 /// Sensitivities as for [`explain`], at the evaluated contact of `question`; `with_points`: also those of the hardpoints, which take twelve
@@ -107,6 +121,16 @@ pub(crate) fn explain_parts(
     question: &MassQuestion,
     with_points: bool,
 ) -> Result<Option<Explanation>, StudyError> {
+    let points = if with_points { evaluated.prepared.model.hardpoints() } else { &[] };
+    explain_evaluated(evaluated, question, points)
+}
+
+/// Sensitivities at an evaluated contact, of the hardpoints to the named ones.
+fn explain_evaluated(
+    evaluated: &EvaluatedQuestion,
+    question: &MassQuestion,
+    points: &[String],
+) -> Result<Option<Explanation>, StudyError> {
     let model = evaluated.prepared.model;
     let response = &evaluated.result.response;
     let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
@@ -114,7 +138,7 @@ pub(crate) fn explain_parts(
         return Ok(None);
     }
     let (links, rotors) = (links(evaluated, mass), rotors(evaluated));
-    let points = if with_points { points(model, question) } else { Vec::new() };
+    let points = rates_of_points(model, question, points);
     let mut by_mass: Vec<&LinkSensitivity> = links.iter().filter(|link| link.per_kilogram > 0.0).collect();
     by_mass.sort_by(|a, b| b.per_kilogram.total_cmp(&a.per_kilogram));
     let of_mass =
@@ -194,7 +218,7 @@ fn rotors(evaluated: &EvaluatedQuestion) -> Vec<RotorSensitivity> {
 
 /// Fourth-order central differences: (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h. The error estimate is the
 /// difference from the second-order formula.
-fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
+fn rates_of_points(model: &Model, question: &MassQuestion, points: &[String]) -> Vec<PointSensitivity> {
     let step = POINT_STEP * model.mechanism.characteristic_length();
     let rate = |name: &String, axis: usize| -> Option<(f64, f64)> {
         let at = |parts: f64| {
@@ -216,7 +240,7 @@ fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
             per_metre_error: rates.as_ref().map(|r| r.iter().map(|(_, off)| *off).fold(0.0, f64::max)),
         }
     };
-    model.hardpoints().par_iter().map(of_point).collect()
+    points.par_iter().map(of_point).collect()
 }
 
 /// m̄ of the changed model; `None` without a finite result or at a singular pose.

@@ -36,7 +36,8 @@ export interface Study {
 export type Request =
   | { do: 'open'; model: ModelTable; text: string; files?: Record<string, string>; shapes?: boolean }
   | { do: 'show'; question: Study; vary?: string }
-  | { do: 'explain'; question: Study }
+  | { do: 'contacts'; question: Study }
+  | { do: 'explain'; question: Study; points?: string[] }
   | { do: 'damp'; question: Study; damping: Record<string, unknown> }
   | { do: 'impact'; question: Study; impact: Record<string, unknown> }
   | { do: 'safe-speed'; question: Study; safe_speed: Record<string, unknown> }

@@ -1,14 +1,16 @@
 // Further results at the pose: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. A result is requested
 // only while it is displayed and no drag is in progress.
 
-import type { DampingReport, PointMapReport, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
+import type { DampingReport, PointMapReport, GivenContact, ImpactReport, ImpactTimeRecord, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
 
 /** Settings of the further results, as texts of a study. */
 export interface Settings {
   restitution: string; stiffness: string; speed: string; law: string; tool: string;
   /** Stop of a joint in place of the contact, as JOINT:lower or JOINT:upper; empty for the contact shown. */
   stop: string;
-  impactRestitution: string; impactSpeed: string;
+  impactRestitution: string; impactSpeed: string; impactStiffness: string;
+  /** `yes`: with the course of the forces over time. */
+  impactInTime: string;
   region: string; limit: string; limitValue: string; area: string; load: string;
   /** Keys of the table `damping` of a study that have no field in the panel, with their values. They are sent with the request. */
   further: Record<string, Scalar>;
@@ -25,7 +27,7 @@ export type TextSetting = Exclude<keyof Settings, 'further'>;
 
 export const DEFAULTS: Settings = {
   restitution: '0.3', stiffness: '200 N/mm', speed: '1 m/s', law: 'kelvin-voigt', tool: 'mujoco', stop: '',
-  impactRestitution: '0.3', impactSpeed: '1 m/s',
+  impactRestitution: '0.3', impactSpeed: '1 m/s', impactStiffness: '', impactInTime: '',
   region: 'chest', limit: 'force', limitValue: '', area: '1 cm2', load: '0', further: {},
 };
 
@@ -59,6 +61,8 @@ export class Answers {
   private run = 0;
   /** Surfaces of the links with shapes; given by the view. */
   facets: Facets[] = [];
+  /** Sample of the impact in time that the user has chosen. */
+  moment: number | undefined;
 
   constructor(
     private readonly ask: Ask, private readonly present: () => { study?: Study; state: Record<string, number> }, private readonly changed: () => void,
@@ -84,6 +88,11 @@ export class Answers {
     void this.refresh();
   }
 
+  /** Displayed sample of an impact in time; initially that of the largest force of the contact. */
+  momentOf({ force }: ImpactTimeRecord): number {
+    return Math.min(this.moment ?? force.indexOf(Math.max(...force)), force.length - 1);
+  }
+
   /** True if the results belong to the displayed study. */
   isFresh(): boolean {
     return this.shown.size === 0 || this.study === this.present().study;
@@ -91,6 +100,7 @@ export class Answers {
 
   clear() {
     this.results = {};
+    this.moment = undefined;
     Object.assign(this.settings, { stop: '', further: {} });
     this.leftOut = {};
     this.study = undefined;
@@ -110,8 +120,10 @@ export class Answers {
       this.leftOut.damper = Object.keys(more).filter((key) => typeof more[key] === 'object');
     }
     if (impact) {
-      const { restitution, speed, ...more } = impact;
-      Object.assign(texts, given({ impactRestitution: restitution, impactSpeed: withUnit(speed, 'm/s') }));
+      const { restitution, speed, stiffness, in_time, ...more } = impact;
+      Object.assign(texts, given({
+        impactRestitution: restitution, impactSpeed: withUnit(speed, 'm/s'), impactStiffness: more.exponent ? stiffness : withUnit(stiffness, 'N/m'), impactInTime: in_time ? 'yes' : '',
+      }));
       this.leftOut.impact = Object.keys(more);
     }
     if (safe_speed) {
@@ -148,7 +160,13 @@ export class Answers {
           ...(s.stop ? { limit: s.stop } : {}), ...s.further,
         },
       });
-      case 'impact': return this.ask({ do: 'impact', question: study, impact: { restitution: number(s.impactRestitution), speed: value(s.impactSpeed.trim() || '1 m/s') } });
+      case 'impact': return this.ask({
+        do: 'impact', question: study,
+        impact: {
+          restitution: number(s.impactRestitution), speed: value(s.impactSpeed.trim() || '1 m/s'),
+          ...(s.impactStiffness.trim() ? { stiffness: value(s.impactStiffness) } : {}), ...(s.impactInTime ? { in_time: true } : {}),
+        },
+      });
       case 'safe': return this.ask({
         do: 'safe-speed', question: study,
         safe_speed: {

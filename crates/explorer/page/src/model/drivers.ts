@@ -1,6 +1,6 @@
 // Quantities that move the mechanism: motions of the wheels, and joints that can be set.
 
-import type { Opened, PosedMass, Scene, SceneJoint, Study } from '../engine/protocol';
+import type { ListedContact, PosedMass, Scene, SceneJoint, Study } from '../engine/protocol';
 import { DEGREE, MILLIMETRE, plain, siValue, type DisplayUnit } from './numbers';
 
 export interface Driver {
@@ -13,6 +13,8 @@ export interface Driver {
   range: [number, number];
 }
 
+/** Joint that steers a suspension. */
+export const RACK = 'rack';
 const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: 'heave', roll: 'roll' };
 /** Range of a wheel without stops, m; of a joint without limits, rad or m. */
 const WHEEL_RANGE = 0.05;
@@ -21,22 +23,33 @@ const SLIDE_RANGE = 0.1;
 /** Largest range of the wheel travel up to the stops, m. */
 const LONGEST_TRAVEL = 0.3;
 const ROUND = 0.005;
+/** Difference below which two stops touch at the same travel, m. */
+const SAME_TRAVEL = 1e-6;
 
-function wheelRange(opened: Opened): [number, number] {
-  let [low, high] = [0, 0];
-  for (const contact of opened.contacts?.contacts ?? []) {
-    if (contact.kind !== 'stop') continue;
-    for (const { travel } of contact.report?.named_contact?.wheel_travel ?? []) {
-      if (Math.abs(travel) > LONGEST_TRAVEL) continue;
-      low = Math.min(low, travel);
-      high = Math.max(high, travel);
-    }
-  }
-  const outward = (x: number, sign: number) => sign * Math.ceil((Math.abs(x) + ROUND) / ROUND) * ROUND;
-  return [low < 0 ? outward(low, -1) : -WHEEL_RANGE, high > 0 ? outward(high, 1) : WHEEL_RANGE];
+/** Ending of the names of both sides. */
+export const SIDE = /_(left|right)$/;
+
+/** Touch of a stop: travel of its wheels, m. The stops of both sides are one touch. */
+export interface Touch { name: string; travel: number }
+
+export function touches(contacts: ListedContact[]): Touch[] {
+  const all = contacts.flatMap(({ kind, report, name }) => {
+    const travels = kind === 'stop' && report?.named_contact?.brought_to_touch ? report.named_contact.wheel_travel.map((wheel) => wheel.travel) : [];
+    const travel = travels.reduce((a, b) => a + b, 0) / travels.length;
+    return Math.abs(travel) <= LONGEST_TRAVEL ? [{ name: name.replace(SIDE, ''), travel }] : [];
+  });
+  return all.filter((touch, i) => all.findIndex((other) => other.name === touch.name && Math.abs(other.travel - touch.travel) < SAME_TRAVEL) === i);
 }
 
-function jointDriver(joint: SceneJoint): Driver | null {
+/** Range of the travel: a tenth beyond the touches of the stops and beyond the travel shown. */
+function wheelRange(contacts: ListedContact[], shown: number): [number, number] {
+  const travels = [0, ...touches(contacts).map((touch) => touch.travel), Math.abs(shown) <= LONGEST_TRAVEL ? shown : 0];
+  const [low, high] = [Math.min(...travels), Math.max(...travels)];
+  const room = Math.max(0.1 * (high - low), ROUND);
+  return [low < 0 ? Math.floor((low - room) / ROUND) * ROUND : -WHEEL_RANGE, high > 0 ? Math.ceil((high + room) / ROUND) * ROUND : WHEEL_RANGE];
+}
+
+function jointDriver(joint: SceneJoint, isToLeft: boolean): Driver | null {
   const turns = joint.kind === 'revolute' || joint.kind === 'continuous';
   if (!joint.can_be_set || !(turns || joint.kind === 'prismatic')) return null;
   const unit = turns ? DEGREE : MILLIMETRE;
@@ -45,21 +58,23 @@ function jointDriver(joint: SceneJoint): Driver | null {
   // With a distant limit, the slider would be too coarse.
   const range: [number, number] = [Math.max(low, -2 * Math.max(side, TURN_RANGE)), Math.min(high, 2 * Math.max(side, TURN_RANGE))];
   if (!(range[0] < range[1])) return null;
-  return { name: joint.name, label: joint.name, isMotion: false, unit, range };
+  return { name: joint.name, label: joint.name === RACK ? `rack, + to the ${isToLeft ? 'left' : 'right'}` : joint.name, isMotion: false, unit, range };
 }
 
-export function drivers(opened: Opened): Driver[] {
-  const { scene } = opened;
+/** Drivers of a model. `contacts`: results of the named contacts; `shown`: travel of the wheels, m. */
+export function drivers(scene: Scene, contacts: ListedContact[], shown = 0): Driver[] {
   const motions = scene.motions.map((name): Driver => {
-    const range = wheelRange(opened);
+    const range = wheelRange(contacts, shown);
     const side = Math.min(-range[0], range[1]);
     return {
       name, label: NAMES[name] ?? name, isMotion: true, unit: MILLIMETRE, range: name === 'roll' ? [-side, side] : range,
     };
   });
-  const joints = scene.joints.map(jointDriver).filter((driver) => driver !== null);
+  // Component of the axis along y of the world, which is to the left.
+  const alongY = ({ child, axis }: SceneJoint) => [0, 1, 2].reduce((sum, k) => sum + scene.design[12 * child + 3 + k] * (axis?.[k] ?? 0), 0);
+  const joints = scene.joints.map((joint) => jointDriver(joint, alongY(joint) > 0)).filter((driver) => driver !== null);
   // The travel drives the linkage; the rotation of a wheel about its bearing moves no other link.
-  return motions.length ? [...motions, ...joints.filter((driver) => driver.name === 'rack')] : joints;
+  return motions.length ? [...motions, ...joints.filter((driver) => driver.name === RACK)] : joints;
 }
 
 /** Driver of the first curve: a motion of the wheels, otherwise the joint nearest to the contact link on its way to the root. */

@@ -1,10 +1,24 @@
 // State in the address: "#1:" and the study as deflated JSON in base64url, with the text of the model.
 
 import type { Study } from '../engine/protocol';
+import type { PanelTables } from './answers';
+import type { ModelFiles } from './files';
 
 /** `text`, `files`: the model, and its further files in base64. Both are omitted if they are long; the link then requires a page with this
  * model. */
-export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string }
+export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string; hidesHints?: boolean }
+
+export type ViewName = '3d' | 'front' | 'side' | 'top';
+
+/** Content of a page at its start. */
+export interface Start {
+  model?: ModelFiles;
+  study?: Partial<Study> & { panels?: PanelTables };
+  driver?: string;
+  view?: ViewName;
+  /** Variants of a study; the page shows them as frozen variants. */
+  variants?: (Partial<Study> & { name: string })[];
+}
 
 const VERSION = '1';
 /** Largest length of a model with its files in a link, characters: browsers and mail programs cut longer addresses. */

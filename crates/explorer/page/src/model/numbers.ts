@@ -10,11 +10,14 @@ export function digits(x: number, count = MOST_DIGITS): string {
   return x.toFixed(Math.min(12, Math.max(0, count - 1 - exponent)));
 }
 
-/** Mass with as many digits as its error bound leaves, at most five. */
-export function mass(m: number, error: number | null): string {
-  const known = error && error > 0 ? Math.floor(Math.log10(Math.abs(m) / error)) : MOST_DIGITS;
-  return digits(m, Math.min(MOST_DIGITS, Math.max(1, known)));
+/** Mass with as many digits as its error bound leaves, at most `most`. */
+export function mass(m: number, error: number | null, most = MOST_DIGITS): string {
+  const known = error && error > 0 ? Math.floor(Math.log10(Math.abs(m) / error)) : most;
+  return digits(m, Math.min(most, Math.max(1, known)));
 }
+
+/** Name of a model as words. */
+export const words = (name: string) => name.replaceAll('_', ' ');
 
 /** Error bound with one digit: 2·10⁻¹¹. */
 export function bound(x: number): string {

@@ -2,26 +2,16 @@
 
 import { Ended, Engine } from '../engine/engine';
 import type {
-  ContactTable, Curve, CurveRow, Explanation, DiagnosticRecord, KinematicsReport, Opened, Outcome, PosedMass, Refusal, Scene, Shown, Study, Triple,
+  ContactListReport, ContactTable, Curve, CurveRow, Explanation, DiagnosticRecord, ListedContact, Opened, Outcome, PosedMass, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
-import { Answers, type PanelTables } from './answers';
+import { Answers } from './answers';
 import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
 import { drivers, firstDriver, valueOf, vary, varyOutward, withValue, type Driver } from './drivers';
 import { endsOf, type End } from './ends';
-import { fromHash, toHash } from './link';
+import { fromHash, toHash, type Start, type ViewName } from './link';
+import { MOST_VARIANTS, designKey, nextColour, nextName, type Variant } from './variants';
 
-export type ViewName = '3d' | 'front' | 'side' | 'top';
-export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[]; kinematics?: KinematicsReport }
 interface Entry { study: Study; label: string }
-export interface Start {
-  model?: ModelFiles;
-  study?: Partial<Study> & { panels?: PanelTables };
-  driver?: string;
-  view?: ViewName;
-  /** Variants of a study; the page shows them as frozen variants. */
-  variants?: (Partial<Study> & { name: string })[];
-}
-
 /** Rows of the curve; a drag has fewer. */
 export const ROWS = 81;
 const ROWS_OF_DRAG = 33;
@@ -34,7 +24,6 @@ const POSES_OF_BAND = 9;
 const REST = 250;
 /** Duration after which a computation is reported, ms. */
 const SLOW = 300;
-const MOST_VARIANTS = 8;
 const LONGEST_HISTORY = 200;
 const MOST_TIMES = 400;
 
@@ -67,15 +56,25 @@ export class Store {
   frames: number[] | undefined;
   curve: Outcome<Curve> | undefined;
   explanation: Explanation | null | undefined;
+  /** Study of the sensitivities. */
+  explained: Study | undefined;
+  /** Results at the named contacts for the present design: stops at their touches, others at the set joints. */
+  contacts: ListedContact[] = [];
+  /** Key of the design of `contacts`. */
+  private listed = '';
   drivers: Driver[] = [];
   driver: Driver | undefined;
   variants: Variant[] = [];
   view: ViewName = '3d';
   colours: 'share' | 'plain' = 'share';
   showsPoints = true;
+  showsNames = true;
+  hidesHints = false;
   showsMotion = false;
   showsDesign = false;
   selected: string | undefined;
+  /** True while the next click on a link makes a contact there. */
+  choosing = false;
   /** Moves of the hardpoints when the model was opened; the coordinates of the opened scene include them. */
   movedAtOpening: Record<string, Triple> = {};
   past: Entry[] = [];
@@ -137,6 +136,7 @@ export class Store {
       await this.open({ name: study.model.path, text, files, shapes: own?.shapes }, study, driver);
       if (own) this.answers.begin(start.study?.panels);
       if (linked.view) this.view = linked.view as ViewName;
+      this.hidesHints = linked.hidesHints ?? false;
     } else if (start.model) {
       await this.open(start.model, start.study, start.driver);
       this.answers.begin(start.study?.panels);
@@ -196,13 +196,14 @@ export class Store {
       conditions: given?.conditions && Object.keys(given.conditions).length > 0 ? given.conditions : opened.conditions,
       ...(given?.hold?.length ? { hold: given.hold } : {}),
     };
-    const all = drivers(opened);
+    const contacts = opened.contacts?.contacts ?? [];
+    const all = drivers(opened.scene, contacts);
     const link = study.contact.link ?? opened.scene.links[opened.scene.contacts.find((c) => c.name === study.contact.at)?.link ?? -1]?.name;
     Object.assign(this, {
       fileName: name, text, files, shapes: shapes ?? opened.shapes?.links, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
-      frames: opened.scene.design, curve: undefined, explanation: undefined, drivers: all,
+      frames: opened.scene.design, contacts, listed: '', curve: undefined, explanation: undefined, explained: undefined, drivers: all,
       driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
-      variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
+      view: opened.scene.sheet ? 'front' : '3d', choosing: false, variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
     });
     this.answers.clear();
     const without = opened.shapes?.diagnostics.length;
@@ -269,7 +270,6 @@ export class Store {
       }
       this.times.push(performance.now() - asked);
       if (this.times.length > MOST_TIMES) this.times.shift();
-      this.explanation = undefined;
       if ('refused' in reply) {
         this.problem = reply.refused;
       } else {
@@ -289,6 +289,9 @@ export class Store {
         this.variation = undefined;
       }
       this.changed();
+      // Without delay for a newer change.
+      if (!this.dirty) await this.listContacts(study);
+      if (!this.dirty && !this.gesture && this.fitRange()) this.dirty = true;
     }
     this.working = false;
     clearTimeout(this.rest);
@@ -306,6 +309,7 @@ export class Store {
     await this.refineEnds();
     await this.answers.refresh();
     await this.varyPoints();
+    await this.explain();
   }
 
   /** Resolves when all computations for the displayed study are finished. */
@@ -387,14 +391,45 @@ export class Store {
   }
 
   linked() {
-    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view };
+    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view, hidesHints: this.hidesHints };
   }
 
-  async explain() {
-    const reply = await this.ask<Explanation | null>({ do: 'explain', question: this.study! });
-    if (!reply) return;
-    if ('ok' in reply) this.set({ explanation: reply.ok });
-    else this.set({ notice: reply.refused.message });
+  /** Sensitivities, one hardpoint a request, so that a drag does not wait for all of them. */
+  private async explain() {
+    const { study, problem } = this;
+    if (problem || this.explained === study) return;
+    let found = null as Explanation | null;
+    for (const points of [[], ...(this.scene?.sheet?.hardpoints ?? []).map((point) => [point.name])]) {
+      const reply: Outcome<Explanation | null> | undefined = await this.ask({ do: 'explain', question: study!, points });
+      if (this.study !== study || this.gesture || !reply || !('ok' in reply)) return;
+      if (!reply.ok) break;
+      const before: Explanation['points'] = found?.points ?? [];
+      found = { ...reply.ok, points: [...before, ...reply.ok.points] };
+    }
+    this.set({ explanation: found, explained: study });
+  }
+
+  /** True if the results at the named contacts belong to the displayed design. */
+  get contactsAreFresh(): boolean {
+    return !!this.study && this.listed === designKey(this.study);
+  }
+
+  private async listContacts(study: Study) {
+    if (!this.scene?.contacts.length || this.problem || this.contactsAreFresh) return;
+    const { travel, ...pose } = study.pose;
+    void travel;
+    const reply = await this.ask<ContactListReport>({ do: 'contacts', question: { ...study, contact: {}, pose } });
+    if (reply && 'ok' in reply) this.set({ contacts: reply.ok.contacts, listed: designKey(study) } as Partial<Store>);
+  }
+
+  /** Adapts the ranges of the drivers to the touches of the stops and to the travel shown; true if one has changed. */
+  private fitRange(): boolean {
+    const all = drivers(this.scene!, this.contacts, this.drivers[0]?.isMotion && !this.problem ? this.positionOf(this.drivers[0]) : 0);
+    if (JSON.stringify(all) === JSON.stringify(this.drivers)) return false;
+    this.drivers = all;
+    const former = this.driver;
+    this.driver = all.find((driver) => driver.name === former?.name);
+    return JSON.stringify(former) !== JSON.stringify(this.driver);
   }
 
   async sheetText(): Promise<string | undefined> {
@@ -423,6 +458,7 @@ export class Store {
       this.future = [];
     }
     void this.update();
+    this.changed();
   }
 
   get isIdle(): boolean {
@@ -486,16 +522,16 @@ export class Store {
 
   freeze(given?: string) {
     if (!this.posed || !this.study || !this.scene || this.problem) return;
-    const letters = 'ABCDEFGH';
-    const name = given ?? [...letters].find((c) => !this.variants.some((v) => v.name === c)) ?? letters[0];
+    const name = given ?? nextName(this.variants);
     const curve = this.curve && 'ok' in this.curve ? this.curve.ok : null;
+    const others = this.variants.filter((v) => v.name !== name);
     const variant: Variant = {
-      name, study: this.study, mass: this.posed.report.effective_mass, curve, driver: this.driver?.name ?? '',
+      name, colour: nextColour(others), study: this.study, mass: this.posed.report.effective_mass, curve, driver: this.driver?.name ?? '',
       scene: this.scene, frames: this.posed.frames,
     };
     const kinematics = this.answers.results.kinematics;
     if (kinematics && 'ok' in kinematics && this.answers.isFresh()) variant.kinematics = kinematics.ok;
-    this.set({ variants: [...this.variants.filter((v) => v.name !== name), variant] });
+    this.set({ variants: [...others, variant] });
   }
 
   // ---- hardpoints ----------------------------------------------------------------------------------------------------
@@ -532,6 +568,11 @@ export class Store {
       link: found.link, point: round(found.point_link, 1e5), normal: round(found.normal_link, 1e6),
       ...(found.against ? { against: found.against } : {}),
     };
+  }
+
+  /** Factors from the axes of the world to those of the sheet, in which the page shows coordinates and directions. */
+  get axes(): Triple {
+    return this.scene?.sheet?.hardpoints[0]?.to_world ?? [1, 1, 1];
   }
 
   get findings(): DiagnosticRecord[] {

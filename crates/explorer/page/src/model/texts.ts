@@ -90,6 +90,8 @@ export function commandOf(kind: 'damper' | 'impact' | 'safe', study: Study, s: S
     case 'impact':
       one('--restitution', s.impactRestitution.trim());
       one('--speed', s.impactSpeed.trim() || '1 m/s');
+      one('--stiffness', s.impactStiffness.trim());
+      if (s.impactInTime) out.push(['--in-time']);
       return commandText('impact', study, [...question, ...out]);
     case 'safe':
       one('--region', s.region);

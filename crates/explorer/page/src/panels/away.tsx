@@ -39,7 +39,8 @@ export function figureText(): string | undefined {
   if (!svg) return undefined;
   const made = svg.cloneNode(true) as SVGElement;
   made.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  // The saved figure does not contain the style sheet of the page.
+  // The saved figure does not contain the style sheet of the page, and is on white ground in a dark page too.
+  svg.classList.add('paper');
   const originals = [svg, ...svg.querySelectorAll<SVGElement>('*')];
   [made, ...made.querySelectorAll<SVGElement>('*')].forEach((node, i) => {
     const style = getComputedStyle(originals[i]);
@@ -48,6 +49,7 @@ export function figureText(): string | undefined {
     }
     node.removeAttribute('class');
   });
+  svg.classList.remove('paper');
   return made.outerHTML;
 }
 

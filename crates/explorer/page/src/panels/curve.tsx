@@ -2,15 +2,19 @@
 
 import { useRef, useState } from 'preact/hooks';
 import type { Curve } from '../engine/protocol';
-import { withValue } from '../model/drivers';
+import { touches, withValue } from '../model/drivers';
 import { insideBand, remarks } from '../model/ends';
-import { digits, fixed, plain, ticks } from '../model/numbers';
+import { digits, fixed, plain, signed, ticks, words } from '../model/numbers';
 import { store } from '../model/store';
+import { VARIANTS } from '../view/space';
+import { TextField } from './field';
 import { useStore } from './hooks';
 import { currentValue } from './result';
 import { useSize } from './size';
 
 const MARGIN = { left: 70, right: 18, top: 14, bottom: 40 };
+/** Width below which the marks of the touches have a line each, pixels. */
+const NARROW = 480;
 /** Highest value shown, as a multiple of the median: a curve may go to infinity. */
 const MOST = 6;
 
@@ -22,7 +26,7 @@ export function CurvePanel() {
   return (
     <section class="curve" aria-label={`m̄ over ${driver.label}`}>
       <div class="curve-head">
-        <label>m̄ over{' '}
+        <label>effective mass m̄ over{' '}
           <select value={driver.name} onChange={(event) => store.chooseDriver(event.currentTarget.value)}>
             {drivers.map((d) => <option key={d.name} value={d.name}>{d.label}</option>)}
           </select>
@@ -43,7 +47,7 @@ function Legend() {
     <span class="keys">
       <svg width="26" height="8" aria-hidden="true"><path d="M0 4h26" class="trace now" /></svg> now
       {variants.map((v) => (
-        <span key={v.name}><svg width="26" height="8" aria-hidden="true"><path d="M0 4h26" class="trace frozen" /></svg> {v.name}</span>
+        <span key={v.name}><svg width="26" height="8" aria-hidden="true"><path d="M0 4h26" class="trace frozen" style={{ stroke: VARIANTS[v.colour] }} /></svg> {v.name}</span>
       ))}
     </span>
   );
@@ -55,7 +59,7 @@ function Bands() {
   const { target, tolerance, posed } = store;
   const m = posed?.report.effective_mass ?? 1;
   const unit = posed?.report.unit ?? 'kg';
-  if (!open && !target && !tolerance) return <button class="quiet" onClick={() => setOpen(true)}>Bands …</button>;
+  if (!open && !target && !tolerance) return <button class="quiet" onClick={() => setOpen(true)}>Target, tolerance …</button>;
   const [low, high] = target ?? [0.9 * m, 1.1 * m];
   const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(m), 1e-9))));
   const field = (label: string, value: number, set: (x: number) => void) => (
@@ -76,13 +80,10 @@ function Bands() {
 }
 
 function PlainNumber({ label, value, set }: { label: string; value: number; set(x: number): void }) {
-  return (
-    <input type="text" inputMode="decimal" class="number" aria-label={label} value={value}
-      onChange={(event) => {
-        const x = Number(event.currentTarget.value.replace(',', '.'));
-        if (Number.isFinite(x)) set(x);
-      }} />
-  );
+  return <TextField class="number" label={label} value={String(value)} set={(text) => {
+    const x = Number(text.replace(',', '.'));
+    if (Number.isFinite(x)) set(x);
+  }} />;
 }
 
 /** The curve in words: ends of the travel, change points, and the part of the travel within the target. */
@@ -162,6 +163,7 @@ function Plot() {
     return `M${[...edge(1), ...edge(-1).reverse()].join('L')}Z`;
   };
   const hatched = curve ? gaps(curve) : [];
+  const marks = driver.isMotion && driver.name !== 'roll' ? touches(store.contacts) : [];
   const inside = now * scale >= from - 1e-9 && now * scale <= to + 1e-9;
   const label = `${driver.label}, ${driver.unit.name}`;
   return (
@@ -189,7 +191,8 @@ function Plot() {
         if (!way) return;
         event.preventDefault();
         const step = driver.unit.step / scale;
-        set(Math.round((now + way * step * (event.shiftKey ? 10 : 1)) / step) * step);
+        // The value of the study: repeated keys come faster than the page is rendered.
+        set(Math.round((currentValue() + way * step * (event.shiftKey ? 10 : 1)) / step) * step);
       }}
     >
       <svg width={width} height={height} viewBox={`0 0 ${width} ${height}`} aria-hidden="true" class="figure">
@@ -224,8 +227,17 @@ function Plot() {
             </g>
           ))}
           {curve?.rows.filter((row) => row.singular).map((row) => <path key={row.at} d={`M${x(row.at * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="change" />)}
-          {store.variants.map((v) => v.curve && <path key={v.name} d={path(v.curve)} class="trace frozen" />)}
+          {store.variants.map((v) => v.curve && <path key={v.name} d={path(v.curve)} class="trace frozen" style={{ stroke: VARIANTS[v.colour] }} />)}
           {curve ? <path d={path(curve)} class="trace now" /> : null}
+          {marks.map(({ name, travel }, i) => {
+            const isRight = x(travel * scale) > width / 2;
+            return (
+              <g key={`${name}${travel}`} class="touch" data-touch={name} data-travel={travel}>
+                <path d={`M${x(travel * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} />
+                <text x={x(travel * scale) + (isRight ? -5 : 5)} y={MARGIN.top + 10 + (width < NARROW ? 14 * i : 0)} text-anchor={isRight ? 'end' : 'start'}>{words(name)} touches, {signed(travel * scale, 1)}</text>
+              </g>
+            );
+          })}
           {inside ? <path d={`M${x(now * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="cursor" /> : null}
           {inside && present !== undefined && !store.problem && !report?.singular_pose ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
         </g>

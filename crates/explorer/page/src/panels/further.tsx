@@ -4,11 +4,13 @@ import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { DiagnosticRecord, KinematicsReport, Outcome } from '../engine/protocol';
 import { LIMITS, type Kind, type Results, type TextSetting } from '../model/answers';
-import { digits, fixed, signed } from '../model/numbers';
+import { digits, fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
 import { commandOf, kinematicsCommand } from '../model/texts';
 import { copy } from './away';
+import { TextField } from './field';
 import { useStore } from './hooks';
+import { Moments } from './moments';
 
 const TOOLS = [
   'mujoco', 'drake', 'gazebo', 'gazebo-classic', 'ode', 'bullet', 'physx', 'rapier', 'chrono', 'adams', 'simscape', 'dart', 'opensim', 'exudyn',
@@ -17,8 +19,8 @@ const TOOLS = [
 const LAWS = ['kelvin-voigt', 'hunt-crossley'];
 const REGIONS = ['skull', 'face', 'neck', 'back', 'chest', 'abdomen', 'pelvis', 'upper-arm', 'lower-arm', 'hand', 'thigh', 'lower-leg'];
 
-function Panel<K extends Kind>({ kind, title, children, result, command }: {
-  kind: K; title: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren; command(): string;
+function Panel<K extends Kind>({ kind, title, missing, children, result, command }: {
+  kind: K; title: string; missing?: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren; command(): string;
 }) {
   useStore();
   const { answers } = store;
@@ -29,7 +31,7 @@ function Panel<K extends Kind>({ kind, title, children, result, command }: {
       {children}
       {answers.leftOut[kind]?.length ? <p class="soft">Keys of the study that this panel leaves out: {answers.leftOut[kind].join(', ')}.</p> : null}
       <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
-        {!found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
+        {missing ? <p class="soft">{missing}</p> : !found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
           : 'refused' in found ? <p class="box warn">{found.refused.message}</p>
             : <>{result(found.ok)}<WarningsOfPanel of={found.ok} /><CommandOfPanel text={command()} /></>}
       </div>
@@ -63,8 +65,7 @@ function CommandOfPanel({ text }: { text: string }) {
 function Field({ name, label, hint }: { name: TextSetting; label: string; hint?: string }) {
   return (
     <label class="line"><span>{label}</span>
-      <input class="setting" type="text" autocomplete="off" placeholder={hint} value={store.answers.settings[name]}
-        onChange={(event) => store.answers.set({ [name]: event.currentTarget.value })} />
+      <TextField class="setting" hint={hint} value={store.answers.settings[name]} set={(text) => store.answers.set({ [name]: text })} />
     </label>
   );
 }
@@ -98,9 +99,9 @@ function Rows({ of }: { of: [string, string | null][] }) {
 const quantity = (x: number | null, scale: number, unit: string) => (x === null ? null : `${digits(x * scale, 4)} ${unit}`);
 
 /** Texts of a damper that slides, and of one that turns: mass, damping, dissipation, force, penetration with its scale, speed. */
-const SLIDES = { mass: ['mass at the stop', 'kg'], damping: 'N·s/m', dissipation: 's/m', force: ['largest force', 'N'], depth: [1000, 'mm'], speed: 'm/s', stiffness: '200 N/mm', fast: '1 m/s' } as const;
+const SLIDES = { mass: ['mass at the stop', 'kg'], damping: 'N·s/m', dissipation: 's/m', force: ['peak force', 'N'], depth: [1000, 'mm'], speed: 'm/s', stiffness: '200 N/mm', fast: '1 m/s' } as const;
 const TURNS = {
-  mass: ['inertia at the stop', 'kg·m²'], damping: 'N·m·s/rad', dissipation: 's/rad', force: ['largest moment', 'N·m'], depth: [180 / Math.PI, '°'], speed: 'rad/s',
+  mass: ['inertia at the stop', 'kg·m²'], damping: 'N·m·s/rad', dissipation: 's/rad', force: ['peak moment', 'N·m'], depth: [180 / Math.PI, '°'], speed: 'rad/s',
   stiffness: '2000 Nm/rad', fast: '1 rad/s',
 } as const;
 
@@ -149,10 +150,10 @@ export function DamperPanel() {
             ['dissipation d', quantity(damper.dissipation, 1, units.dissipation)],
             ['restitution of the law', digits(damper.achieved_restitution, 4)],
             [units.force[0], quantity(damper.peak_force, 1, units.force[1])],
-            ['largest penetration', quantity(damper.max_penetration, units.depth[0], units.depth[1])],
-            ['duration of the contact', quantity(damper.contact_duration, 1000, 'ms')],
+            ['compression', quantity(damper.max_penetration, units.depth[0], units.depth[1])],
+            ['contact time', quantity(damper.contact_duration, 1000, 'ms')],
             ['rebound speed', quantity(damper.rebound_speed, 1, units.speed)],
-            ['lost energy', quantity(damper.energy_lost, 1, 'J')],
+            ['energy lost', quantity(damper.energy_lost, 1, 'J')],
           ]} />
           {Object.entries(exports).map(([name, tool]) => (
             <div key={name} class="simulator">
@@ -192,24 +193,34 @@ export function ImpactPanel() {
         <>
           <Rows of={[
             ['impulse', quantity(found.impulse, 1, 'N·s')],
-            ['lost energy', quantity(found.energy_loss, 1, 'J')],
+            ['energy lost', quantity(found.in_time?.energy.taken_by_contact ?? found.energy_loss, 1, 'J')],
             ['mass of a point that sticks', quantity(found.sticking_mass, 1, 'kg')],
+            ['peak force', quantity((found.in_time ?? found.contact_law)?.peak_force ?? null, 1, 'N')],
+            ['compression', quantity((found.in_time ?? found.contact_law)?.max_penetration ?? null, 1000, 'mm')],
+            ['contact time', quantity((found.in_time ?? found.contact_law)?.duration ?? null, 1000, 'ms')],
+            ['restitution reached', quantity(found.in_time?.restitution ?? null, 1, '')],
           ]} />
+          {found.in_time ? <Moments found={found.in_time} /> : <>
           <table class="plain">
             <caption>impulses of joints, N·s; arrows in the view: on the second link</caption>
             <tbody>{rows.slice(0, rows.length - without).map((r) => (
               <tr key={r.place + r.name}>
-                <th scope="row" title={r.on ?? 'ground'}>{r.name}</th>
+                <th scope="row" title={r.on ?? 'ground'}>{words(r.name)}</th>
                 <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
               </tr>
             ))}</tbody>
           </table>
           {without ? <p class="soft">{without} further joints or frames have no impulse.</p> : null}
+          </>}
         </>
       );
     }}>
       <Field name="impactRestitution" label="restitution" />
       <Field name="impactSpeed" label="speed" hint="1 m/s" />
+      <Field name="impactStiffness" label="stiffness" hint={store.scene?.sheet ? 'curve of the sheet, or 200 N/mm' : '200 N/mm'} />
+      <label class="line"><span>in time</span>
+        <input type="checkbox" checked={store.answers.settings.impactInTime !== ''} onChange={(event) => store.answers.set({ impactInTime: event.currentTarget.checked ? 'yes' : '' })} />
+      </label>
       <p class="soft">Before the impact, the mechanism moves with v*, the motion of least energy with this closing speed.</p>
     </Panel>
   );
@@ -219,7 +230,7 @@ export function SafeSpeedPanel() {
   const { answers } = store;
   const unit = { force: 'N', pressure: 'N/cm2', energy: 'J', momentum: 'N·s' }[answers.settings.limit] ?? '';
   return (
-    <Panel kind="safe" title="Safe speed" command={() => commandOf('safe', store.study!, store.answers.settings)} result={([found]) => (
+    <Panel kind="safe" title="Safe speed" missing={answers.settings.limitValue.trim() ? undefined : 'Give the limit of your edition of the standard.'} command={() => commandOf('safe', store.study!, store.answers.settings)} result={([found]) => (
       <>
         <p class="speed"><b>{fixed(found.reflected.speed, 3)}</b> m/s <span class="soft">for m̄ {found.reflected.robot_mass === null ? '= ∞' : `${digits(found.reflected.robot_mass, 4)} kg`}</span></p>
         <Rows of={[

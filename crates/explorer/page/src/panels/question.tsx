@@ -1,63 +1,56 @@
 // The question: contact and pose.
 
 import { Vector3 } from 'three';
-import type { ContactTable, MassReport, Triple } from '../engine/protocol';
-import { withValue, givenValue, type Driver } from '../model/drivers';
-import { fixed, mass } from '../model/numbers';
+import type { ContactTable, Triple } from '../engine/protocol';
+import { SIDE, touches, withValue, givenValue, type Driver } from '../model/drivers';
+import { fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
-import { frame } from '../view/space';
+import { frame, intoLink, pointAt, vectorAt } from '../view/space';
 import { NumberField, Slider } from './field';
 import { useStore } from './hooks';
 
-const OWN = '\u0000own';
-const KINDS = [['stop', 'Stops'], ['spring', 'Springs'], ['damper', 'Dampers'], ['patch', 'Contact patches'], ['other', 'Others']] as const;
-
-/** Result of a named contact when the model was opened. */
-function openedValue(report: MassReport | null | undefined): string {
-  if (!report) return '';
-  return report.status === 'finite' ? `, ${mass(report.effective_mass!, report.effective_mass_error)} ${report.unit}` : `, ${report.status}`;
-}
-
+/** Difference below which two travels are the same for the user, m. */
+const NEAR = 5e-5;
 const AXES: [string, Triple][] = [
   ['+x', [1, 0, 0]], ['−x', [-1, 0, 0]], ['+y', [0, 1, 0]], ['−y', [0, -1, 0]], ['+z', [0, 0, 1]], ['−z', [0, 0, -1]],
 ];
 
-export function ContactPanel() {
-  const { scene, study, opened } = useStore();
-  if (!scene || !study || !opened) return null;
-  const { contact } = study;
-  const listed = new Map(opened.contacts?.contacts.map((c) => [c.name, c]) ?? []);
-  const choose = (name: string) => {
-    if (name === OWN) {
-      const own = store.ownContact();
-      if (own) store.setContact(own, 'own contact');
-      return;
-    }
-    const { travel, ...pose } = study.pose;
-    void travel;
-    store.change({ ...study, contact: { at: name }, pose }, `contact ${name}`);
+/** Coordinates of a link as the page shows them: of a sheet, in its axes and at the design position; otherwise, in the frame of the link. */
+function shownFrame(name: string | undefined) {
+  const { scene, axes } = store;
+  const link = scene!.links.findIndex((l) => l.name === name);
+  const turned = (p: Vector3): Triple => p.toArray().map((x, k) => Math.round(x * axes[k] * 1e7) / 1e7 + 0) as Triple;
+  const world = (p: Triple) => new Vector3(...p.map((x, k) => x * axes[k]));
+  if (!scene!.sheet || link < 0) return { words: 'frame of the link', point: (p: Triple) => p, toPoint: (p: Triple) => p, normal: (n: Triple) => n, toNormal: (n: Triple) => n };
+  const rounded = (p: Vector3) => p.toArray().map((x) => Math.round(x * 1e7) / 1e7 + 0) as Triple;
+  return {
+    words: 'axes of the sheet, as drawn',
+    point: (p: Triple) => turned(pointAt(scene!.design, link, p)),
+    toPoint: (p: Triple) => rounded(world(p).applyMatrix4(frame(scene!.design, link).invert())),
+    normal: (n: Triple) => turned(vectorAt(scene!.design, link, n)),
+    toNormal: (n: Triple) => rounded(intoLink(scene!.design, link, world(n))),
   };
+}
+
+/** Three fields of a point, mm. */
+function PointFields({ label, link, point, set }: { label: string; link: string | undefined; point: Triple; set(point: Triple): void }) {
+  const own = shownFrame(link);
+  const shown = own.point(point);
   return (
-    <section>
-      <h2>Contact</h2>
-      {scene.contacts.length ? (
-        <label class="line"><span>at</span>
-          <select value={contact.at ?? OWN} onChange={(event) => choose(event.currentTarget.value)}>
-            {KINDS.map(([kind, label]) => {
-              const all = scene.contacts.filter((c) => c.kind === kind);
-              return all.length ? (
-                <optgroup key={kind} label={label}>
-                  {all.map(({ name }) => <option key={name} value={name}>{name}{openedValue(listed.get(name)?.report)}</option>)}
-                </optgroup>
-              ) : null;
-            })}
-            <option value={OWN}>another point and normal</option>
-          </select>
-        </label>
-      ) : null}
-      {contact.at ? <p class="soft">To define another contact, drag the point or the head of the arrow, or click a link.</p> : <OwnContact contact={contact} />}
-    </section>
+    <>
+      {[0, 1, 2].map((k) => (
+        <NumberField key={k} label={`${label} ${'xyz'[k]}, mm, ${own.words}`} value={shown[k] * 1000} decimals={1} step={1} title={own.words}
+          set={(x) => set(own.toPoint(shown.map((p, i) => (i === k ? Math.round(x * 1e4) / 1e7 : p)) as Triple))} />
+      ))}
+    </>
   );
+}
+
+/** Point and direction of a contact that the model does not name. */
+export function ContactPanel() {
+  const { scene, study } = useStore();
+  if (!scene || !study || study.contact.at) return null;
+  return <section><h2>Contact</h2><OwnContact contact={study.contact} /></section>;
 }
 
 function OwnContact({ contact }: { contact: ContactTable }) {
@@ -66,6 +59,11 @@ function OwnContact({ contact }: { contact: ContactTable }) {
   const set = (values: Partial<ContactTable>, label: string) => store.setContact({ ...contact, ...values }, label);
   const point = contact.point ?? [0, 0, 0];
   const normal = contact.normal ?? posed?.report.contact.normal_link ?? [0, 0, 1];
+  const isWorld = contact.normal_frame === 'world';
+  const own = shownFrame(contact.link);
+  /** Direction between the axes of the world and those of the sheet. */
+  const turned = (n: Triple) => n.map((x, k) => x * store.axes[k] + 0) as Triple;
+  const shownNormal = isWorld ? turned(normal) : own.normal(normal);
   const line = contact.along_line;
   // The other side of a cable is the link of its end.
   const other = contact.against ?? (contact.cable && line ? line.link : '');
@@ -87,10 +85,7 @@ function OwnContact({ contact }: { contact: ContactTable }) {
         </select>
       </label>
       <div class="line"><span>point, mm</span>
-        {[0, 1, 2].map((k) => (
-          <NumberField key={k} label={`point ${'xyz'[k]}, mm, frame of the link`} value={point[k] * 1000} decimals={1} step={1}
-            set={(x) => set({ point: point.map((p, i) => (i === k ? Math.round(x * 1e4) / 1e7 : p)) as Triple }, 'contact point')} />
-        ))}
+        <PointFields label="point" link={contact.link} point={point} set={(to) => set({ point: to }, 'contact point')} />
       </div>
       <label class="line"><span>direction</span>
         <select value={direction} onChange={(event) => direct(event.currentTarget.value)}>
@@ -108,28 +103,26 @@ function OwnContact({ contact }: { contact: ContactTable }) {
             </select>
           </label>
           <div class="line"><span>to point, mm</span>
-            {[0, 1, 2].map((k) => (
-              <NumberField key={k} label={`end of the line ${'xyz'[k]}, mm, frame of its link`} value={line.point[k] * 1000} decimals={1} step={1}
-                set={(x) => set({ along_line: { ...line, point: line.point.map((p, i) => (i === k ? Math.round(x * 1e4) / 1e7 : p)) as Triple } }, 'end of the line')} />
-            ))}
+            <PointFields label="end of the line" link={line.link} point={line.point} set={(to) => set({ along_line: { ...line, point: to } }, 'end of the line')} />
           </div>
         </>
       ) : (
         <>
-          <div class="line"><span>normal{contact.normal_frame === 'world' ? ', world' : ', link'}</span>
+          <div class="line"><span>normal{scene!.sheet ? '' : isWorld ? ', world' : ', link'}</span>
             {[0, 1, 2].map((k) => (
-              <NumberField key={k} label={`normal ${'xyz'[k]}`} value={normal[k]} decimals={3} step={0.01}
+              <NumberField key={k} label={`normal ${'xyz'[k]}`} value={shownNormal[k]} decimals={3} step={0.01}
+                title={scene!.sheet ? `axes of the sheet, ${isWorld ? 'at the pose shown' : 'as drawn'}` : undefined}
                 set={(x) => {
-                  const to = normal.map((n, i) => (i === k ? x : n)) as Triple;
-                  if (Math.hypot(...to) > 0) set({ normal: to }, 'contact normal');
+                  const to = shownNormal.map((n, i) => (i === k ? x : n)) as Triple;
+                  if (Math.hypot(...to) > 0) set({ normal: isWorld ? turned(to) : own.toNormal(to) }, 'contact normal');
                 }} />
             ))}
           </div>
           <div class="line"><span>along</span>
-            <span class="axes" role="group" aria-label="Normal along an axis of the world">
+            <span class="axes" role="group" aria-label={`Normal along an axis of the ${scene!.sheet ? 'sheet' : 'world'}`}>
               {AXES.map(([name, axis]) => (
-                <button key={name} aria-pressed={contact.normal_frame === 'world' && axis.every((x, k) => x === normal[k])}
-                  onClick={() => set({ normal: axis, normal_frame: 'world' }, `normal ${name}`)}>{name}</button>
+                <button key={name} aria-pressed={isWorld && axis.every((x, k) => x === shownNormal[k])}
+                  onClick={() => set({ normal: turned(axis), normal_frame: 'world' }, `normal ${name}`)}>{name}</button>
               ))}
             </span>
           </div>
@@ -180,21 +173,36 @@ export function PosePanel() {
   const { drivers, study, scene } = useStore();
   if (!study || !scene) return null;
   const named = scene.contacts.find((c) => c.name === study.contact.at);
-  const isStop = named?.kind === 'stop';
   const given = drivers.filter((driver) => givenValue(study, driver) !== undefined);
+  const wheels = drivers[0]?.isMotion ? drivers[0] : undefined;
   return (
     <section>
       <h2>Pose</h2>
       <NamedPose />
       {drivers.length ? drivers.map((driver) => <DriverLine key={driver.name} driver={driver} />) : <p class="soft">No joint with a single position can be set.</p>}
-      <p class="row">
-        {given.length ? (
-          <button onClick={() => store.change({ ...study, pose: { ...study.pose, set: {}, travel: [] } }, isStop ? 'to the touch' : 'design position')}>
-            {isStop && drivers.some((d) => d.isMotion) ? 'Bring the stop to the touch' : study.pose.file ? `Pose ${study.pose.file}` : 'Design position'}
-          </button>
-        ) : isStop ? <span class="soft">The stop is at touch. Move the slider for another travel.</span> : null}
-      </p>
+      {wheels ? <Snaps wheels={wheels} stop={named?.kind === 'stop' ? named.name.replace(SIDE, '') : undefined} /> : given.length ? (
+        <p class="row"><button onClick={() => store.change({ ...study, pose: { ...study.pose, set: {}, travel: [] } }, 'design position')}>
+          {study.pose.file ? `Pose ${study.pose.file}` : 'Design position'}
+        </button></p>
+      ) : null}
     </section>
+  );
+}
+
+/** Buttons to the design position and to the touches. `stop`: the chosen stop, which touches without a given travel. */
+function Snaps({ wheels, stop }: { wheels: Driver; stop: string | undefined }) {
+  const { study, contacts } = store;
+  const now = store.positionOf(wheels);
+  const all = [{ name: 'design position', travel: 0 }, ...touches(contacts)].sort((a, b) => a.travel - b.travel);
+  return (
+    <p class="row">{all.map(({ name, travel }) => {
+      const to = name === stop ? { ...study!, pose: { ...study!.pose, travel: [] } } : withValue(study!, wheels, travel);
+      return (
+        <button key={name} aria-pressed={Math.abs(now - travel) < NEAR} onClick={() => store.change(to, name === 'design position' ? name : `touch of the ${words(name)}`)}>
+          {words(name)} {signed(travel * 1000, 1)}
+        </button>
+      );
+    })}</p>
   );
 }
 

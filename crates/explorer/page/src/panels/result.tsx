@@ -1,7 +1,7 @@
-// The result: m̄ with its error bound, the difference from a frozen variant, and each outcome with an explanation and a remedy.
+// The result: m̄ with its meaning and pose, and each outcome with an explanation and a remedy.
 
 import type { MassReport } from '../engine/protocol';
-import { bound, digits, fixed, mass, signed } from '../model/numbers';
+import { bound, digits, fixed, mass, signed, words } from '../model/numbers';
 import { withValue } from '../model/drivers';
 import { store } from '../model/store';
 import { useStore } from './hooks';
@@ -19,41 +19,54 @@ export function Result() {
   );
 }
 
+/** Travel that is shown as more than 0.0 mm, m. */
+const LEAST_TRAVEL = 5e-5;
+/** Error bound relative to m̄ from which it is shown. */
+const LARGE_ERROR = 1e-6;
+
 function Value({ report, stale }: { report: MassReport; stale: boolean }) {
   const { contact, named_contact: named } = report;
-  const place = named ? named.name : contact.link;
-  const other = contact.against ?? 'ground';
   const m = report.effective_mass;
   const error = report.effective_mass_error;
   const big = report.status === 'immovable' ? '∞' : report.status === 'massless' ? '0' : mass(m!, error);
+  const bounded = `± ${bound(error ?? 0)} ${report.unit}: rounding, closing of the loops, and loops that the file leaves open`;
   return (
     <div class={stale ? 'stale' : ''}>
-      <p class="big" role="status" aria-live="polite" data-mass={m ?? report.status}>
-        <span class="symbol">m̄{report.singular_pose && m !== null ? ' ≥' : ''}</span> <b>{big}</b> {report.status === 'immovable' ? '' : report.unit}
+      <p class="kind">{contact.is_moment ? 'effective inertia' : 'effective mass'} <i>m̄</i> at <b>{words(named ? named.name : contact.link)}</b></p>
+      <p class="big" role="status" aria-live="polite" data-mass={m ?? report.status} title={m !== null && error !== null ? bounded : undefined}>
+        {report.singular_pose && m !== null ? <span class="symbol">≥ </span> : null}<b>{big}</b> {report.status === 'immovable' ? '' : report.unit}
       </p>
-      <p class="sub">
-        {report.singular_pose ? <span>a bound for all branches · </span> : report.status === 'finite' && error !== null ? (
-          <span title="Upper bound of the error: rounding, closing of the loops, and loops that the file leaves open">± {bound(error)} {report.unit} · </span>
-        ) : null}
-        at <b>{place}</b>{named ? `: ${contact.link} against ${other}` : ` against ${other}`}
-        {named?.brought_to_touch ? <span class="tag">at touch</span> : null}
-        {named && named.gap !== null && !named.brought_to_touch ? <span> · gap {fixed(named.gap * 1000, 1)} mm</span> : null}
-      </p>
-      <Difference m={m} unit={report.unit} />
+      <p class="sub">{sentence(report)}</p>
+      <p class="sub"><span class="tag">{pose(report)}</span></p>
+      {report.singular_pose ? <p class="sub">a bound for all branches</p> : m && error !== null && error > LARGE_ERROR * m ? <p class="sub">{bounded}</p> : null}
+      {named?.effective_mass_together != null ? (
+        <p class="sub both">Both stops ({[named.name, ...named.touching].map(words).join(', ')}), closing together: <b>{mass(named.effective_mass_together, error)} {report.unit}</b> each.</p>
+      ) : null}
     </div>
   );
 }
 
-function Difference({ m, unit }: { m: number | null; unit: string }) {
-  const variant = store.variants.at(-1);
-  if (!variant || variant.mass === null || m === null) return null;
-  const by = m - variant.mass;
-  const decimals = Math.max(0, 3 - Math.floor(Math.log10(Math.max(Math.abs(m), 1e-9))));
-  return (
-    <p class="difference">
-      {signed(by, decimals)} {unit} ({signed((100 * by) / variant.mass, 2)} %) against variant {variant.name} with {digits(variant.mass)} {unit}
-    </p>
-  );
+/** Meaning of the number. */
+function sentence({ contact, named_contact: named, motion_ratios, status, unit, effective_mass: m, effective_mass_error: error }: MassReport) {
+  const all = store.scene!.links.reduce((sum, link) => sum + link.mass, 0);
+  const ratio = motion_ratios.find((r) => r.contact_per_wheel !== null && r.link.startsWith('wheel_centre'))?.contact_per_wheel;
+  const other = `the ${contact.against ? words(contact.against) : 'ground'}`;
+  const strikes = status !== 'finite' || contact.is_moment ? ''
+    : named?.kind === 'spring' || named?.kind === 'damper' ? `The ${words(named.name)} feels the mechanism of ${digits(all, 4)} kg like a mass of ${mass(m!, error, 4)} ${unit}.`
+      : `The mechanism of ${digits(all, 4)} kg strikes ${named ? `the ${words(named.name)}` : other} like a mass of ${mass(m!, error, 4)} ${unit}.`;
+  const travels = ratio != null ? ` It moves ${fixed(Math.abs(ratio), 4)} times as far as the wheel.` : '';
+  return `${strikes}${travels} Between the ${words(contact.link)} and ${other}.`;
+}
+
+/** Pose of the result in words. */
+function pose({ named_contact: named, conditions }: MassReport): string {
+  const travels = [...new Set((named?.wheel_travel ?? []).filter(({ travel }) => Math.abs(travel) > LEAST_TRAVEL).map(({ travel }) => `${fixed(Math.abs(travel) * 1000, 1)} mm ${travel < 0 ? 'down' : 'up'}`))];
+  const given = store.study!.pose;
+  const where = named?.brought_to_touch ? 'at the touch' : Object.keys(given.set ?? {}).length || given.travel?.length || given.file ? 'at the pose shown' : 'at the design position';
+  return [
+    where, travels.length ? `wheel ${travels.join(', ')}` : '',
+    named?.gap != null && !named.brought_to_touch ? named.gap < 0 ? `${fixed(-named.gap * 1000, 1)} mm beyond the touch` : `gap ${fixed(named.gap * 1000, 1)} mm` : '', `base ${conditions.base}`,
+  ].filter(Boolean).join(' · ');
 }
 
 /** Reason why the study has no result. */

@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import type { Triple } from '../engine/protocol';
-import { digits, fixed, signed } from '../model/numbers';
+import { digits, fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
 import { rampColour } from '../view/space';
 import { Details } from './details';
@@ -31,7 +31,7 @@ export function Contributions() {
         <tbody>
           {shown.map(({ name, share }) => (
             <tr key={name}>
-              <th scope="row" title={name}>{name}</th>
+              <th scope="row" title={name}>{words(name)}</th>
               <td class="bar"><span style={{ width: `${(100 * share) / most}%`, background: `#${rampColour(share / most).getHexString()}` }} /></td>
               <td class="n">{fixed(100 * share, 1)} %</td>
               <td class="n soft">{digits(share * report.effective_mass!, 3)} {report.unit}</td>
@@ -183,50 +183,11 @@ export function Ratios() {
       <table class="plain"><tbody>
         {ratios.map((r) => (
           <tr key={r.link}>
-            <th scope="row">{r.link}</th><td class="n">{r.contact_per_wheel === null ? 'infinite' : fixed(r.contact_per_wheel, 4)}</td>
+            <th scope="row">{words(r.link)}</th><td class="n">{r.contact_per_wheel === null ? 'infinite' : fixed(r.contact_per_wheel, 4)}</td>
           </tr>
         ))}
       </tbody></table>
       <p class="soft">Closing of the contact per upward travel of the point{ratios.some((r) => !r.one_travel) ? ', in the motion of the impact' : ''}.</p>
-    </section>
-  );
-}
-
-/** Sensitivities, on request: they take longer than a frame. */
-export function Sensitivities() {
-  const { explanation, problem, posed } = useStore();
-  if (!posed || posed.report.status !== 'finite') return null;
-  const bars = (explanation?.points ?? [])
-    .flatMap((p) => (p.per_metre ?? []).map((rate, k) => ({ name: `${p.point} ${'xyz'[k]}`, rate: rate / 1000 })))
-    .sort((a, b) => Math.abs(b.rate) - Math.abs(a.rate)).slice(0, 10);
-  const most = Math.max(1e-15, Math.abs(bars[0]?.rate ?? 0));
-  const links = [...(explanation?.links ?? [])].sort((a, b) => b.per_kilogram - a.per_kilogram).slice(0, 6);
-  return (
-    <section class={problem ? 'stale' : ''}>
-      <h2>Sensitivities</h2>
-      {explanation === undefined ? <button disabled={!!problem} onClick={() => void store.explain()}>What changes m̄ most?</button> : null}
-      {explanation === null ? <p class="soft">Sensitivities need a single finite m̄.</p> : null}
-      {bars.length ? (
-        <table class="shares tornado">
-          <caption>kg per mm of a hardpoint</caption>
-          <colgroup><col class="of-point" /><col /><col class="of-mass" /></colgroup>
-          <tbody>
-            {bars.map(({ name, rate }) => (
-              <tr key={name}>
-                <th scope="row" title={name}>{name}</th>
-                <td class="bar"><span class={rate < 0 ? 'down' : 'up'} style={{ width: `${(50 * Math.abs(rate)) / most}%` }} /></td>
-                <td class="n">{rate < 0 ? '−' : '+'}{digits(Math.abs(rate), 3)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      ) : null}
-      {links.length ? (
-        <table class="plain">
-          <caption>kg of m̄ per kg of a link</caption>
-          <tbody>{links.map((l) => <tr key={l.link}><th scope="row">{l.link}</th><td class="n">{digits(l.per_kilogram, 3)}</td></tr>)}</tbody>
-        </table>
-      ) : null}
     </section>
   );
 }

@@ -2,16 +2,15 @@
 
 import {
   BufferAttribute, BufferGeometry, CatmullRomCurve3, Color, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-  LatheGeometry, MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector2, Vector3,
+  MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector3,
 } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
 import type { Wire } from './overlay';
-import { frame, pointAt, vectorAt } from './space';
+import { VARIANTS, frame, pointAt, vectorAt } from './space';
 
 const UP = new Vector3(0, 1, 0);
 const GREY = '#8793a1';
 const DARK = '#4b5563';
-const TYRE = '#5d6976';
 
 /** Radii as parts of the radius of the scene. */
 const BAR = 0.016;
@@ -36,13 +35,16 @@ function spring(): BufferGeometry {
   return new TubeGeometry(new CatmullRomCurve3(points), 240, 0.17, 7).scale(1, 1 / length, 1);
 }
 
-/** Tyre of radius 1 about y. */
-function tyre(): BufferGeometry {
+/** Lines of a tyre of radius 1 about y: its edges, and its section at four places. */
+function tyre(): Vector3[][] {
   const half = 0.3;
   const profile: [number, number][] = [
-    [0.64, -half * 0.8], [0.93, -half], [0.985, -half * 0.8], [1, 0], [0.985, half * 0.8], [0.93, half], [0.64, half * 0.8],
+    [0.64, -half * 0.8], [0.93, -half], [0.985, -half * 0.8], [1, 0], [0.985, half * 0.8], [0.93, half], [0.64, half * 0.8], [0.64, -half * 0.8],
   ];
-  return new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 64);
+  const at = (r: number, y: number, turn: number) => new Vector3(r * Math.cos(turn), y, r * Math.sin(turn));
+  const circle = (r: number, y: number) => Array.from({ length: 49 }, (_, k) => at(r, y, (k * Math.PI) / 24));
+  const section = (turn: number) => profile.map(([r, y]) => at(r, y, turn));
+  return [circle(0.94, -half), circle(0.94, half), ...[0, 1, 2, 3].map((k) => section((k * Math.PI) / 2))];
 }
 
 /** Bodies of unit size, the same for every scene: a drag makes a scene for each result. */
@@ -50,12 +52,12 @@ const UNIT_BAR = new CylinderGeometry(1, 1, 1, 14);
 const UNIT_BALL = new SphereGeometry(1, 14, 10);
 const GROUND_CONE = new CylinderGeometry(0.25, 1, 1.6, 4);
 const UNIT_SPRING = spring();
-const UNIT_TYRE = tyre();
+const TYRE_LINES = tyre();
 const DARK_PART = new MeshLambertMaterial({ color: DARK });
 const GREY_PART = new MeshLambertMaterial({ color: GREY });
 const PAINTED = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
 const DESIGN_LINE = new LineBasicMaterial({ color: '#9aa5b1' });
-const VARIANT_LINE = new LineBasicMaterial({ color: '#2f6fb0' });
+const VARIANT_LINES = VARIANTS.map((color) => new LineBasicMaterial({ color }));
 
 interface Element { contact: Scene['contacts'][number]; meshes: Mesh[] }
 
@@ -65,19 +67,15 @@ export class Bodies {
   readonly links: Group[] = [];
   readonly pickable: Mesh[] = [];
   private materials: MeshLambertMaterial[] = [];
-  /** Tyres, each with the number of the link that has the mass of its wheel. */
-  private tyres: { link: number; material: MeshLambertMaterial }[] = [];
   private elements: Element[] = [];
-  private ghost: LineSegments | undefined;
-  private variant: LineSegments | undefined;
+  private ghosts: LineSegments[] = [];
   /** Geometries of the shapes of this scene. */
   private own: BufferGeometry[] = [];
 
   /** `former`: bodies of the previous scene. Their materials are reused, because the renderer would prepare new materials for each result
    * of a drag. */
   constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number, former?: Bodies) {
-    const isSame = former?.scene.links.length === scene.links.length && former.scene.wheels.length === scene.wheels.length;
-    const [links, tyres] = isSame ? [former.materials.splice(0), former.tyres.splice(0)] : [[], []];
+    const links = former?.scene.links.length === scene.links.length ? former.materials.splice(0) : [];
     scene.links.forEach((link, i) => {
       const group = new Group();
       group.matrixAutoUpdate = false;
@@ -120,7 +118,6 @@ export class Bodies {
       this.group.add(group);
     });
     this.addJoints();
-    this.addWheels(tyres.map((t) => t.material));
     for (const contact of scene.contacts) {
       const count = { spring: 1, damper: 2, stop: 2, patch: 0, other: 0 }[contact.kind];
       const geometry = contact.kind === 'spring' ? UNIT_SPRING : UNIT_BAR;
@@ -177,36 +174,28 @@ export class Bodies {
     }
   }
 
-  private addWheels(former: MeshLambertMaterial[]) {
-    for (const [i, wheel] of this.scene.wheels.entries()) {
-      const material = former[i] ?? new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
-      const name = this.scene.links[wheel.link].name.replace('wheel_centre', 'wheel');
-      this.tyres.push({ link: this.scene.links.findIndex((link) => link.name === name), material });
-      const mesh = new Mesh(UNIT_TYRE, material);
-      mesh.position.set(...wheel.centre);
-      mesh.quaternion.setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
-      mesh.scale.setScalar(wheel.radius);
-      this.links[wheel.link].add(mesh);
-    }
-  }
-
-  /** The bodies as lines: links, rims of the wheels, springs and dampers. `colours`: of the links, or null for grey. */
-  wires(frames: number[], colours: Color[] | null): Wire[] {
-    const colour = (link: number) => (colours?.[link] ? `#${colours[link].getHexString()}` : '#6b7785');
-    const links = this.scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
-      .map((line) => ({ points: line.map((end) => pointAt(frames, i, end)), colour: colour(i), isThin: false })));
-    const wheels = this.scene.wheels.map((wheel, i) => {
+  /** Outlines of the tyres; with `all`, the bodies as lines too: links, springs, dampers and stops. `colours`: of the links, or null for grey. */
+  wires(frames: number[], colours: Color[] | null, all: boolean): Wire[] {
+    const colour = (link: number) => (colours?.[link] ? `#${colours[link].getHexString()}` : GREY);
+    const { links, wheels, contacts, root } = this.scene;
+    const tyres = wheels.flatMap((wheel) => {
       const turn = new Quaternion().setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
-      const rim = Array.from({ length: 41 }, (_, k) => {
-        const spoke = new Vector3(Math.cos((k * Math.PI) / 20), 0, Math.sin((k * Math.PI) / 20)).multiplyScalar(wheel.radius).applyQuaternion(turn);
-        return pointAt(frames, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple);
-      });
-      return { points: rim, colour: colour(this.tyres[i].link), isThin: true };
+      const place = new Matrix4().compose(new Vector3(...wheel.centre), turn, new Vector3().setScalar(wheel.radius)).premultiply(frame(frames, wheel.link));
+      // The link that has the mass of the wheel.
+      const name = links[wheel.link].name.replace('wheel_centre', 'wheel');
+      return TYRE_LINES.map((line) => ({
+        points: line.map((point) => point.clone().applyMatrix4(place)), colour: colour(links.findIndex((link) => link.name === name)), isThin: true,
+      }));
     });
-    const elements = this.scene.contacts.filter((c) => (c.kind === 'spring' || c.kind === 'damper') && c.normal !== 'fixed').map((c) => ({
-      points: [pointAt(frames, c.link, c.point), pointAt(frames, c.against ?? this.scene.root, c.vector)], colour: GREY, isThin: true,
-    }));
-    return [...links, ...wheels, ...elements];
+    if (!all) return tyres;
+    const bars = links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
+      .map((line) => ({ points: line.map((end) => pointAt(frames, i, end)), colour: colour(i), isThin: false })));
+    const elements = contacts.filter(({ kind }) => kind === 'spring' || kind === 'damper' || kind === 'stop').map((c) => {
+      const [point, other] = [pointAt(frames, c.link, c.point), c.against ?? root];
+      const end = c.normal === 'fixed' ? point.clone().addScaledVector(vectorAt(frames, other, c.vector), c.gap ?? 0) : pointAt(frames, other, c.vector);
+      return { points: [point, end], colour: GREY, isThin: true };
+    });
+    return [...bars, ...tyres, ...elements];
   }
 
   pose(frames: number[]) {
@@ -245,7 +234,6 @@ export class Bodies {
       material.color.copy(colours?.[i] ?? new Color(GREY));
       material.emissive.set(i === chosen ? '#12304a' : '#000000');
     });
-    for (const { link, material } of this.tyres) material.color.copy(colours?.[link] ?? new Color(TYRE));
   }
 
   /** Colours of the facets of the links with shapes; undefined for one colour a link. */
@@ -272,22 +260,20 @@ export class Bodies {
     return new LineSegments(new BufferGeometry().setFromPoints(ends), material);
   }
 
-  /** Thin lines of the design pose, and of a frozen variant at its pose. */
-  outlines(design: boolean, variant: { scene: Scene; frames: number[] } | undefined) {
-    for (const old of [this.ghost, this.variant]) {
-      if (old) {
-        this.group.remove(old);
-        old.geometry.dispose();
-      }
+  /** Thin lines of the design pose, and of the kept variants at their poses. */
+  outlines(design: boolean, variants: { scene: Scene; frames: number[]; colour: number }[]) {
+    for (const old of this.ghosts) {
+      this.group.remove(old);
+      old.geometry.dispose();
     }
-    this.ghost = design ? this.outline(this.scene, this.scene.design, DESIGN_LINE) : undefined;
-    this.variant = variant ? this.outline(variant.scene, variant.frames, VARIANT_LINE) : undefined;
-    for (const line of [this.ghost, this.variant]) if (line) this.group.add(line);
+    this.ghosts = variants.map((v) => this.outline(v.scene, v.frames, VARIANT_LINES[v.colour]));
+    if (design) this.ghosts.push(this.outline(this.scene, this.scene.design, DESIGN_LINE));
+    if (this.ghosts.length) this.group.add(...this.ghosts);
   }
 
   dispose() {
     for (const geometry of this.own) geometry.dispose();
-    for (const material of [...this.materials, ...this.tyres.map((t) => t.material)]) material.dispose();
-    this.outlines(false, undefined);
+    for (const material of this.materials) material.dispose();
+    this.outlines(false, []);
   }
 }

@@ -2,7 +2,7 @@
 
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import type { ViewName } from '../model/store';
+import type { ViewName } from '../model/link';
 
 const DIRECTIONS: Record<ViewName, { from: Vector3; up: Vector3 }> = {
   '3d': { from: new Vector3(0.78, 0.86, 0.52), up: new Vector3(0, 0, 1) },

@@ -17,18 +17,27 @@ const OUTLIERS = 0.02;
 /** Largest ratio of the masses at the ends of the colours: m̄ grows without limit toward an immovable facet. */
 const MOST_COLOURS = 100;
 
-/** Impulses on the second link of each joint, and that of the contact, if the impact is shown. */
+/** Impulses on the second link of each joint, and that of the contact, if the impact is shown; of an impact in time, the forces at the
+ * displayed moment, each in the direction of its impulse. */
 export function impulses(radius: number) {
   const found = store.answers.results.impact;
   if (!store.answers.isShown('impact') || !found || !('ok' in found) || !store.answers.isFresh()) return [];
-  const { reactions, impulse } = found.ok;
+  const { reactions, impulse, in_time: time } = found.ok;
+  const moment = time ? store.answers.momentOf(time) : 0;
   const vector = (r: (typeof reactions)[number]) => r.force.reduce((sum, f, k) => sum.addScaledVector(new Vector3(...r.axes_world[k]), f ?? 0), new Vector3());
-  const all = reactions.map((r) => ({ at: new Vector3(...r.point_world), by: vector(r), name: r.name, on: r.on ?? 'ground' }));
+  const all = reactions.flatMap((r) => {
+    const bearing = time?.bearings.find((b) => b.name === r.name && b.place === r.place);
+    if (time && !bearing) return [];
+    const by = vector(r);
+    return [{ at: new Vector3(...r.point_world), by: bearing ? by.normalize() : by, size: bearing?.force[moment] ?? by.length(), most: bearing?.peak_force ?? by.length(), name: r.name, on: r.on ?? 'ground' }];
+  });
   const { point_world, normal_world, link } = store.posed!.report.contact;
-  all.push({ at: new Vector3(...point_world), by: new Vector3(...normal_world).multiplyScalar(-impulse), name: 'contact', on: link });
-  const largest = Math.max(1e-12, ...all.map(({ by }) => by.length()));
-  return all.filter(({ by }) => by.length() > SMALL_IMPULSE * largest).map(({ at, by, name, on }) => ({
-    at, by: by.clone().multiplyScalar((LONGEST_IMPULSE * radius) / largest), title: `${name}: ${by.length().toPrecision(3)} N·s on ${on}`,
+  all.push({
+    at: new Vector3(...point_world), by: new Vector3(...normal_world).negate(), size: time?.force[moment] ?? impulse, most: time?.peak_force ?? impulse, name: 'contact', on: link,
+  });
+  const largest = Math.max(1e-12, ...all.map(({ most }) => most));
+  return all.filter(({ size }) => size > SMALL_IMPULSE * largest).map(({ at, by, size, name, on }) => ({
+    at, by: by.clone().setLength((LONGEST_IMPULSE * radius * size) / largest), title: `${name}: ${size.toPrecision(3)} ${time ? 'N' : 'N·s'} on ${on}`,
   }));
 }
 

@@ -15,6 +15,13 @@ export function element<K extends keyof SVGElementTagNameMap>(
   return made;
 }
 
+/** Children of a group, as many as asked for: a drawing changes them, which is faster than new ones. */
+function reuse<K extends keyof SVGElementTagNameMap>(group: SVGGElement, name: K, count: number): SVGElementTagNameMap[K][] {
+  while (group.children.length > count) group.lastChild!.remove();
+  while (group.children.length < count) element(name, {}, group);
+  return [...group.children] as SVGElementTagNameMap[K][];
+}
+
 export interface Mark { name: string; at: Vector3; isMoved: boolean }
 /** `reach`: nearest drawn point of the contact link; `far`: other end of its line or cable. */
 export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; far?: Vector3; label: string; isStale: boolean }
@@ -25,6 +32,11 @@ export interface Wire { points: Vector3[]; colour: string; isThin: boolean }
 /** In a view below this width, the buttons are in a row at the bottom of this height, pixels. */
 const NARROW = 600;
 const BUTTONS = 48;
+/** Distance of a name from its point, and height of a line of text, pixels. */
+const NAME_GAP = 10;
+const NAME_HEIGHT = 15;
+/** Places of a name in the order of preference: side of its point, and lines below it. */
+const NAME_PLACES = [[1, 0], [-1, 0], [1, -1], [1, 1], [-1, -1], [-1, 1]];
 const ARROW = 74;
 const HEAD = 15;
 /** A label of a scale: lengths of bars, m. */
@@ -39,6 +51,7 @@ export class Overlay {
   private impulses: SVGGElement;
   private contact: SVGGElement;
   private label: SVGGElement;
+  private names: SVGGElement;
   private axes: SVGGElement;
   private scale: SVGGElement;
   /** Size of the view, pixels: reading it from the page would compute the layout once more for each drawing. */
@@ -58,6 +71,7 @@ export class Overlay {
     this.directions = group('directions');
     this.impulses = group('impulses');
     this.points = group('points');
+    this.names = group('names');
     this.contact = group('contact');
     this.label = group('label');
     this.axes = group('axes');
@@ -72,28 +86,50 @@ export class Overlay {
   }
 
   drawWires(cameras: Cameras, wires: Wire[]) {
-    this.wires.replaceChildren(...wires.map(({ points, colour, isThin }) => {
+    const lines = reuse(this.wires, 'path', wires.length);
+    wires.forEach(({ points, colour, isThin }, i) => {
       const path = points.map((point) => {
         const { x, y } = cameras.project(point);
         return `${x.toFixed(1)} ${y.toFixed(1)}`;
       });
-      const line = element('path', { d: `M${path.join('L')}`, class: isThin ? 'thin' : '' });
-      line.style.stroke = colour;
-      return line;
-    }));
+      lines[i].setAttribute('d', `M${path.join('L')}`);
+      lines[i].setAttribute('class', isThin ? 'thin' : '');
+      lines[i].style.stroke = colour;
+    });
   }
 
   drawPoints(cameras: Cameras, marks: Mark[], selected: string | undefined) {
-    const circles = [...this.points.children] as SVGCircleElement[];
+    const circles = reuse(this.points, 'circle', marks.length);
     marks.forEach((mark, i) => {
-      const circle = circles[i] ?? element('circle', { r: 5 }, this.points);
+      const circle = circles[i];
+      circle.setAttribute('r', '5');
       const { x, y, visible } = cameras.project(mark.at);
       circle.setAttribute('cx', x.toFixed(1));
       circle.setAttribute('cy', y.toFixed(1));
       circle.setAttribute('class', `${mark.isMoved ? 'moved' : ''} ${mark.name === selected ? 'selected' : ''} ${visible ? '' : 'hidden'}`);
       circle.dataset.point = mark.name;
     });
-    circles.slice(marks.length).forEach((circle) => circle.remove());
+  }
+
+  /** Names at points, the first before the later ones; a name that would cover another one is left out. */
+  drawNames(cameras: Cameras, names: { at: Vector3; text: string }[]) {
+    const taken: [number, number, number][] = [];
+    const shown = names.flatMap(({ at, text }) => {
+      const point = cameras.project(at);
+      const width = 6.6 * text.length;
+      const places = NAME_PLACES.map(([side, lines]) => [point.x + (side > 0 ? NAME_GAP : -NAME_GAP - width), point.y + lines * NAME_HEIGHT]);
+      const free = places.find(([x, y]) => x > 0 && x + width < this.width && !taken.some(([left, right, height]) => x < right && x + width > left && Math.abs(y - height) < NAME_HEIGHT));
+      if (!point.visible || !free) return [];
+      const [x, y] = free;
+      taken.push([x, x + width, y]);
+      return [{ x, y, text }];
+    });
+    const texts = reuse(this.names, 'text', shown.length);
+    shown.forEach(({ x, y, text }, i) => {
+      texts[i].setAttribute('x', x.toFixed(1));
+      texts[i].setAttribute('y', (y + 4).toFixed(1));
+      if (texts[i].textContent !== text) texts[i].textContent = text;
+    });
   }
 
   drawMotion(cameras: Cameras, arrows: { at: Vector3; by: Vector3 }[]) {
@@ -205,16 +241,16 @@ export class Overlay {
     this.label.replaceChildren(...parts, group);
   }
 
-  /** Directions of the axes, which change only with the camera. */
-  drawAxes(cameras: Cameras) {
+  /** Directions of the axes, which change only with the camera. `signs`: directions along the axes of the world. */
+  drawAxes(cameras: Cameras, signs: readonly number[]) {
     const { bottom } = this;
     const [cx, cy] = [44, bottom - 76];
     const turn = cameras.camera.matrixWorldInverse;
-    const key = `${bottom} ${turn.elements.slice(0, 11).join()}`;
+    const key = `${bottom} ${signs.join()} ${turn.elements.slice(0, 11).join()}`;
     if (key === this.drawnAxes) return;
     this.drawnAxes = key;
     const parts = (['x', 'y', 'z'] as const).flatMap((name, i) => {
-      const v = new Vector3(...[0, 1, 2].map((k) => (k === i ? 1 : 0))).transformDirection(turn);
+      const v = new Vector3(...[0, 1, 2].map((k) => (k === i ? signs[i] : 0))).transformDirection(turn);
       if (Math.hypot(v.x, v.y) < 0.15) return [];
       const [x, y] = [cx + 26 * v.x, cy - 26 * v.y];
       const text = element('text', { x: cx + 36 * v.x, y: cy - 36 * v.y + 4, 'text-anchor': 'middle' });

@@ -45,6 +45,9 @@ export function outline(scene: Scene, frames: number[], shapes: (Float32Array | 
   return points.length ? points : [new Vector3(-1, -1, -1), new Vector3(1, 1, 1)];
 }
 
+/** Colours of the kept variants, on light and dark ground. */
+export const VARIANTS = ['#0b78b8', '#00936b', '#c0609a', '#a87900', '#3f9fd8', '#8a63d2', '#947243', '#6b7785'];
+
 const RAMP = ['#c3ced9', '#e3b98d', '#e08a3c', '#b83a0f'].map((c) => new Color(c));
 
 /** Colour of a share, 0 to 1 of the largest share. */

@@ -2,7 +2,7 @@
 
 import { AmbientLight, DirectionalLight, GridHelper, HemisphereLight, Line3, Matrix4, Raycaster, Scene as Stage, Vector3, WebGLRenderer } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
-import { mass, signed } from '../model/numbers';
+import { fixed, mass, signed, words } from '../model/numbers';
 import { driversOf } from '../model/drivers';
 import { store } from '../model/store';
 import { Bodies } from './bodies';
@@ -14,6 +14,8 @@ import { decodeShape, facetsOf, frame, intoLink, outline, pointAt, rampColour } 
 
 /** Nearest distance to a mark that counts as a hit, pixels: mouse and finger. */
 const REACH = { mouse: 12, touch: 24 };
+/** Radius of the dot of the contact, pixels. */
+const DOT = 6;
 /** Movement that makes a press a drag, pixels. */
 const SLOP = 4;
 /** Step of a dragged hardpoint, m. */
@@ -23,6 +25,8 @@ const SNAP_ANGLE = 0.1;
 
 /** Space for the arrow of the contact, as a part of the radius of the scene. */
 const ARROW_ROOM = 0.25;
+/** Share of m̄ from which a link is named. */
+const LEAST_SHARE = 0.003;
 const MOST_TIMES = 400;
 
 interface Drag {
@@ -186,7 +190,8 @@ export class View {
     }
     const step = 10 ** Math.floor(Math.log10(this.radius));
     const half = Math.ceil((2.2 * this.radius) / step) * step;
-    this.grid = new GridHelper(2 * half, Math.round((2 * half) / step), '#b8c1cc', '#dde2e8');
+    const isDark = matchMedia('(prefers-color-scheme: dark)').matches;
+    this.grid = new GridHelper(2 * half, Math.round((2 * half) / step), ...(isDark ? ['#48525e', '#2c343d'] : ['#b8c1cc', '#dde2e8']));
     this.grid.rotation.x = Math.PI / 2;
     const wheel = scene.wheels[0];
     const floor = wheel ? pointAt(scene.design, wheel.link, wheel.centre).z - wheel.radius : this.centre.z - 0.75 * this.radius;
@@ -227,17 +232,15 @@ export class View {
     const colours = byShare ? scene.links.map((_, i) => rampColour((shares![i] ?? 0) / most)) : null;
     bodies.colour(colours, undefined);
     this.colourMap();
-    const variant = store.variants.at(-1);
-    bodies.outlines(store.showsDesign, variant && variant.study !== store.answered ? variant : undefined);
+    bodies.outlines(store.showsDesign, store.variants.filter((v) => v.study !== store.answered));
     this.renderer?.render(this.stage, this.cameras.camera);
     // Only after the new bodies exist: shader programs without users are deleted and would be compiled again.
     former?.dispose();
-    if (!this.webgl) {
-      this.overlay.drawWires(this.cameras, bodies.wires(frames, colours));
-    }
-    this.overlay.drawAxes(this.cameras);
+    this.overlay.drawWires(this.cameras, bodies.wires(frames, colours, !this.webgl));
+    this.overlay.drawAxes(this.cameras, store.axes);
     this.overlay.drawScale(this.cameras, this.centre, store.view !== '3d');
     this.overlay.drawPoints(this.cameras, store.showsPoints ? this.marks() : [], store.selected);
+    this.overlay.drawNames(this.cameras, store.showsNames && posed && !problem ? this.names(frames) : []);
     this.overlay.drawImpulses(this.cameras, problem ? [] : impulses(this.radius));
     this.overlay.drawDirections(this.cameras, posed ? new Vector3(...posed.report.contact.point_world) : this.centre, problem ? [] : directions(this.radius));
     this.overlay.drawMotion(this.cameras, store.showsMotion && posed && !problem ? this.motion(frames) : []);
@@ -273,11 +276,22 @@ export class View {
     return line && link >= 0 ? pointAt(frames, link, line.point) : undefined;
   }
 
+  /** Links with their shares, the largest first, at their centres of mass. */
+  private names(frames: number[]) {
+    const { scene, posed } = store;
+    return scene!.links.flatMap((link, i) => {
+      const share = posed!.report.bodies[i]?.share ?? 0;
+      return share >= LEAST_SHARE && link.com ? [{ share, at: pointAt(frames, i, link.com), text: `${words(link.name)} ${fixed(100 * share, share < 0.095 ? 1 : 0)} %` }] : [];
+    }).sort((a, b) => b.share - a.share);
+  }
+
+  /** Name of the contact; without a finite m̄, the outcome. */
   private value(): string {
     const { report } = store.posed!;
     if (report.status === 'immovable') return 'm̄ = ∞';
     if (report.status === 'massless') return `m̄ = 0 ${report.unit}`;
-    return `m̄ ${report.singular_pose ? '≥ ' : ''}${mass(report.effective_mass!, report.effective_mass_error)} ${report.unit}`;
+    const named = report.named_contact;
+    return named ? `${words(named.name)}${named.brought_to_touch ? ', at the touch' : ''}` : `m̄ ${mass(report.effective_mass!, report.effective_mass_error)} ${report.unit}`;
   }
 
   private marks(): Mark[] {
@@ -342,7 +356,8 @@ export class View {
     };
     if (store.posed) {
       if (this.tip) add('normal', 'normal', this.tip, -2);
-      add('contact', 'contact', new Vector3(...store.posed.report.contact.point_world), 1);
+      // The dot of the contact covers the ring of a hardpoint at the same place.
+      add('contact', 'contact', new Vector3(...store.posed.report.contact.point_world), -DOT);
     }
     if (store.showsPoints) for (const mark of this.marks()) add('point', mark.name, mark.at);
     return found.sort((a, b) => a.d - b.d)[0];
@@ -352,6 +367,7 @@ export class View {
     if (event.button !== 0 || !store.frames) return;
     const { x, y } = this.at(event);
     this.press = { x, y };
+    if (store.choosing) return;
     const hit: { what: Drag['what']; name: string; pull?: Pull } | undefined = this.hit(x, y, event.pointerType) ?? this.linkAt(x, y);
     if (!hit) return;
     // Otherwise the camera would turn as well.
@@ -403,7 +419,7 @@ export class View {
 
   private hover(hit: { what: string; name: string } | undefined) {
     const name = hit?.what === 'point' ? hit.name : undefined;
-    this.element.style.cursor = hit ? 'grab' : '';
+    this.element.style.cursor = store.choosing ? 'crosshair' : hit ? 'grab' : '';
     if (name !== this.hovered) {
       this.hovered = name;
       this.invalidate();
@@ -506,6 +522,12 @@ export class View {
         this.pickAt(at.x, at.y);
       } else if (drag.what === 'point' && !drag.hadProblem) void store.finishAnswered(drag.moved, label);
       else store.finish(drag.moved, label);
+    } else if (isClick && store.choosing) {
+      const found = this.bodies && this.cast(at.x, at.y);
+      if (found && found.link !== store.scene!.root) {
+        store.choosing = false;
+        this.contactAt(found.link, found.at, found.normal);
+      }
     } else if (isClick && this.bodies && !this.hit(at.x, at.y, event.pointerType)) {
       this.pickAt(at.x, at.y);
     }
@@ -568,9 +590,9 @@ export class View {
   }
 
   state() {
-    const { scene, frames, problem, study, answers, ends, variation, drivers } = store;
+    const { scene, frames, problem, study, answers, ends, variation, drivers, curve } = store;
     return {
-      scene, frames, study, ends, variation, problem: problem?.message, memory: store.engine?.memory,
+      scene, frames, study, curve, ends, variation, problem: problem?.message, memory: store.engine?.memory,
       values: Object.fromEntries(drivers.map((driver) => [driver.name, store.positionOf(driver)])),
       results: { ...answers.results, map: undefined },
     };
