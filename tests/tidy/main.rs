@@ -68,7 +68,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ),
     ("percuss-dynamics", &["percuss-spatial", "percuss-kernel", "percuss-mechanism"]),
     ("percuss-generate", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
-    ("percuss-impact", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
+    ("percuss-impact", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics", "percuss-contact"]),
     ("percuss-contact", &[]),
     ("percuss-render", &[]),
     ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),

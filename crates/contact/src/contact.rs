@@ -222,3 +222,81 @@ impl StiffnessLaw<'_> {
         }
     }
 }
+
+/// Largest force at rest relative to the largest of the points: rounding of the interpolation.
+const AT_REST: f64 = 1e-12;
+
+/// Force curve of a damper: points of speed and force, linear between the points. Beyond the first and the last point the last slope
+/// continues. Speed and force are positive in rebound (the damper gets longer, the force resists).
+#[derive(Clone, Debug, PartialEq)]
+pub struct DamperCurve {
+    speeds: Vec<f64>,
+    forces: Vec<f64>,
+}
+
+impl DamperCurve {
+    /// Creates a curve from increasing speeds (m/s) and the force (N) at each. A force never drives the motion: it has the sign of its speed.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Curve`]: lists of different lengths or of less than two numbers, speeds that do not increase, a force with the sign
+    /// against its speed, infinite numbers.
+    pub fn new(speeds: Vec<f64>, forces: Vec<f64>) -> Result<Self, ContactLawError> {
+        let refuse = |why: String| Err(ContactLawError::Curve { why });
+        let (v, f) = (&speeds, &forces);
+        if v.len() != f.len() || v.len() < 2 {
+            return refuse(format!(
+                "{} speeds and {} forces are given; expected two lists of the same length, at least 2",
+                v.len(),
+                f.len()
+            ));
+        }
+        if let Some(number) = v.iter().chain(f).find(|number| !number.is_finite()) {
+            return refuse(format!("{number} is given; finite numbers are expected"));
+        }
+        if let Some(pair) = v.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return refuse(format!(
+                "a speed of {} m/s follows {} m/s; expected increasing speeds",
+                pair[1], pair[0]
+            ));
+        }
+        if let Some((v, f)) = v.iter().zip(f).find(|(v, f)| **v * **f < 0.0) {
+            return refuse(format!(
+                "the force {f} N at the speed {v} m/s drives the motion; expected the same signs: positive in rebound"
+            ));
+        }
+        let largest = f.iter().fold(0.0f64, |most, force| most.max(force.abs()));
+        let curve = Self { speeds, forces };
+        let at_rest = curve.force(0.0);
+        if at_rest.abs() > AT_REST * largest {
+            return refuse(format!(
+                "the force is {at_rest} N at rest; expected a curve through 0 m/s and 0 N"
+            ));
+        }
+        Ok(curve)
+    }
+
+    /// Linear damper with the damping c, N·s/m.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Curve`]: negative or infinite.
+    pub fn linear(damping: f64) -> Result<Self, ContactLawError> {
+        Self::new(vec![0.0, 1.0], vec![0.0, damping])
+    }
+
+    /// Force (N) at a speed (m/s).
+    pub fn force(&self, speed: f64) -> f64 {
+        let (v, f) = (&self.speeds, &self.forces);
+        let i = v.partition_point(|x| *x <= speed).clamp(1, v.len() - 1);
+        f[i] + (speed - v[i]) * (f[i] - f[i - 1]) / (v[i] - v[i - 1])
+    }
+
+    /// Speeds of the points, m/s.
+    pub fn speeds(&self) -> &[f64] {
+        &self.speeds
+    }
+
+    /// Forces of the points, N.
+    pub fn forces(&self) -> &[f64] {
+        &self.forces
+    }
+}

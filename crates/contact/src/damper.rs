@@ -215,7 +215,7 @@ impl Damper {
         };
         let force = |x: f64, rate: f64| self.force(contact, x, rate);
         let (step, ends_at_zero_force) = (step_on_curve(contact, speed)?, self.ends_at_zero_force());
-        Ok(result(&Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside: 0.0 }))
+        Ok(result(&Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside: &|_, _| 0.0 }))
     }
 
     /// Dimensionless motion of an impact on the contact at the speed; not for a linear damper beside a force curve.

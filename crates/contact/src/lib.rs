@@ -28,7 +28,7 @@ mod trajectory;
 mod transient_contact;
 mod varying_mass;
 
-pub use contact::{CompliantContact, ForceCurve, StiffnessLaw};
+pub use contact::{CompliantContact, DamperCurve, ForceCurve, StiffnessLaw};
 pub use damper::Damper;
 pub use error::{ContactLawError, LawParameter};
 pub use impact::{Impact, Sample};
@@ -38,6 +38,6 @@ pub use solutions::{hunt_crossley, kelvin_voigt};
 pub use stepping::VaryingMassImpact;
 pub use transient_contact::{BodyRegion, SafeSpeed, TransientContact, standard_robot_mass};
 pub use varying_mass::{
-    history_with_varying_mass, impact_with_varying_mass, restitution_beside_spring,
+    history_with_varying_mass, impact_with_varying_mass, restitution_beside_forces,
     restitution_with_prescribed_acceleration,
 };

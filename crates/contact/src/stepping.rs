@@ -39,8 +39,8 @@ pub(crate) struct Stepping<'a> {
     pub step: f64,
     /// Approach speed, m/s.
     pub speed: f64,
-    /// Rate k of a spring beside the contact, without force at the touch, N/m.
-    pub beside: f64,
+    /// Force beside the contact over penetration and rate, N; positive against the penetration.
+    pub beside: &'a dyn Fn(f64, f64) -> f64,
 }
 
 /// Step on a force curve, s: a part of the half period of a linear spring with this penetration.
@@ -59,7 +59,7 @@ impl Stepping<'_> {
         let mass = |x: f64| interpolate(profile, x);
         let rates = |(x, w): (f64, f64)| {
             let root = mass(x).sqrt();
-            (w / root, -((self.force)(x, w / root) + self.beside * x) / root)
+            (w / root, -((self.force)(x, w / root) + (self.beside)(x, w / root)) / root)
         };
         let rate = |(x, w): (f64, f64)| w / mass(x).sqrt();
         let mut state = (0.0, mass(0.0).sqrt() * self.speed);

@@ -26,7 +26,7 @@ pub fn impact_with_varying_mass(
     profile: &[(f64, f64)],
     speed: f64,
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
-    integrate(damper, contact, profile, speed, 0.0, |_| ())
+    integrate(damper, contact, profile, speed, &|_, _| 0.0, |_| ())
 }
 
 /// Motion of an impact with an effective mass that changes over the penetration, at every step of the integration: time,
@@ -42,35 +42,34 @@ pub fn history_with_varying_mass(
     speed: f64,
 ) -> Result<Option<Vec<Sample>>, ContactLawError> {
     let mut samples = Vec::new();
-    let ended = integrate(damper, contact, profile, speed, 0.0, |sample| samples.push(sample))?;
+    let ended = integrate(damper, contact, profile, speed, &|_, _| 0.0, |sample| samples.push(sample))?;
     Ok(ended.map(|_| samples))
 }
 
-/// Restitution of the impact with the constant mass of the contact and a spring of the rate `rate` (N/m) beside the contact, which has no force
-/// at the touch; at the closed gap. `None`: the contact does not end.
+/// Restitution of the impact with the constant mass of the contact and other forces beside it, such as springs and dampers; at the closed gap.
+/// `beside`: their force (N), positive against the penetration, over penetration (m) and rate (m/s). `None`: the contact does not end.
 ///
 /// # Errors
-/// As for [`Damper::impact`]; a rate that is not a finite number above zero.
-pub fn restitution_beside_spring(
+/// As for [`Damper::impact`].
+pub fn restitution_beside_forces(
     damper: Damper,
     contact: CompliantContact,
     speed: f64,
-    rate: f64,
+    beside: &dyn Fn(f64, f64) -> f64,
 ) -> Result<Option<f64>, ContactLawError> {
-    let rate = positive("rate of the spring, N/m", rate)?;
     let profile = [(0.0, contact.mass()), (1.0, contact.mass())];
-    let found = integrate(damper, contact, &profile, speed, rate, |_| ())?;
+    let found = integrate(damper, contact, &profile, speed, beside, |_| ())?;
     Ok(found.map(|found| found.restitution))
 }
 
-/// Integrates the impact and passes the state at the touch, after every step and at the end to `record`. `beside`: rate of a spring beside the
-/// contact, N/m.
+/// Integrates the impact and passes the state at the touch, after every step and at the end to `record`. `beside`: force beside the
+/// contact, N.
 fn integrate(
     damper: Damper,
     contact: CompliantContact,
     profile: &[(f64, f64)],
     speed: f64,
-    beside: f64,
+    beside: &dyn Fn(f64, f64) -> f64,
     record: impl FnMut(Sample),
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
     let speed = positive(LawParameter::Speed, speed)?;

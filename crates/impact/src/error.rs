@@ -110,7 +110,8 @@ pub enum ImpactError {
     /// A number of a spring is out of range.
     #[error(
         "joint \"{joint}\": a spring with the stiffness {stiffness} (N·m/rad or N/m), the damping {damping} (N·m·s/rad or \
-         N·s/m) and the free position {free_position} (rad or m); expected finite numbers, the first two of at least 0"
+         N·s/m), the free position {free_position} (rad or m) and the drive {drive} (N·m or N); expected finite numbers, the first two of at \
+         least 0"
     )]
     Spring {
         /// The joint.
@@ -121,16 +122,21 @@ pub enum ImpactError {
         damping: f64,
         /// Position without force, rad or m.
         free_position: f64,
+        /// Force or moment of the drive, N·m or N.
+        drive: f64,
     },
     /// A number of a spring between points is out of range.
     #[error(
-        "a spring between points with the rate {rate} N/m and the free length {free_length} m; expected finite numbers of at least 0"
+        "a spring between points with the rate {rate} N/m, the free length {free_length} m and the drive {drive} N; expected finite numbers, the \
+         first two of at least 0"
     )]
     PointSpring {
         /// Rate, N/m.
         rate: f64,
         /// Length without force, m.
         free_length: f64,
+        /// Force of the drive, N.
+        drive: f64,
     },
     /// The motion of an impact in time leads to a pose without a contact normal, or out of the range of numbers.
     #[error(

@@ -55,6 +55,7 @@ pub use ranges::reflected_range::{
     RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over, reflected_inertia_over_with,
 };
 pub use reactions::bearing::Bearing;
+pub use reactions::force_elements::{JointSpring, PointSpring};
 pub use reactions::reaction::{
     Component, DriveImpulse, JointConstraint, JointConstraintReaction, JointReaction, Reaction, Reactions,
 };
@@ -69,7 +70,7 @@ pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::conditions::{JointSpring, PointSpring, TimeConditions};
+pub use time::conditions::TimeConditions;
 pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 pub use time::impact_in_time::impact_in_time;
 pub use time::motion_forces::forces_of_motion;

@@ -104,7 +104,8 @@ pub use reports::impact::extremes::{
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::in_time::{
-    BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, PointSpringRecord,
+    BearingForceRecord, DriveRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, PointDamperRecord,
+    PointSpringRecord,
 };
 pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::reactions::{
@@ -123,12 +124,11 @@ pub use reports::impact::simultaneous::{
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::errors::KinematicsError;
 pub use reports::kinematics::report::{KinematicColumn, KinematicsReport, KinematicsRow, kinematics};
-pub use reports::kinematics::target_search::{
-    FoundCoordinate, KinematicTarget, ReachedTarget, TargetReport, TargetSearch, UnknownCoordinate,
-    search_targets,
-};
+pub use reports::kinematics::target_question::{KinematicTarget, SearchUnknown, TargetSearch};
+pub use reports::kinematics::target_search::{FoundCoordinate, ReachedTarget, TargetReport, search_targets};
 pub use reports::mass_report::{
-    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
+    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, OtherBaseRecord, RotorShare,
+    TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
@@ -154,7 +154,7 @@ pub use values::drives::{GivenGearLimits, GivenSpring};
 pub use values::force_curve::{ForceCurveRecord, GivenCurve};
 #[cfg(feature = "flags")]
 pub use values::named::point_shift;
-pub use values::point_spring::GivenPointSpring;
+pub use values::point_force::{GivenDrive, GivenPointDamper, GivenPointSpring};
 pub use values::position::GivenPosition;
 pub use values::quantities::{
     Area, Energy, Force, Length, LinkPoint, Mass, Moments, Momentum, Plain, Point, PositiveMass, Pressure,

@@ -1,6 +1,7 @@
-//! Forces of springs and stops as given in a sheet. They have no influence on the mechanism.
+//! Forces of springs, dampers and stops as given in a sheet. They have no influence on the mechanism.
 
-use percuss_contact::ForceCurve;
+use percuss_contact::{DamperCurve, ForceCurve};
+use std::sync::Arc;
 
 /// Spring with a constant rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +17,8 @@ pub struct SpringForce {
 pub struct ForceElements {
     /// Springs.
     pub springs: Vec<(String, SpringForce)>,
+    /// Dampers: force over the speed of their length, positive in rebound.
+    pub dampers: Vec<(String, Arc<DamperCurve>)>,
     /// Stops: force over the compression after the touch.
     pub stops: Vec<(String, ForceCurve)>,
 }

@@ -6,8 +6,8 @@ use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT, POSE};
 use percuss_study::{
-    KinematicTarget, KinematicVariable, KinematicsQuestion, Length, TargetSearch, UnknownCoordinate,
-    VehicleData, WheelMotion,
+    KinematicTarget, KinematicVariable, KinematicsQuestion, Length, SearchUnknown, TargetSearch, VehicleData,
+    WheelMotion,
 };
 
 /// Heading of the search for coordinates.
@@ -33,13 +33,16 @@ pub struct KinematicsArgs {
     pub steer: Option<String>,
     #[command(flatten)]
     pub vehicle: VehicleData,
-    /// Search the coordinate of a hardpoint, x, y or z in the axes of the sheet: rocker_back.z.
+    /// Search a coordinate of a hardpoint or a mass: rocker_back.z, upright.mass.
+    ///
+    /// POINT.AXIS: x, y or z in the axes of the sheet. LINK.mass: the mass of a link, by at most half; its moments of inertia change in
+    /// proportion.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
-    pub solve: Vec<UnknownCoordinate>,
+    pub solve: Vec<SearchUnknown>,
     /// Required value of a quantity: spring.motion_ratio=0.75, caster=4deg; as many as --solve.
     ///
     /// A quantity of a spring, damper or stop names it: bump_stop.motion_ratio, bump_stop_left.motion_ratio; the same as the column
-    /// motion_ratio_bump_stop.
+    /// motion_ratio_bump_stop. bump_stop.mass is the effective mass at the touch of the stop, and so for every named contact.
     #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
     /// Largest change of each coordinate.

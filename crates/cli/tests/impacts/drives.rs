@@ -181,3 +181,94 @@ fn errors_of_a_base_twist_name_it() {
     let stop = format!("{ARM} --speed 1 --sticking --also elbow:upper");
     refused(&stop, &["--sticking: the stop of a joint"]);
 }
+
+/// Block on a slide against a linear stop, pushed by a constant drive: ½ m v² + F x = ½ k x² at the largest penetration x, and the effective
+/// weight of absorber catalogues is m + 2 F x/v². The drive is the same as a force between two points, and its work is in the energy balance.
+#[test]
+fn drives_push_during_the_stop() {
+    let scratch = Scratch::new("drives-push");
+    let model = scratch.write(
+        "block.urdf",
+        "<robot name=\"r\"><link name=\"rail\"/><link name=\"block\"><inertial><mass value=\"36\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" \
+         ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint name=\"slide\" type=\"prismatic\"><parent link=\"rail\"/><child \
+         link=\"block\"/><axis xyz=\"1 0 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"0\" velocity=\"0\"/></joint></robot>",
+    );
+    for (speed, force, stiffness) in [(1.5, 400.0, 2e5), (0.4, 2500.0, 8e4), (2.0, -300.0, 1e6)] {
+        let run = |drive: &str| {
+            json(&format!(
+                "impact {model} --link block --point 0,0,0 --normal 1,0,0 --speed {speed} --restitution 1 --stiffness {stiffness} --in-time \
+                 --drive {drive} --format json"
+            ))
+        };
+        let x = (force + f64::sqrt(force * force + 36.0 * speed * speed * stiffness)) / stiffness;
+        let weight = 36.0 + 2.0 * force * x / (speed * speed);
+        for drive in [format!("slide={force}N"), format!("rail:-0.5,0,0=block={force}")] {
+            let report = run(&drive);
+            let found = &report["in_time"];
+            // The tolerance of the steps.
+            assert!((number(&found["max_penetration"]) / x - 1.0).abs() < 1e-7, "{drive}: {found}");
+            // The parabola through three of about a hundred samples of half a sine: (π/100)³/15.
+            assert!(
+                (number(&found["effective_weight"]) / weight - 1.0).abs() < 1e-5,
+                "{drive}: {weight} {found}"
+            );
+            assert!(number(&found["energy"]["residual"]).abs() < 1e-7, "{drive}: {found}");
+        }
+    }
+    let line = format!(
+        "impact {model} --link block --point 0,0,0 --normal 1,0,0 --speed 1 --restitution 0.5 --stiffness 1e5"
+    );
+    for (flags, words) in [
+        ("--in-time --drive slide=40N·m", &["--drive", "slide", "N"][..]),
+        ("--in-time --drive slid=40", &["--drive", "slid"]),
+        ("--in-time --drive slide=40=3=2", &["--drive", "JOINT=TORQUE"]),
+        ("--in-time --damper rail=block=-5", &["--damper", "sign"]),
+        ("--in-time --damper rail=block=0:10,1:20", &["--damper", "at rest"]),
+        ("--in-time --damper rail=blok=5", &["--damper", "blok"]),
+        ("--drive slide=40", &["--in-time"]),
+    ] {
+        refused(&format!("{line} {flags}"), words);
+    }
+}
+
+/// The damper of a sheet acts as the same damper between its ends, and can be left out; `damp` warns about it.
+#[test]
+fn dampers_of_the_sheet_act() {
+    let scratch = Scratch::new("drives-damper");
+    let sheet =
+        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
+    let plain = scratch.write("plain.toml", &sheet);
+    let line = "--at bump_stop --speed 1 --restitution 0.3 --stiffness 100N/mm";
+    let restitution = |path: &str, flags: &str| {
+        let report = json(&format!("impact {path} {line} --in-time {flags} --format json"));
+        number(&report["in_time"]["restitution"])
+    };
+    let none = restitution(&plain, "--springs none");
+    for (keys, flag) in [
+        ("damping = \"1500 N·s/m\"", "1500"),
+        (
+            "speeds = [-1.0, \"-200 mm/s\", 0, 0.1, 0.5]\nforces = [-900, -300, 0, 250, \"0.9 kN\"]",
+            "-1:-900,-0.2:-300,0:0,0.1:250,0.5:900",
+        ),
+    ] {
+        let own = sheet.replacen("[damper]", &format!("[damper]\n{keys}"), 1);
+        let own = if own == sheet { format!("{sheet}\n[damper]\n{keys}\n") } else { own };
+        let car = scratch.write("car.toml", &own);
+        let of_sheet = restitution(&car, "");
+        let given = restitution(&plain, &format!("--damper damper_seat=damper_chassis_seat={flag}"));
+        // The same equations in another order of forces.
+        assert!((of_sheet - given).abs() < 1e-9, "{keys}: {of_sheet} {given}");
+        assert!((restitution(&car, "--springs none") - none).abs() < 1e-12, "{keys}");
+        assert!(of_sheet < none - 0.01, "{keys}: {of_sheet} {none}");
+        let warned = percuss(&format!("damp --mass-from {car} {line}"));
+        assert!(warned.stderr.contains("springs and dampers of the sheet act"), "{}", warned.stderr);
+    }
+    for keys in
+        ["speeds = [0, 1]", "damping = 1500", "speeds = [0, 1]\nforces = [0, -5]", "damping = \"-3 N·s/m\""]
+    {
+        let own = sheet.replacen("[damper]", &format!("[damper]\n{keys}"), 1);
+        let own = if own == sheet { format!("{sheet}\n[damper]\n{keys}\n") } else { own };
+        let car = scratch.write("car.toml", &own);
+        refused(&format!("mass {car} --at bump_stop"), &["damper."]);
+    }
+}

@@ -265,3 +265,76 @@ fn a_required_value_names_its_contact() {
         words.iter().for_each(|word| assert!(told.contains(word), "{required}: {word} is not in {told}"));
     }
 }
+
+/// m̄ at the touch of a stop is a target, by hardpoints and by masses of links.
+#[test]
+fn planted_masses_are_found() {
+    let folder = Scratch::new("search-masses");
+    let mass = |changes: &[&str]| -> f64 {
+        let words = [&["mass", "car.toml", "--at", "bump_stop", "--format", "json"], changes].concat();
+        let report: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
+        report["effective_mass"].as_f64().expect("a mass")
+    };
+    for (template, unknown, change) in [
+        ("double-wishbone", "upright.mass", ["--link-mass", "upright=4.1kg"]),
+        ("double-wishbone", "bump_stop_pad.y", ["--move", "bump_stop_pad=0,6mm,0"]),
+        ("multi-link", "spindle.mass", ["--link-mass", "spindle=5.5kg"]),
+    ] {
+        folder.write("car.toml", &done(&folder, &["template", template]));
+        let target = mass(&change);
+        let value = format!("bump_stop.mass={target}kg");
+        let report = search(&folder, &["--solve", unknown, "--for", &value]);
+        assert_eq!(report["is_reached"], true, "{report}");
+        let found = &report["coordinates"][0];
+        let new = found["new"].as_f64().expect("a number");
+        let again = match unknown.strip_suffix(".mass") {
+            Some(link) => mass(&["--link-mass", &format!("{link}={new}kg")]),
+            None => {
+                let by = new - found["old"].as_f64().expect("a number");
+                mass(&["--move", &format!("bump_stop_pad=0,{by}mm,0")])
+            }
+        };
+        // The accuracy of the search: 1e-8 of 1 kg.
+        assert!((again - target).abs() < 1e-7, "{template} {unknown}: {again} {target}");
+    }
+    let refused = |words: &[&str], expected: &str| {
+        let outcome = run(&folder, &[&["kinematics", "car.toml"], words].concat());
+        assert_eq!(outcome.code, 2, "{}", outcome.stdout);
+        assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
+    };
+    refused(&["--solve", "uprigt.mass", "--for", "bump_stop.mass=100kg"], "did you mean \"upright\"");
+    refused(&["--solve", "upright.mass", "--for", "bump_stop.mass=100kg", "-o", "new.toml"], "--output");
+    refused(&["--solve", "upright.mass", "--for", "bumpstop.mass=100kg"], "mass_bumpstop");
+}
+
+/// With the mass of the chassis, both kinds of base are stated, each as when it is asked for.
+#[test]
+fn both_bases_are_stated() {
+    let folder = Scratch::new("search-bases");
+    for template in ["double-wishbone", "macpherson-strut", "semi-trailing-arm", "five-link"] {
+        let sheet = done(&folder, &["template", template]);
+        folder.write(
+            "car.toml",
+            &format!("{sheet}\n[chassis]\nmass = 400\ncom = [0, 0, 400]\ninertia = [40, 200, 220]\n"),
+        );
+        let report = |base: &str| -> Value {
+            let words = ["mass", "car.toml", "--at", "bump_stop", "--base", base, "--format", "json"];
+            serde_json::from_str(&done(&folder, &words)).expect("JSON")
+        };
+        let [fixed, floating] = ["fixed", "floating"].map(report);
+        for (own, other, name) in [(&fixed, &floating, "floating"), (&floating, &fixed, "fixed")] {
+            assert_eq!(own["other_base"]["base"], name, "{template}");
+            assert_eq!(own["other_base"]["effective_mass"], other["effective_mass"], "{template}");
+            assert_eq!(
+                own["other_base"]["effective_mass_error"], other["effective_mass_error"],
+                "{template}"
+            );
+        }
+        let text = done(&folder, &["mass", "car.toml", "--at", "bump_stop"]);
+        assert!(text.contains("chassis free"), "{text}");
+    }
+    folder.write("car.toml", &done(&folder, &["template", "double-wishbone"]));
+    let words = ["mass", "car.toml", "--at", "bump_stop", "--format", "json"];
+    let report: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
+    assert!(report["other_base"].is_null(), "{report}");
+}

@@ -53,6 +53,7 @@ pub(crate) struct MultistepIntegrator {
     proposal: f64,
     /// True if the last extrapolated step agrees with a Runge-Kutta step: Runge-Kutta steps follow.
     is_smooth: bool,
+    has_kinks: bool,
     /// Weights of the rates at 0, −1, … steps from the state.
     predictor: [f64; ORDER],
     /// Weights of the rates at 1, 0, −1, … steps from the state.
@@ -69,10 +70,16 @@ impl MultistepIntegrator {
             tolerance,
             proposal: largest,
             is_smooth: false,
+            has_kinks: false,
             predictor: lagrange_integrals(1.0, 0.0),
             corrector: lagrange_integrals(1.0, 1.0),
             rates: VecDeque::from([rate]),
         }
+    }
+
+    /// Same integrator for rates with kinks: no step is taken without an estimate of its error.
+    pub fn with_kinks(self, has_kinks: bool) -> Self {
+        Self { has_kinks, ..self }
     }
 
     /// Rates at the last state.
@@ -104,7 +111,7 @@ impl MultistepIntegrator {
         let h = self.proposal.min(self.largest);
         let (next, taken, proposal) = controlled_step(f, y, h, self.tolerance);
         self.proposal = proposal;
-        self.is_smooth = taken == self.largest && self.rates.len() < ORDER && {
+        self.is_smooth = !self.has_kinks && taken == self.largest && self.rates.len() < ORDER && {
             let other = runge_kutta::step(f, y, self.rate(), taken);
             let error = |(a, b): (&f64, &f64)| (a - b).abs() / (1.0 + a.abs());
             next.iter().zip(&other).map(error).all(|error| error <= self.tolerance)

@@ -1,9 +1,10 @@
 //! Reactions at a pose: the parts that depend on the pose only, and the reactions to given loads.
 
 use crate::group_rows::GroupRows;
+use crate::reactions::force_elements::SpringForces;
 use crate::reactions::joint_constraints::JointConstraints;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-use crate::reactions::tree_frames::{SpringForces, TreeFrames, axes_along};
+use crate::reactions::tree_frames::{TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::{ClosureKind, LinkId};
@@ -283,7 +284,8 @@ impl ReactionMap {
     pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &SpringForces, rates: &[f64]) {
         let mut velocities = Vec::new();
         self.tree.joint_velocities(rates, &mut velocities);
-        self.tree.apply_springs(pose, springs, &velocities);
+        let base = self.tree.base_twist(rates);
+        self.tree.apply_springs(pose, springs, &velocities, base);
     }
 
     /// Frames and motion subspaces of the tree.

@@ -1,5 +1,6 @@
 //! Wrenches transmitted by the joints of the tree: motions from the root to the tips, then wrenches from the tips to the root.
 
+use crate::reactions::force_elements::SpringForces;
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{LocatedContact, Pose};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
@@ -89,20 +90,34 @@ impl TreeFrames {
         }
     }
 
-    /// Sets the forces of springs and dampers at the pose of the last update, with the velocities of all joints.
-    pub fn apply_springs(&mut self, pose: &Pose, springs: &SpringForces, velocities: &[f64]) {
+    /// Sets the forces of springs, dampers and drives at the pose of the last update, with the velocities of all joints and the twist of the
+    /// root.
+    pub fn apply_springs(
+        &mut self,
+        pose: &Pose,
+        springs: &SpringForces,
+        velocities: &[f64],
+        base: Twist<f64>,
+    ) {
         self.applied.fill(0.0);
         self.of_lines.clear();
-        for SpringOnLine { ends, rate, free_length } in &springs.lines {
+        let has_dampers = springs.lines.iter().any(|spring| spring.damper.is_some());
+        let twists = if has_dampers { self.link_twists(velocities, base) } else { Vec::new() };
+        for spring in &springs.lines {
+            let ends = &spring.ends;
             let [a, b] = ends.map(|(link, point)| self.frames[link.index()].point(&point));
             let length = (b - a).norm();
             // Points at the same place have no line.
-            let push = if length > 0.0 {
-                (b - a) * (rate * (free_length - length) / length)
-            } else {
-                Vector3::zeros()
-            };
-            for ((link, point), force) in ends.iter().zip([push, -push]) {
+            let line = if length > 0.0 { (b - a) / length } else { Vector3::zeros() };
+            let mut push = spring.rate * (spring.free_length.unwrap_or(length) - length) + spring.drive;
+            if let Some(damper) = &spring.damper {
+                let [va, vb] = ends.map(|(link, point)| {
+                    let twist = &twists[link.index()];
+                    self.frames[link.index()].vector(&(twist.linear + twist.angular.cross(&point)))
+                });
+                push -= damper.force(line.dot(&(vb - va)));
+            }
+            for ((link, point), force) in ends.iter().zip([line * push, line * -push]) {
                 let force = self.frames[link.index()].inverse_vector(&force);
                 self.of_lines.push((*link, Wrench::new(point.cross(&force), force)));
             }
@@ -110,8 +125,24 @@ impl TreeFrames {
         for spring in &springs.joints {
             let first = self.first_column(spring.joint);
             let elongation = pose.joint(spring.joint)[0] - spring.free_position;
-            self.applied[first] += spring.stiffness * elongation + spring.damping * velocities[first];
+            self.applied[first] +=
+                spring.stiffness * elongation + spring.damping * velocities[first] - spring.drive;
         }
+    }
+
+    /// Twist of each link, in its axes at its origin, from the velocities of all joints and the twist of the root.
+    fn link_twists(&self, velocities: &[f64], base: Twist<f64>) -> Vec<Twist<f64>> {
+        let mut twists = vec![base; self.frames.len()];
+        for &link in self.mechanism.order() {
+            let Some(joint) = self.mechanism.parent_joint(link) else { continue };
+            let parent = self.mechanism.joint(joint).parent();
+            let mut twist = self.steps[joint.index()].inverse_twist(&twists[parent.index()]);
+            for (column, rate) in self.columns(joint).iter().zip(self.of_joint(joint, velocities)) {
+                twist += *column * *rate;
+            }
+            twists[link.index()] = twist;
+        }
+        twists
     }
 
     /// Force (N) or moment (N·m) of springs and dampers at velocity `k` of a joint, positive if it resists a positive velocity.
@@ -284,41 +315,6 @@ impl TreeFrames {
         };
         std::iter::successors(link, parent)
     }
-}
-
-/// Springs and dampers of a mechanism.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct SpringForces {
-    pub joints: Vec<SpringAtJoint>,
-    pub lines: Vec<SpringOnLine>,
-}
-
-impl SpringForces {
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty() && self.lines.is_empty()
-    }
-}
-
-/// Spring between two points.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SpringOnLine {
-    pub ends: [(LinkId, Vector3<f64>); 2],
-    /// N/m.
-    pub rate: f64,
-    /// Length without force, m.
-    pub free_length: f64,
-}
-
-/// Spring and damper of a joint with one velocity.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SpringAtJoint {
-    pub joint: JointId,
-    /// N·m/rad or N/m.
-    pub stiffness: f64,
-    /// N·m·s/rad or N·s/m.
-    pub damping: f64,
-    /// Position without force, rad or m.
-    pub free_position: f64,
 }
 
 /// Two transverse directions and the axis, as columns. A zero vector gives the unit matrix.

@@ -1,34 +1,9 @@
 //! Conditions of an impact in time.
 
 use crate::error::ImpactError;
-use crate::reactions::tree_frames::{SpringAtJoint, SpringForces, SpringOnLine};
+use crate::reactions::force_elements::{JointSpring, PointSpring, SpringAtJoint, SpringForces};
 use nalgebra::Vector3;
 use percuss_dynamics::Pose;
-use percuss_mechanism::{JointId, LinkId};
-
-/// Spring and damper of a joint with one velocity during an impact in time: the force or moment −k (q − q₀) − d q̇ on the joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JointSpring {
-    /// The joint.
-    pub joint: JointId,
-    /// Stiffness k, N·m/rad or N/m.
-    pub stiffness: f64,
-    /// Damping d, N·m·s/rad or N·s/m.
-    pub damping: f64,
-    /// Position without force q₀, rad or m; `None`: the position at the touch, so that only the change of the spring force acts.
-    pub free_position: Option<f64>,
-}
-
-/// Spring between two points during an impact in time: the force k (L₀ − L) along the line of the points, which pushes them apart.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointSpring {
-    /// Link and point (m, axes of the link) of each end.
-    pub ends: [(LinkId, Vector3<f64>); 2],
-    /// Rate k, N/m.
-    pub rate: f64,
-    /// Length without force L₀, m; `None`: the length at the touch, so that only the change of the spring force acts.
-    pub free_length: Option<f64>,
-}
 
 /// Conditions of an impact in time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,9 +14,9 @@ pub struct TimeConditions {
     pub other_mass: Option<f64>,
     /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
     pub ends_without_force: bool,
-    /// Springs and dampers of joints.
+    /// Springs, dampers and drives of joints.
     pub springs: Vec<JointSpring>,
-    /// Springs between points.
+    /// Springs, dampers and drives between points.
     pub point_springs: Vec<PointSpring>,
     /// Penetrations (m) at which the slope of the contact force jumps: points of a force curve. The steps of the integration end there.
     pub corners: Vec<f64>,
@@ -52,12 +27,12 @@ pub struct TimeConditions {
 /// Springs with their free positions; refuses values out of range and joints without exactly one velocity.
 pub(crate) fn spring_forces(pose: &Pose, conditions: &TimeConditions) -> Result<SpringForces, ImpactError> {
     let on_line = |spring: &PointSpring| {
-        let PointSpring { ends, rate, free_length } = *spring;
-        let [a, b] = ends.map(|(link, point)| pose.link(link).point(&point));
-        let free_length = free_length.unwrap_or((b - a).norm());
-        match [rate, free_length].iter().all(|x| x.is_finite() && *x >= 0.0) {
-            true => Ok(SpringOnLine { ends, rate, free_length }),
-            false => Err(ImpactError::PointSpring { rate, free_length }),
+        let [a, b] = spring.ends.map(|(link, point)| pose.link(link).point(&point));
+        let free_length = spring.free_length.unwrap_or_else(|| (b - a).norm());
+        let PointSpring { rate, drive, .. } = *spring;
+        match [rate, free_length].iter().all(|x| x.is_finite() && *x >= 0.0) && drive.is_finite() {
+            true => Ok(PointSpring { free_length: Some(free_length), ..spring.clone() }),
+            false => Err(ImpactError::PointSpring { rate, free_length, drive }),
         }
     };
     let lines = conditions.point_springs.iter().map(on_line).collect::<Result<_, _>>()?;
@@ -67,18 +42,18 @@ pub(crate) fn spring_forces(pose: &Pose, conditions: &TimeConditions) -> Result<
 /// Springs and dampers of joints.
 fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringAtJoint>, ImpactError> {
     let at_joint = |spring: &JointSpring| {
-        let JointSpring { joint, stiffness, damping, free_position } = *spring;
+        let JointSpring { joint, stiffness, damping, free_position, drive } = *spring;
         let declared = pose.mechanism().joint(joint);
         if declared.kind().dofs() != 1 {
             return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
         }
         let free_position = free_position.unwrap_or_else(|| pose.joint(joint)[0]);
         let is_valid = |x: f64| x.is_finite() && x >= 0.0;
-        if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite()) {
+        if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite() && drive.is_finite()) {
             let joint = declared.name().to_owned();
-            return Err(ImpactError::Spring { joint, stiffness, damping, free_position });
+            return Err(ImpactError::Spring { joint, stiffness, damping, free_position, drive });
         }
-        Ok(SpringAtJoint { joint, stiffness, damping, free_position })
+        Ok(SpringAtJoint { joint, stiffness, damping, free_position, drive })
     };
     springs.iter().map(at_joint).collect()
 }

@@ -13,11 +13,12 @@ use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
 use crate::numerics::pivoted_qr::PivotedQr;
-use crate::reactions::tree_frames::{SpringForces, TreeFrames};
+use crate::reactions::force_elements::SpringForces;
+use crate::reactions::tree_frames::TreeFrames;
 use crate::tolerances::MASSLESS_ENERGY;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{ConstraintGroup, LocatedContact, Pose};
-use percuss_spatial::Twist;
+use percuss_spatial::{Transform, Twist, rotation_from_quaternion};
 
 /// Equations of motion of a system at many poses; the buffers are reused.
 pub(crate) struct MotionEquations {
@@ -80,8 +81,8 @@ impl MotionEquations {
         let n = u.len();
         self.tree.update(pose);
         self.tree.joint_velocities(u, &mut self.velocities);
-        self.tree.apply_springs(pose, &self.springs, &self.velocities);
         let base = self.tree.base_twist(u);
+        self.tree.apply_springs(pose, &self.springs, &self.velocities, base);
         let mut accelerations = vec![0.0; n];
         self.solve_constraints(pose, &base, &mut accelerations)?;
         self.tree.joint_velocities(&accelerations, &mut self.bias);
@@ -225,4 +226,13 @@ fn solve(matrix: DMatrix<f64>, right: DVector<f64>) -> DVector<f64> {
     let scaled = DVector::from_fn(d, |k, _| scale[k] * right[k]);
     let solution = SemidefiniteSolver::new(even).solve(&scaled);
     DVector::from_fn(d, |k, _| scale[k] * solution[k])
+}
+
+/// Motion of the base since the touch from its scaled displacement and quaternion without 1; `size`: unit of both.
+pub(crate) fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
+    let mut q = [1.0 + size * scaled[3], size * scaled[4], size * scaled[5], size * scaled[6]];
+    let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    q.iter_mut().for_each(|x| *x /= norm);
+    let slide = Vector3::new(scaled[0], scaled[1], scaled[2]) * size;
+    Transform::new(rotation_from_quaternion(q), slide)
 }

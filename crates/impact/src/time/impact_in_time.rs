@@ -5,11 +5,12 @@ use crate::motion::driver_rates::lengths;
 use crate::motion::joint_rates::JointRates;
 use crate::numerics::extrapolation::step;
 use crate::numerics::multistep::MultistepIntegrator;
+use crate::reactions::force_elements::SpringForces;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
-use crate::reactions::tree_frames::SpringForces;
+
 use crate::time::conditions::{TimeConditions, spring_forces};
-use crate::time::equations::{MotionEquations, rates_of};
+use crate::time::equations::{MotionEquations, base_motion, rates_of};
 use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
     CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS,
@@ -19,7 +20,7 @@ use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{
     ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
-use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
+use percuss_spatial::quaternion_product;
 use std::cell::{Cell, RefCell};
 
 /// Unit of the works, over the kinetic energy ½ m̄ c²: so large that their errors do not shorten the steps.
@@ -185,6 +186,12 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// Integrator from a state with the scaled rates `rate`.
+    fn integrator(&self, rate: Vec<f64>) -> MultistepIntegrator {
+        let integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
+        integrator.with_kinks(self.springs.has_kinks())
+    }
+
     /// Displacement of positions, rad or m, per unit of a scaled position.
     fn displacement(&self) -> f64 {
         self.depth * self.rate / self.speed
@@ -283,7 +290,7 @@ impl<'a> Motion<'a> {
         sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
         let (mut closing, mut penetration) = (at.closing, at.penetration);
-        let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
+        let mut integrator = self.integrator(rate);
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
             let passed = self.corner(&y, taken, (penetration, closing), &mut sampler.pose);
@@ -298,7 +305,7 @@ impl<'a> Motion<'a> {
                 f(&state, &mut rate);
                 (y, closing, penetration) = (state, at.closing, at.penetration);
                 sampler.add(self, time, &at, &rate);
-                integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
+                integrator = self.integrator(rate);
                 continue;
             }
             let Some(next) = next else {
@@ -584,13 +591,4 @@ impl Sampler {
 /// m̄ at a pose; `None` if it is not finite.
 fn finite_mass(pose: &Pose, contact: &Contact) -> Option<f64> {
     pose.respond(contact).ok()?.effective_mass.kilograms()
-}
-
-/// Motion of the base since the touch.
-fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
-    let mut q = [1.0 + size * scaled[3], size * scaled[4], size * scaled[5], size * scaled[6]];
-    let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    q.iter_mut().for_each(|x| *x /= norm);
-    let slide = Vector3::new(scaled[0], scaled[1], scaled[2]) * size;
-    Transform::new(rotation_from_quaternion(q), slide)
 }

@@ -1,9 +1,10 @@
 //! Forces in joints and loops that are caused by a motion alone.
 
 use crate::motion::joint_rates::JointRates;
+use crate::reactions::force_elements::SpringForces;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
-use crate::reactions::tree_frames::SpringForces;
+
 use crate::time::equations::MotionEquations;
 use nalgebra::Vector3;
 use percuss_dynamics::{LocatedContact, Pose};

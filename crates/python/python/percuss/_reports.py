@@ -283,6 +283,8 @@ def impact(
     stiffness_curve: Mapping[str, Sequence[float]] | None = None,
     springs: Literal["change", "full", "none"] | None = None,
     spring: Sequence[str] = (),
+    damper: Sequence[str] = (),
+    drive: Sequence[str] = (),
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -301,7 +303,9 @@ def impact(
     point_error: largest displacement of the contact point (m), for the worst impulse at the joints of percussion. joint_spring: during the impact in time, stiffness (N·m/rad or N/m)
     of a joint, or stiffness, damping (N·m·s/rad or N·s/m) and the position without force (rad or m). springs: springs of a suspension
     sheet during the impact in time, "change" (default; change of their forces since the touch), "full" (with the preload) or "none".
-    spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". As ``percuss impact``."""
+    spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
+    "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
+    "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). As ``percuss impact``."""
     model, request = asked(
         model, contact, conditions,
         impact={
@@ -309,7 +313,7 @@ def impact(
             "also": [one if isinstance(one, str) else "contact" for one in also], "also_restitution": also_restitution,
             "sticking": sticking, "stiffness_ratio": stiffness_ratio, "contact_exponent": contact_exponent, "rates": rates,
             "base_twist": base_twist, "stiffness": stiffness, "exponent": exponent,
-            "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "in_time": in_time, "gravity": gravity,
+            "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive, "in_time": in_time, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
             "reflected": reflected, "percussion": percussion,
         },

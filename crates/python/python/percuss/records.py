@@ -474,6 +474,19 @@ class Drift(Record):
     """Penetration at which the motion of impact ends before the maximum penetration, m; None if the motion does not end early."""
 
 
+class DriveRecord(Record):
+    """Drive with a constant force during an impact in time."""
+
+    name: str
+    """Joint, or both links of a line."""
+    value: float
+    """Force (N) or moment (N·m): along the motion of the joint, or apart along the line."""
+    unit: str
+    """Unit of the value."""
+    work: float
+    """Work until the largest penetration, J."""
+
+
 class EnergyRecord(Record):
     """Energies of an impact in time, J. Kinetic energies include a free body on the other side."""
 
@@ -908,8 +921,15 @@ class ImpactTimeRecord(Record):
     """Gravity, world axes, m/s²."""
     springs: list[PointSpringRecord]
     """Springs between points that act."""
+    dampers: list[PointDamperRecord]
+    """Dampers between points that act."""
+    drives: list[DriveRecord]
+    """Drives that act."""
+    effective_weight: float | None
+    """Effective weight of absorber catalogues, kg (kg·m² for a moment): m̄ + 2W/v² with the work W of the drives until the
+    largest penetration and the closing speed v. It is no mass of the mechanism; None without drives."""
     springs_left_out: list[str]
-    """Springs of the suspension sheet that are left out."""
+    """Springs and dampers of the suspension sheet that are left out."""
     energy: EnergyRecord
     """Energies of the motion."""
     loop_gap: float
@@ -1231,6 +1251,8 @@ class MassReport(Record):
     """Stop of a joint as the contact; None for other contacts."""
     conditions: ConditionsRecord
     """Conditions of the question."""
+    other_base: OtherBaseRecord | None
+    """m̄ with the chassis free, or held if the base floats; None unless the model is a suspension whose chassis has a mass."""
     drivers: list[str]
     """Joints that drive the loops."""
     assembly_modes: list[int]
@@ -1396,6 +1418,21 @@ class OrientationRecord(Record):
     """Pieces without a consistent orientation."""
 
 
+class OtherBaseRecord(Record):
+    """Effective mass with the other kind of base, all else equal."""
+
+    base: str
+    """"fixed" or "floating"."""
+    link: str
+    """Root link, which this base holds or sets free."""
+    effective_mass: float | None
+    """m̄ in the unit of the report; None unless finite."""
+    effective_mass_error: float | None
+    """Error bound of m̄, as "effective_mass_error"."""
+    status: Literal["finite", "immovable", "massless"]
+    """Kind of result."""
+
+
 class OtherBodyRecord(Record):
     """Free body on the other side."""
 
@@ -1488,6 +1525,17 @@ class PointChange(Record):
     """Direction of the displacement, a unit vector in the sheet's axes."""
     lowers_by: float
     """Decrease of m̄ per millimetre, kg, to first order."""
+
+
+class PointDamperRecord(Record):
+    """Damper between two points during an impact in time."""
+
+    name: str
+    """Named contact of the suspension sheet, or both links of a given damper."""
+    speeds: list[float]
+    """Speeds of the force curve, m/s, positive in rebound."""
+    forces: list[float]
+    """Force at each speed, N."""
 
 
 class PointMapReport(Record):

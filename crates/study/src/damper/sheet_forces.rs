@@ -1,4 +1,4 @@
-//! Forces of a suspension sheet at a contact: the curve of its stop, and the springs.
+//! Forces of a suspension sheet at a contact: the curve of its stop, springs and dampers.
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
@@ -11,17 +11,24 @@ use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::SPRING_EFFECT;
 use crate::values::force_curve::GivenCurve;
-use percuss_contact::restitution_beside_spring;
+use percuss_contact::{DamperCurve, restitution_beside_forces};
 use percuss_dynamics::PointVelocity;
 use percuss_mechanism::{ContactKind, ContactNormal, LinkId};
 use percuss_spatial::Vector3;
 use percuss_suspension::SpringForce;
+use std::sync::Arc;
 
-/// Spring of a sheet: named contact, ends (link, and point in its axes, m), rate and preload.
-pub(crate) struct SheetSpring<'a> {
+/// Spring or damper of a sheet: named contact, and ends (link, and point in its axes, m).
+pub(crate) struct SheetElement<'a> {
     pub name: &'a str,
     pub ends: [(LinkId, Vector3<f64>); 2],
-    pub force: SpringForce,
+    pub force: ElementForce,
+}
+
+/// Force of a spring or a damper.
+pub(crate) enum ElementForce {
+    Spring(SpringForce),
+    Damper(Arc<DamperCurve>),
 }
 
 /// Section of the sheet with the name of a contact, which can end in the side.
@@ -29,30 +36,39 @@ fn section(name: &str) -> &str {
     name.strip_suffix("_left").or(name.strip_suffix("_right")).unwrap_or(name)
 }
 
-/// Springs with a rate in the suspension sheet of a model.
-pub(crate) fn sheet_springs(model: &Model) -> Vec<SheetSpring<'_>> {
+/// Springs with a rate and dampers with a curve in the suspension sheet of a model.
+pub(crate) fn sheet_elements(model: &Model) -> Vec<SheetElement<'_>> {
     let Some(sheet) = model.origin.sheet.as_deref() else { return Vec::new() };
-    let springs = &sheet.understood.forces.springs;
+    let forces = &sheet.understood.forces;
     let mechanism = &model.mechanism;
-    let spring = |contact: &'_ percuss_mechanism::NamedContact| {
+    let element = |contact: &'_ percuss_mechanism::NamedContact| {
         let (ContactNormal::Toward(other) | ContactNormal::Away(other)) = *contact.normal() else {
             return None;
         };
-        let is_spring = contact.kind() == ContactKind::Spring;
-        let (_, force) = springs.iter().find(|(name, _)| is_spring && name == section(contact.name()))?;
+        let section = section(contact.name());
+        let force = match contact.kind() {
+            ContactKind::Spring => {
+                let (_, spring) = forces.springs.iter().find(|(name, _)| name == section)?;
+                ElementForce::Spring(Some(*spring).filter(|spring| spring.rate > 0.0)?)
+            }
+            ContactKind::Damper => {
+                let (_, damper) = forces.dampers.iter().find(|(name, _)| name == section)?;
+                ElementForce::Damper(Arc::clone(damper))
+            }
+            _ => return None,
+        };
         let against = contact.against().unwrap_or(mechanism.root());
-        Some(([(contact.link(), *contact.point()), (against, other)], *force))
+        Some(([(contact.link(), *contact.point()), (against, other)], force))
     };
-    let all = mechanism.contacts().iter();
-    let found = all.filter_map(|contact| {
-        let (ends, force) = spring(contact)?;
-        Some(SheetSpring { name: contact.name(), ends, force })
+    let found = mechanism.contacts().iter().filter_map(|contact| {
+        let (ends, force) = element(contact)?;
+        Some(SheetElement { name: contact.name(), ends, force })
     });
-    found.filter(|spring| spring.force.rate > 0.0).collect()
+    found.collect()
 }
 
-/// Warning about springs of the sheet that act during the contact, with both restitutions: the change of their forces since the touch, to first
-/// order, is that of a spring Σ k i² at the contact; i is the change of the length of a spring per penetration.
+/// Warning about springs and dampers of the sheet that act during the contact, with both restitutions. To first order they act on the contact
+/// as the change Σ k i² x of the spring forces since the touch and the damper forces Σ i F(i ẋ); i is the change of the length per penetration.
 pub(crate) fn springs_finding(
     evaluated: &EvaluatedQuestion,
     damping: &DampingQuestion,
@@ -61,11 +77,13 @@ pub(crate) fn springs_finding(
 ) -> Result<Option<Finding>, StudyError> {
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
     let (Some(speed), Some(duration)) = (damping.speed(), record.contact_duration) else { return Ok(None) };
-    let springs = sheet_springs(prepared.model);
-    let ratio = |spring: &SheetSpring| {
-        let [a, b] = spring.ends.map(|(link, point)| pose.link(link).point(&point));
+    if result.response.contact.is_moment {
+        return Ok(None);
+    }
+    let ratio = |element: &SheetElement| {
+        let [a, b] = element.ends.map(|(link, point)| pose.link(link).point(&point));
         let line = pose.base().inverse_vector(&(b - a).try_normalize(0.0)?);
-        let [va, vb] = spring.ends.map(|(link, point)| {
+        let [va, vb] = element.ends.map(|(link, point)| {
             match pose.point_velocity_over_ground(result.mechanism_response(), link, &point)? {
                 PointVelocity::Known(velocity) => Some(velocity),
                 PointVelocity::Undetermined => None,
@@ -73,26 +91,35 @@ pub(crate) fn springs_finding(
         });
         Some(line.dot(&(vb? - va?)))
     };
-    let rate: f64 =
-        springs.iter().filter_map(|spring| Some(spring.force.rate * ratio(spring)?.powi(2))).sum();
-    if rate <= 0.0 || evaluated.result.response.contact.is_moment {
+    let elements = sheet_elements(prepared.model);
+    let acting: Vec<(f64, &SheetElement)> = elements
+        .iter()
+        .filter_map(|element| Some((ratio(element)?, element)))
+        .filter(|(ratio, _)| *ratio != 0.0)
+        .collect();
+    if acting.is_empty() {
         return Ok(None);
     }
+    let beside = |x: f64, v: f64| -> f64 {
+        let force = |(i, element): &(f64, &SheetElement)| match &element.force {
+            ElementForce::Spring(spring) => spring.rate * i * i * x,
+            ElementForce::Damper(curve) => i * curve.force(i * v),
+        };
+        acting.iter().map(force).sum()
+    };
     let compliant = contact(damping, mass)?;
-    let beside = restitution_beside_spring(contact_damper(damping, compliant)?, compliant, speed, rate)?;
+    let beside = restitution_beside_forces(contact_damper(damping, compliant)?, compliant, speed, &beside)?;
     let alone = record.achieved_restitution;
     let message = match beside {
         Some(e) if (e - alone).abs() <= SPRING_EFFECT => return Ok(None),
         Some(e) => format!("the restitution is about {e:.3} in place of {alone:.3}"),
-        None => format!("the contact does not end; without springs the restitution is {alone:.3}"),
+        None => format!("the contact does not end; without them the restitution is {alone:.3}"),
     };
-    let names: Vec<&str> = springs.iter().map(|spring| spring.name).collect();
+    let names: Vec<&str> = acting.iter().map(|(_, element)| element.name).collect();
     let message = format!(
-        "the contact lasts {:.1} ms, in which the springs of the sheet act ({}; {:.1} N/mm along the contact): {message}; an impact in time \
-         includes them",
+        "the contact lasts {:.1} ms, in which springs and dampers of the sheet act ({}): {message}; an impact in time includes them",
         1e3 * duration,
         names.join(", "),
-        1e-3 * rate
     );
     Ok(Some(Finding::about_result(FindingKind::SpringsAct, message)))
 }

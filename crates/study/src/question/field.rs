@@ -174,6 +174,10 @@ fields! {
     JointSpring = "--joint-spring", "impact.joint_spring";
     /// Spring between points during an impact in time.
     PointSpring = "--spring", "impact.spring";
+    /// Damper between points during an impact in time.
+    PointDamper = "--damper", "impact.damper";
+    /// Drive during an impact in time.
+    Drive = "--drive", "impact.drive";
     /// Springs of the sheet during an impact in time.
     SheetSprings = "--springs", "impact.springs";
     /// Largest impulse in a gear.

@@ -8,6 +8,7 @@ use crate::evaluation::friction_thresholds::thresholds_of;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
@@ -15,13 +16,14 @@ use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::explain::explain_parts;
-use crate::reports::mass_report::MassReport;
+use crate::reports::mass_report::{MassReport, OtherBaseRecord, base_name};
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::reports::tolerance::tolerances_of;
 use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
-use percuss_dynamics::PointVelocity;
+use percuss_dynamics::{Base, PointVelocity};
+use percuss_suspension::kinematics::wheel_centres;
 
 /// Evaluates one contact of a model.
 ///
@@ -47,7 +49,32 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     {
         report.diagnostics.extend(stops.findings(&evaluated.pose).into_iter().map(Into::into));
     }
-    Ok(MassReport { motion_ratios, named_contact, ..report })
+    Ok(MassReport { motion_ratios, named_contact, other_base: other_base(evaluated)?, ..report })
+}
+
+/// m̄ of a suspension with the other kind of base, at the same pose; `None` for other models, and for a chassis without mass.
+fn other_base(evaluated: &EvaluatedQuestion) -> Result<Option<OtherBaseRecord>, StudyError> {
+    let question = &evaluated.prepared.question;
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let root = mechanism.link(mechanism.root());
+    let has_mass = root.inertial().is_some_and(|inertial| inertial.mass > 0.0);
+    if !has_mass || wheel_centres(mechanism, "").is_empty() {
+        return Ok(None);
+    }
+    let base = match question.base {
+        Base::Fixed => Base::Floating,
+        Base::Floating => Base::Fixed,
+    };
+    let other = MassQuestion { base, ..question.clone().into_owned() };
+    let result = EvaluatedQuestion::new(evaluated.prepared.model, &other)?.result;
+    let (status, effective_mass) = Status::classify(result.response.effective_mass);
+    Ok(Some(OtherBaseRecord {
+        base: base_name(base),
+        link: root.name().to_owned(),
+        effective_mass,
+        effective_mass_error: result.response.effective_mass_error(),
+        status,
+    }))
 }
 
 /// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,

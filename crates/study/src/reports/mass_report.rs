@@ -132,10 +132,7 @@ impl ConditionsRecord {
     pub(crate) fn of(question: &MassQuestion) -> Self {
         let hold = |h: &Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
         Self {
-            base: match question.base {
-                Base::Fixed => "fixed",
-                Base::Floating => "floating",
-            },
+            base: base_name(question.base),
             lock: question.lock.clone(),
             hold: question.hold.iter().map(hold).collect(),
             armature: question.armature.iter().cloned().collect(),
@@ -143,6 +140,29 @@ impl ConditionsRecord {
             guess: question.guess.iter().map(|(j, given)| (j.clone(), given.text().to_owned())).collect(),
             travel: question.travel.iter().cloned().map(TravelRecord::from).collect(),
         }
+    }
+}
+
+/// Effective mass with the other kind of base, all else equal.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct OtherBaseRecord {
+    /// `fixed` or `floating`.
+    pub base: &'static str,
+    /// Root link, which this base holds or sets free.
+    pub link: String,
+    /// m̄ in the unit of the report; null unless finite.
+    pub effective_mass: Option<f64>,
+    /// Error bound of m̄, as `effective_mass_error`.
+    pub effective_mass_error: Option<f64>,
+    /// Kind of result.
+    pub status: Status,
+}
+
+/// Name of a base in reports.
+pub(crate) fn base_name(base: Base) -> &'static str {
+    match base {
+        Base::Fixed => "fixed",
+        Base::Floating => "floating",
     }
 }
 
@@ -207,6 +227,8 @@ pub struct MassReport {
     pub point_in_sheet: Option<SheetPoint>,
     /// Conditions of the question.
     pub conditions: ConditionsRecord,
+    /// m̄ with the chassis free, or held if the base floats; null unless the model is a suspension whose chassis has a mass.
+    pub other_base: Option<OtherBaseRecord>,
     /// Joints that drive the loops.
     pub drivers: Vec<String>,
     /// Assembly mode of each group of loops: 1 or -1; 0 at a dead centre or a change point.
@@ -325,6 +347,7 @@ impl MassReport {
                 &response.contact.normal_world.into(),
             ),
             conditions: ConditionsRecord::of(&prepared.question),
+            other_base: None,
             drivers: assumptions.drivers.clone(),
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
             redundant_loops: assembly.redundant_loops().to_vec(),

@@ -5,7 +5,7 @@ pub(crate) mod force_curve;
 pub(crate) mod message_text;
 #[cfg(feature = "flags")]
 pub(crate) mod named;
-pub(crate) mod point_spring;
+pub(crate) mod point_force;
 pub(crate) mod position;
 pub(crate) mod quantities;
 pub(crate) mod rates;

@@ -104,10 +104,15 @@ impl Template {
 pub(super) const HEAD: [&str; 9] =
     ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
 
-/// Sections of a template that may state a force: springs and stops.
+/// Section of the damper.
+pub(super) const DAMPER: &str = "damper";
+
+/// Sections of a template that may state a force: springs, the damper and stops.
 pub(super) fn force_sections(template: &'static Template) -> Vec<&'static str> {
     let sections = template.on.iter().map(|(section, _)| &**section);
-    sections.filter(|section| section.ends_with("spring") || STOPS.contains(section)).collect()
+    sections
+        .filter(|section| section.ends_with("spring") || *section == DAMPER || STOPS.contains(section))
+        .collect()
 }
 
 /// Links of a template on universal joints, whose pins a sheet may state.
@@ -129,8 +134,12 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
     keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
     for section in force_sections(template) {
-        let own = if STOPS.contains(&section) { ["deflections", "forces"] } else { ["rate", "preload"] };
-        keys.extend(own.map(|key| format!("{section}.{key}")));
+        let own: &[&str] = match section {
+            DAMPER => &["damping", "speeds", "forces"],
+            stop if STOPS.contains(&stop) => &["deflections", "forces"],
+            _ => &["rate", "preload"],
+        };
+        keys.extend(own.iter().map(|key| format!("{section}.{key}")));
     }
     if template.has_rack() {
         keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));

@@ -1,16 +1,17 @@
 //! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
-use super::catalogue::near_keys;
+use super::catalogue::{DAMPER, near_keys};
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::forces::{ForceElements, SpringForce};
 use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES};
 use crate::options::Side;
 use crate::units::{Frame, short};
-use percuss_contact::ForceCurve;
+use percuss_contact::{DamperCurve, ForceCurve};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
+use std::sync::Arc;
 
 /// Single value.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,6 +81,10 @@ pub(super) enum Quantity {
     Stiffness,
     /// Force; N for values without a unit.
     Force,
+    /// Speed; m/s for values without a unit.
+    Speed,
+    /// Damping; the unit is mandatory.
+    Damping,
 }
 
 impl Quantity {
@@ -92,6 +97,8 @@ impl Quantity {
             Quantity::Component => Dimension::Plain,
             Quantity::Stiffness => Dimension::Stiffness,
             Quantity::Force => Dimension::Force,
+            Quantity::Speed => Dimension::Speed,
+            Quantity::Damping => Dimension::Damping,
         }
     }
 
@@ -105,6 +112,8 @@ impl Quantity {
             Quantity::Component => "a number without unit, such as 0.5".to_owned(),
             Quantity::Stiffness => "a stiffness with its unit, such as \"28 N/mm\"".to_owned(),
             Quantity::Force => "a force in N, such as 3200 or \"3.2 kN\"".to_owned(),
+            Quantity::Speed => "a speed in m/s, such as 0.1 or \"100 mm/s\"".to_owned(),
+            Quantity::Damping => "a damping with its unit, such as \"1500 N·s/m\"".to_owned(),
         }
     }
 
@@ -120,9 +129,9 @@ impl Quantity {
         };
         let value = match (self, unit) {
             (Quantity::Length(default), "") => default.to_metres(number),
-            (Quantity::Mass | Quantity::Component | Quantity::Force, "") => number,
+            (Quantity::Mass | Quantity::Component | Quantity::Force | Quantity::Speed, "") => number,
             (Quantity::Inertia(default), "") => default.to_si(number),
-            (Quantity::Angle | Quantity::Stiffness, "") => return None,
+            (Quantity::Angle | Quantity::Stiffness | Quantity::Damping, "") => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
         };
         value.is_finite().then_some(value)
@@ -329,7 +338,7 @@ impl Entries {
         values[0]
     }
 
-    /// Reads the forces of a spring or of a stop, by the sections of a template.
+    /// Reads the forces of springs, dampers and stops, by the sections of a template.
     pub fn force_elements(
         &mut self,
         findings: &mut Findings,
@@ -341,6 +350,9 @@ impl Entries {
             if STOPS.contains(section) {
                 let stop = self.stop_force(findings, section, unit);
                 elements.stops.extend(stop.map(|stop| ((*section).to_owned(), stop)));
+            } else if *section == DAMPER {
+                let damper = self.damper_force(findings);
+                elements.dampers.extend(damper.map(|damper| ((*section).to_owned(), Arc::new(damper))));
             } else {
                 let spring = self.spring_force(findings, section);
                 elements.springs.extend(spring.map(|spring| ((*section).to_owned(), spring)));
@@ -396,6 +408,25 @@ impl Entries {
             }
             (None, _) => None,
         }
+    }
+
+    /// Reads the damping or the curve of the damper.
+    fn damper_force(&mut self, findings: &mut Findings) -> Option<DamperCurve> {
+        let counts: Vec<usize> = (2..=MAX_CURVE_POINTS).collect();
+        let damping = self.numbers(findings, "damper.damping", Quantity::Damping, &[1]);
+        let speeds = self.numbers(findings, "damper.speeds", Quantity::Speed, &counts);
+        let forces = self.numbers(findings, "damper.forces", Quantity::Force, &counts);
+        let spot = [&damping, &speeds, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next()?;
+        let curve = match (damping, speeds, forces) {
+            (Some((damping, _)), None, None) => DamperCurve::linear(damping[0]),
+            (None, Some((speeds, _)), Some((forces, _))) => DamperCurve::new(speeds, forces),
+            _ => {
+                let message = "damper.damping, or damper.speeds and damper.forces are expected";
+                findings.error("bad-curve", &spot, message.to_owned());
+                return None;
+            }
+        };
+        curve.map_err(|error| findings.error("bad-curve", &spot, error.to_string())).ok()
     }
 
     /// Reads the curve of a stop.

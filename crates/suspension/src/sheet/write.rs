@@ -319,6 +319,12 @@ pub fn template_keys() -> String {
     let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
     row("third_spring.rate`, `.preload", "rate and preload of the spring between both sides", &third);
     row(
+        "damper.damping`, or `damper.speeds`, `.forces",
+        "with a unit: `\"1500 N·s/m\"`; or the force over the speed, two lists of the same length through 0, positive in rebound (the damper gets \
+         longer): for impacts in time",
+        "all",
+    );
+    row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
         "the stop's force over its compression: two lists of the same length, the compressions from 0; for `percuss kinematics`, and the \
          stiffness of the contact in `percuss damp` and `percuss impact`",

@@ -6,7 +6,7 @@ use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
-use crate::terminal::number::{load, number, signed};
+use crate::terminal::number::{load, number, signed, with_unit};
 use crate::terminal::report::details_are_shown;
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
@@ -39,7 +39,17 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     if let Some(text) = acting(found) {
         facts.push(("acting", text));
     }
-    if !found.springs.is_empty() || found.gravity_world != [0.0; 3] {
+    if let Some(weight) = found.effective_weight {
+        let unit = ContactUnits::new(is_moment).mass;
+        let work: f64 = found.drives.iter().map(|drive| drive.work).sum();
+        let text = format!(
+            "{} for catalogues of absorbers: m̄ + 2W/v², the drives do W = {} J until the largest compression",
+            with_unit(weight, unit),
+            number(work)
+        );
+        facts.push(("effective weight", text));
+    }
+    if found.energy.work_of_other_forces != 0.0 {
         let energy = &found.energy;
         let text = format!(
             "{} J kinetic before, {} J after; the contact takes {} J, the other forces give {} J; balance to {:.0e} J",
@@ -57,7 +67,7 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     facts
 }
 
-/// Springs between points that act, and those of the sheet that are left out; `None` without both.
+/// Springs, dampers and drives that act, and those of the sheet that are left out; `None` without any.
 fn acting(found: &ImpactTimeRecord) -> Option<String> {
     let spring = |spring: &PointSpringRecord| {
         let rate = number(1e-3 * spring.rate);
@@ -68,10 +78,22 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
         format!("{} ({rate} N/mm, {force})", spring.name)
     };
     let mut parts: Vec<String> = found.springs.iter().map(spring).collect();
+    parts.extend(found.dampers.iter().map(|damper| damper_name(&damper.name)));
+    parts.extend(
+        found
+            .drives
+            .iter()
+            .map(|drive| format!("{} (constant {})", drive.name, with_unit(drive.value, drive.unit))),
+    );
     if !found.springs_left_out.is_empty() {
         parts.push(format!("left out: {}", found.springs_left_out.join(", ")));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// Damper with its name.
+fn damper_name(name: &str) -> String {
+    if name.starts_with("damper") { name.to_owned() } else { format!("damper {name}") }
 }
 
 /// What acts during the impact in time, as a sentence.
@@ -81,6 +103,8 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     if found.gravity_world != [0.0; 3] {
         parts.insert(0, "gravity".to_owned());
     }
+    parts.extend(found.dampers.iter().map(|damper| format!("the {}", damper_name(&damper.name))));
+    parts.extend(found.drives.iter().map(|drive| format!("the drive of {}", drive.name)));
     if report.has_joint_springs {
         parts.push("the given joint springs".to_owned());
     }
@@ -90,7 +114,7 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     };
     match parts.is_empty() {
         true => format!(
-            "The impact in time includes the contact force alone: neither gravity nor springs.{left_out}"
+            "The impact in time includes the contact force alone: neither gravity nor springs, dampers and drives.{left_out}"
         ),
         false => format!("The impact in time includes {}.{left_out}", parts.join(", ")),
     }

@@ -121,6 +121,17 @@ pub fn thresholds_text(found: &FrictionThresholdsRecord) -> String {
         .unwrap_or_else(|| "has no effect: the contact point does not slide while the gap closes".to_owned())
 }
 
+/// m̄ with the other kind of base, for a suspension whose chassis has a mass.
+pub fn other_base(report: &MassReport) -> Option<(String, String)> {
+    let other = report.other_base.as_ref()?;
+    let state = if other.base == "floating" { "free" } else { "held" };
+    let value = match (other.effective_mass, other.status) {
+        (Some(m), _) => with_unit(m, report.unit),
+        (None, status) => status.name().to_owned(),
+    };
+    Some((format!("{} {state}", other.link), format!("{value}, base {}", other.base)))
+}
+
 /// True if the output has the details of the solution: for any model that is no suspension, with --details and with --notes.
 fn has_solver_details(report: &MassReport) -> bool {
     report.point_in_sheet.is_none() || notes_are_shown() || details_are_shown()

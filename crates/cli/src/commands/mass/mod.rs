@@ -160,6 +160,7 @@ fn text(report: &MassReport, requested: &MassOptions, hints: &str) -> String {
     let thresholds = report.friction_thresholds.as_ref();
     let thresholds = thresholds.map(|found| ("friction", conditions::thresholds_text(found)));
     out.facts(expected.into_iter().chain(together).chain(thresholds));
+    out.facts(conditions::other_base(report));
     contributions(report, usize::MAX).into_iter().for_each(|table| out.table(table));
     add_estimate(report, &mut out);
     report.damper.iter().for_each(|damper| damp::add_results(damper, &mut out));
@@ -210,6 +211,7 @@ pub fn document(report: &MassReport) -> Document<'_> {
         Some(contact) => out.facts(conditions::facts_in_sheet(report, contact)),
         None => out.facts(conditions::conditions(report).into_iter().chain([conditions::method(report)])),
     }
+    out.facts(conditions::other_base(report));
     if let Some(table) = contributions(report, usize::MAX) {
         out.section("Share of m̄");
         out.table(table);

@@ -5,6 +5,7 @@ use super::results::StudyResults;
 use crate::commands::damp::{self, law_name};
 use crate::commands::impacts::in_time::energy_lost;
 use crate::commands::impacts::rigid_impact::bearings;
+use crate::commands::mass::conditions::other_base;
 use crate::commands::mass::{contributions, mass_text, moving_mass};
 use crate::files::html::{MainNumber, Page};
 use crate::pictures::mechanism::best_view;
@@ -120,6 +121,9 @@ fn sentence(report: &MassReport) -> String {
     let rest: Vec<String> = own.into_iter().chain(ratio).collect();
     if !rest.is_empty() {
         text += &format!(" {}.", rest.join("; "));
+    }
+    if let Some((state, value)) = other_base(report) {
+        text += &format!(" With the {}: {value}.", in_words(&state));
     }
     text
 }

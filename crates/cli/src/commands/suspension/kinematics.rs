@@ -16,7 +16,7 @@ use crate::terminal::wrap::{columns, width, wrap_hanging};
 use percuss_render::Picture;
 use percuss_study::{
     KinematicColumn, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow, Model,
-    TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    SearchUnknown, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
 use percuss_suspension::kinematics::KinematicUnit;
@@ -126,6 +126,12 @@ fn show_search(
             variable.name()
         )));
     }
+    if args.output.is_some()
+        && search.unknowns.iter().any(|unknown| matches!(unknown, SearchUnknown::Mass(_)))
+    {
+        let why = "--output: the changed sheet has coordinates only; omit --output, and write the masses found into the sheet";
+        return Err(Failure::bad_input(why));
+    }
     let report = search_targets(model, question, search)?;
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
     match args.format.unwrap_or(KinematicsFormat::Table) {
@@ -165,6 +171,12 @@ fn search_text(report: &TargetReport) -> String {
         .map(|(point, [x, y, z])| {
             format!("--move {point}={},{},{}", csv::number(*x), csv::number(*y), csv::number(*z))
         })
+        .chain(
+            report
+                .link_masses
+                .iter()
+                .map(|(link, mass)| format!("--link-mass {link}={}kg", csv::number(*mass))),
+        )
         .collect();
     let count =
         if notes_are_shown() { format!("{} designs evaluated; ", report.evaluations) } else { String::new() };

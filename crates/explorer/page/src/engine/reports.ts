@@ -63,6 +63,10 @@ export interface Drift {
   per_metre: number | null; over_penetration: number | null; ends_at: number | null;
 }
 
+export interface DriveRecord {
+  name: string; value: number; unit: string; work: number;
+}
+
 export interface EnergyRecord {
   kinetic_before: number; kinetic_after: number; taken_by_contact: number; work_of_other_forces: number; residual: number;
 }
@@ -134,9 +138,10 @@ export interface ImpactReport {
 
 export interface ImpactTimeRecord {
   restitution: number; duration: number; max_penetration: number; peak_force: number; mass_change: number | null;
-  one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[]; springs_left_out: string[];
-  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
-  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
+  one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[];
+  dampers: PointDamperRecord[]; drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[]; energy: EnergyRecord;
+  loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[]; effective_mass: (number | null)[];
+  joints: JointMotionRecord[]; bearings: BearingForceRecord[];
 }
 
 export interface Input {
@@ -188,9 +193,10 @@ export interface MassReport {
   error_budget: ErrorBudgetRecord; bodies: BodyShare[]; rotors: RotorShare[]; other_mass_share: number | null;
   pose: Record<string, number[]>; closure_residual: number | null; closure_inexactness: number | null; characteristic_length: number;
   contact: ContactRecord; named_contact: NamedContactRecord | null; joint_stop: StopRecord | null; conditions: ConditionsRecord;
-  drivers: string[]; assembly_modes: number[]; redundant_loops: string[][]; branch_limits: (number | null)[];
-  estimate: EstimateRecord | null; motion_ratios: MotionRatioRecord[]; friction_thresholds: FrictionThresholdsRecord | null;
-  explanation: Explanation | null; tolerance: ToleranceReport | null; damper: DampingReport | null; diagnostics: DiagnosticRecord[];
+  other_base: OtherBaseRecord | null; drivers: string[]; assembly_modes: number[]; redundant_loops: string[][];
+  branch_limits: (number | null)[]; estimate: EstimateRecord | null; motion_ratios: MotionRatioRecord[];
+  friction_thresholds: FrictionThresholdsRecord | null; explanation: Explanation | null; tolerance: ToleranceReport | null;
+  damper: DampingReport | null; diagnostics: DiagnosticRecord[];
 }
 
 export interface MassStateRecord {
@@ -224,6 +230,11 @@ export interface NamedContactRecord {
   brought_to_touch: boolean; touching: string[]; effective_mass_together: number | null; wheel_travel: WheelTravelRecord[];
 }
 
+export interface OtherBaseRecord {
+  base: string; link: string; effective_mass: number | null; effective_mass_error: number | null;
+  status: 'finite' | 'immovable' | 'massless';
+}
+
 export interface OtherBodyRecord {
   mass: number; speed_change: number;
 }
@@ -244,6 +255,10 @@ export interface PhaseRecord {
 
 export interface PointChange {
   point: string; direction: Triple; lowers_by: number;
+}
+
+export interface PointDamperRecord {
+  name: string; speeds: number[]; forces: number[];
 }
 
 export interface PointMapReport {

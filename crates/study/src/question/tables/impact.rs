@@ -9,7 +9,7 @@ use crate::values::drives::{self, GivenGearLimits, GivenSpring};
 use crate::values::force_curve::GivenCurve;
 #[cfg(feature = "flags")]
 use crate::values::named;
-use crate::values::point_spring::GivenPointSpring;
+use crate::values::point_force::{GivenDrive, GivenPointDamper, GivenPointSpring};
 use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, NumberOrText, PositionText, Words};
@@ -246,10 +246,11 @@ pub struct ImpactQuestion {
     #[serde(deserialize_with = "drives::by_joint")]
     #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
     pub joint_spring: Vec<(String, GivenSpring)>,
-    /// Springs of the suspension sheet during the impact in time: change, full, none.
+    /// Springs and dampers of the suspension sheet during the impact in time: change, full, none.
     ///
-    /// change (the default): the change of their forces since the touch; the forces at the touch are in balance with weight, tyre and other
-    /// loads. full: the whole forces, with the preload of the sheet, without a load that balances them. none: left out.
+    /// change (the default): the change of the spring forces since the touch; the forces at the touch are in balance with weight, tyre and
+    /// other loads. full: the whole forces, with the preload of the sheet, without a load that balances them. Dampers have their whole forces.
+    /// none: left out.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "in_time", help_heading = IMPACT))]
     pub springs: Option<SheetSprings>,
     /// Spring between two points during the impact in time: LINK:X,Y,Z=LINK:X,Y,Z=RATE[=FREE].
@@ -260,6 +261,29 @@ pub struct ImpactQuestion {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub spring: Vec<GivenPointSpring>,
+    /// Damper between two points during the impact in time: LINK:X,Y,Z=LINK:X,Y,Z=DAMPING.
+    ///
+    /// DAMPING in N·s/m or with a unit; or the force over the speed, SPEED:FORCE,SPEED:FORCE,… (m/s and N or with units), positive in rebound,
+    /// linear between the points. May be repeated. The dampers of a suspension sheet act by default.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "A=B=DAMPING", requires = "in_time", help_heading = IMPACT)
+    )]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub damper: Vec<GivenPointDamper>,
+    /// Constant force of a drive during the impact in time: JOINT=TORQUE, or A=B=FORCE between two points.
+    ///
+    /// On a joint with one velocity, positive in its direction (N·m, N); or a force (N) that pushes two points apart,
+    /// LINK:X,Y,Z=LINK:X,Y,Z=FORCE. The report states the effective weight of absorber catalogues, m̄ + 2W/v², with the work W of the drives
+    /// until the largest penetration. May be repeated.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=TORQUE", requires = "in_time", help_heading = IMPACT)
+    )]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub drive: Vec<GivenDrive>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT gives the inertia over a range of

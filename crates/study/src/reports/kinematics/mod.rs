@@ -5,4 +5,5 @@ pub(crate) mod column_names;
 pub(crate) mod errors;
 pub(crate) mod report;
 pub(crate) mod suspension_kinematics;
+pub(crate) mod target_question;
 pub(crate) mod target_search;

@@ -1,4 +1,4 @@
-//! Search for coordinates of hardpoints at which quantities have required values.
+//! Search for coordinates of hardpoints and masses of links at which quantities have required values.
 //!
 //! One unknown: Newton's method with a derivative by differences; once two values have opposite signs, a step outside of
 //! their interval is replaced by its middle. Without two such values, the range is scanned. Several unknowns: damped
@@ -6,11 +6,14 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
+use crate::question::mass_question::MassQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
-use crate::reports::kinematics::column_names::{column_name, target_column, unknown_column};
+use crate::reports::answer_mass::mass;
+use crate::reports::kinematics::column_names::{target_column, unknown_column};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
+use crate::reports::kinematics::target_question::{KinematicTarget, SearchUnknown, TargetSearch};
 use crate::thresholds::{
     DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALL_PART,
     SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
@@ -18,83 +21,14 @@ use crate::thresholds::{
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::near_names;
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue, KinematicValues};
-use percuss_units::{Dimension, LengthUnit, Quantity};
+use percuss_units::{Dimension, LengthUnit};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::str::FromStr;
 
-/// Coordinate of a hardpoint: `POINT.AXIS`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownCoordinate {
-    /// Hardpoint.
-    pub point: String,
-    /// Axis of the sheet: 0 to 2 for x, y, z.
-    pub axis: usize,
-}
-
-impl FromStr for UnknownCoordinate {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parts = text.rsplit_once('.').and_then(|(point, axis)| {
-            Some((point, ["x", "y", "z"].iter().position(|known| *known == axis)?))
-        });
-        match parts {
-            Some((point, axis)) if !point.is_empty() => Ok(Self { point: point.to_owned(), axis }),
-            _ => Err("expected POINT.AXIS, such as rocker_back.z".to_owned()),
-        }
-    }
-}
-
-impl UnknownCoordinate {
-    /// Name `POINT.AXIS`.
-    pub fn name(&self) -> String {
-        format!("{}.{}", self.point, ["x", "y", "z"][self.axis])
-    }
-}
-
-/// Required value of a quantity: `QUANTITY=VALUE`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KinematicTarget {
-    /// Column of `percuss kinematics`, with or without the suffix of the side; see `column_name`.
-    pub quantity: String,
-    /// Value with its unit; without a unit SI, or a plain number.
-    pub value: Quantity,
-}
-
-impl FromStr for KinematicTarget {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (quantity, value) =
-            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
-        // The unit of gradients has no dimension of its own.
-        let value = value.trim().strip_suffix("deg/m").unwrap_or(value);
-        let parse = |dimension: Dimension| dimension.parse(value);
-        // Per cent and units of stiffness have no dimension in a plain number.
-        let value = Quantity::parse(value).or_else(|error| {
-            parse(Dimension::Ratio)
-                .or_else(|_| parse(Dimension::Stiffness))
-                .or_else(|_| parse(Dimension::Force))
-                .map_err(|_| error)
-        });
-        Ok(Self { quantity: column_name(quantity.trim()), value: value.map_err(|error| error.to_string())? })
-    }
-}
-
-/// Search for coordinates.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TargetSearch {
-    /// Unknown coordinates.
-    pub unknowns: Vec<UnknownCoordinate>,
-    /// Required values, as many as unknowns.
-    pub targets: Vec<KinematicTarget>,
-    /// Largest change of each coordinate, m.
-    pub within: f64,
-}
-
-/// Coordinate before and after a search, in the unit and axes of the sheet.
+/// Coordinate or mass before and after a search, in the unit and axes of the sheet; masses in kg.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FoundCoordinate {
-    /// Name `POINT.AXIS`.
+    /// Name `POINT.AXIS` or `LINK.mass`.
     pub coordinate: String,
     /// Unit.
     pub unit: &'static str,
@@ -142,6 +76,8 @@ pub struct TargetReport {
     pub evaluations: usize,
     /// Displacements of the hardpoints, m, in the axes of the sheet, as for `--move`.
     pub moves: Vec<(String, [f64; 3])>,
+    /// Masses of links, kg, as for `--link-mass`.
+    pub link_masses: Vec<(String, f64)>,
     /// Unit of lengths in tables.
     #[serde(skip)]
     pub length_unit: LengthUnit,
@@ -196,30 +132,69 @@ fn dimension(unit: KinematicUnit) -> Dimension {
     }
 }
 
+/// Beginning of the quantity `CONTACT.mass`, the effective mass at a named contact.
+const CONTACT_MASS: &str = "mass_";
+
+/// Effective mass at a named contact, at the touch of a stop, kg; or the reason for its absence.
+fn mass_at(model: &Model, contact: &str) -> Result<f64, String> {
+    let question = MassQuestion::without_contact().at_contact(contact);
+    let report = mass(model, &question).map_err(|error| error.to_string())?;
+    report.effective_mass.ok_or_else(|| format!("the contact {contact} is {}", report.status.name()))
+}
+
+/// Mass of a link, kg; `None` for an unknown link and a link without mass.
+fn mass_of(model: &Model, link: &str) -> Option<f64> {
+    let link = model.mechanism.find_link(link).ok()?;
+    Some(model.mechanism.link(link).inertial()?.mass).filter(|mass| *mass > 0.0)
+}
+
 impl Designs<'_> {
-    /// Displacements of the hardpoints.
-    fn moves(&self, x: &DVector<f64>) -> Vec<(String, [f64; 3])> {
-        let mut moves: Vec<(String, [f64; 3])> = Vec::new();
+    /// Changes of the design. A mass unknown changes the mass by half at the largest displacement.
+    fn changes(&self, x: &DVector<f64>) -> Changes {
+        let mut changes = Changes::default();
         for (unknown, by) in self.search.unknowns.iter().zip(x.iter()) {
-            match moves.iter_mut().find(|(point, _)| *point == unknown.point) {
-                Some((_, shift)) => shift[unknown.axis] += by,
-                None => {
-                    let mut shift = [0.0; 3];
-                    shift[unknown.axis] = *by;
-                    moves.push((unknown.point.clone(), shift));
+            match unknown {
+                SearchUnknown::Mass(link) => {
+                    let mass = mass_of(self.model, link).unwrap_or_default();
+                    changes.link_mass.push((link.clone(), mass * (1.0 + 0.5 * by / self.search.within)));
+                }
+                SearchUnknown::Coordinate(point, axis) => {
+                    match changes.moves.iter_mut().find(|(known, _)| known == point) {
+                        Some((_, shift)) => shift[*axis] += by,
+                        None => {
+                            let mut shift = [0.0; 3];
+                            shift[*axis] = *by;
+                            changes.moves.push((point.clone(), shift));
+                        }
+                    }
                 }
             }
         }
-        moves
+        changes
     }
 
-    /// All quantities of a design; the inner error is a pose that is not reached.
+    /// All quantities of a design, with the effective masses that are required; the inner error is a pose that is not reached.
     fn quantities(&mut self, x: &DVector<f64>) -> Result<Result<KinematicValues, String>, KinematicsError> {
         self.evaluations += 1;
-        let changes = Changes { moves: self.moves(x), ..Changes::default() };
-        let model = if x.amax() == 0.0 { self.model.clone() } else { self.model.with_changes(&changes)? };
+        let model =
+            if x.amax() == 0.0 { self.model.clone() } else { self.model.with_changes(&self.changes(x))? };
         let prepared = SuspensionKinematics::new(&model, self.question.steers())?;
-        evaluate_state(&prepared, self.question, &self.question.state)
+        let mut values = evaluate_state(&prepared, self.question, &self.question.state)?;
+        if let Ok(values) = &mut values {
+            for contact in model.mechanism.contacts() {
+                let name = format!("{CONTACT_MASS}{}", contact.name());
+                let is_required = |target: &KinematicTarget| {
+                    // A name without a side is that of the first side.
+                    let rest = name.strip_prefix(&target.quantity);
+                    rest.is_some_and(|side| ["", "_left", "_right"].contains(&side))
+                };
+                if self.search.targets.iter().any(is_required) {
+                    let value = mass_at(&model, contact.name());
+                    values.0.push(KinematicValue { name, side: "", unit: KinematicUnit::Mass, value });
+                }
+            }
+        }
+        Ok(values)
     }
 
     /// Trial at displacements; `None` for a design without the quantities.
@@ -425,7 +400,7 @@ fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
     }
 }
 
-/// Searches coordinates of hardpoints at which quantities have required values.
+/// Searches coordinates of hardpoints and masses of links at which quantities have required values.
 ///
 /// # Errors
 /// [`KinematicsError`]: unknown hardpoints or quantities, a value in another unit, another number of unknowns and
@@ -502,21 +477,27 @@ pub fn search_targets(
         let goal = if unit == KinematicUnit::AnglePerLength { goal.to_radians() } else { goal };
         designs.required.push((goal, scale(unit)));
     }
-    let coordinates = model.origin.sheet.as_deref().map(|origin| origin.understood.coordinates.clone());
+    let coordinates = model.origin.sheet.as_deref().map(|origin| &origin.understood.coordinates[..]);
     let coordinates = coordinates.unwrap_or_default();
-    let old = |unknown: &UnknownCoordinate| {
-        let found = coordinates.iter().find(|(point, _)| *point == unknown.point);
-        found.map(|(_, at)| at[unknown.axis]).ok_or_else(|| KinematicsError::Search {
-            why: {
-                let names = coordinates.iter().map(|(point, _)| point.as_str());
-                let near = near_names(&unknown.point, names.clone()).into_iter().next();
-                let near = near.map_or_else(
-                    || format!("; these are: {}", names.collect::<Vec<_>>().join(", ")),
-                    |near| format!(" (did you mean \"{near}\"?)"),
-                );
-                format!("no hardpoint \"{}\" in the sheet (--solve){near}", unknown.point)
-            },
-        })
+    let unknown_name = |what: &str, name: &str, names: Vec<&str>| {
+        let near = near_names(name, names.iter().copied()).into_iter().next();
+        let near = near.map_or_else(
+            || format!("; these are: {}", names.join(", ")),
+            |near| format!(" (did you mean \"{near}\"?)"),
+        );
+        refuse(format!("no {what} \"{name}\" in the sheet (--solve){near}"))
+    };
+    let old = |unknown: &SearchUnknown| match unknown {
+        SearchUnknown::Coordinate(name, axis) => {
+            let found = coordinates.iter().find(|(point, _)| point == name).map(|(_, at)| at[*axis]);
+            let names = || coordinates.iter().map(|(point, _)| point.as_str()).collect();
+            found.ok_or_else(|| unknown_name("hardpoint", name, names()))
+        }
+        SearchUnknown::Mass(name) => {
+            let links = model.mechanism.links().iter().map(|link| link.name());
+            let names = || links.filter(|link| mass_of(model, link).is_some()).collect();
+            mass_of(model, name).ok_or_else(|| unknown_name("link with mass", name, names()))
+        }
     };
     let old: Vec<f64> = search.unknowns.iter().map(old).collect::<Result<_, _>>()?;
     let first = designs.trial(&start).ok_or_else(|| KinematicsError::Search {
@@ -538,11 +519,26 @@ pub fn search_targets(
     let found =
         if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
     let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.understood.unit);
-    let coordinate = |(k, unknown): (usize, &UnknownCoordinate)| FoundCoordinate {
-        coordinate: unknown.name(),
-        unit: unit.name(),
-        old: unit.of_metres(old[k]),
-        new: unit.of_metres(old[k] + found.x[k]),
+    let changes = designs.changes(&found.x);
+    let coordinate = |(k, unknown): (usize, &SearchUnknown)| {
+        let coordinate = unknown.name();
+        match unknown {
+            SearchUnknown::Coordinate(..) => FoundCoordinate {
+                coordinate,
+                unit: unit.name(),
+                old: unit.of_metres(old[k]),
+                new: unit.of_metres(old[k] + found.x[k]),
+            },
+            SearchUnknown::Mass(link) => {
+                let new = changes.link_mass.iter().find(|(changed, _)| changed == link);
+                FoundCoordinate {
+                    coordinate,
+                    unit: "kg",
+                    old: old[k],
+                    new: new.map_or(old[k], |(_, mass)| *mass),
+                }
+            }
+        }
     };
     let reached = |(k, target): (usize, &KinematicTarget)| ReachedTarget {
         quantity: target.quantity.clone(),
@@ -560,7 +556,8 @@ pub fn search_targets(
         coordinates: search.unknowns.iter().enumerate().map(coordinate).collect(),
         targets: search.targets.iter().enumerate().map(reached).collect(),
         evaluations: designs.evaluations,
-        moves: designs.moves(&found.x),
+        moves: changes.moves,
+        link_masses: changes.link_mass,
         length_unit: model.length_unit(),
     })
 }

@@ -1,12 +1,14 @@
 //! Impact in time: closed forms, one freedom by its own equation, conserved energy, orders of convergence.
 
+mod forces;
+
 use crate::cases::all;
 use nalgebra::{DVector, Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, Remark, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    ImpactError, ImpactInTime, JointRates, JointSpring, PointSpring, RigidImpact, TimeConditions,
-    forces_of_motion, impact_in_time,
+    ImpactError, ImpactInTime, JointRates, JointSpring, RigidImpact, TimeConditions, forces_of_motion,
+    impact_in_time,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -420,7 +422,7 @@ fn springs_and_dampers_of_joints_act() {
     let (pose, contact) = at(&body(JointKind::Prismatic, mass), 0.2, Vector3::x());
     let joint =
         pose.mechanism().joint_ids().find(|id| pose.motion_subspace(*id).len() == 1).expect("a joint");
-    let spring = JointSpring { joint, stiffness: own, damping, free_position: None };
+    let spring = JointSpring { joint, stiffness: own, damping, free_position: None, drive: 0.0 };
     let conditions = |spring| TimeConditions {
         ends_without_force: true,
         springs: vec![spring],
@@ -450,73 +452,6 @@ fn springs_and_dampers_of_joints_act() {
     assert!(run(preloaded).expect("an impact").duration > found.duration);
     let refused = run(JointSpring { stiffness: -1.0, ..spring });
     assert!(matches!(refused, Err(ImpactError::Spring { .. })), "{refused:?}");
-}
-
-/// A hinged bar with a spring between a point of the ground and a point of the bar, gravity, and a force curve: one freedom, so that
-/// I q″ = −F(δ, δ̇) j + gravity + spring follows from the angle alone. The reference is integrated by the Runge-Kutta method of order 4 with
-/// steps of 1e-4 of the duration. The energies of the motion are balanced to the tolerance of the steps.
-#[test]
-fn springs_between_points_act() {
-    let (mass, speed, rate, free, q0) = (6.0, 1.4, 9e3, 0.9, 0.3);
-    let mechanism = body(JointKind::Revolute, mass);
-    let normal = Vector3::y();
-    let (pose, contact) = at(&mechanism, q0, normal);
-    let (ground, bar) = (mechanism.root(), contact.link);
-    let (anchor, seat) = (Vector3::new(0.2, 0.9, 0.0), Vector3::new(0.7, 0.0, 0.0));
-    let spring = PointSpring { ends: [(ground, anchor), (bar, seat)], rate, free_length: Some(free) };
-    let gravity = Vector3::new(0.0, -9.81, 0.0);
-    let curve = |x: f64| if x < 0.01 { 4e4 * x } else { 400.0 + 2e5 * (x - 0.01) };
-    let force = |x: f64, v: f64| curve(x.max(0.0)) * (1.0 + 1.5 * v).max(0.0);
-    let conditions = TimeConditions {
-        gravity,
-        point_springs: vec![spring],
-        corners: vec![0.01],
-        samples_within_steps: 9,
-        ..TimeConditions::default()
-    };
-    let before = motion(&pose, &contact, speed);
-    let found = impact_in_time(&pose, &contact, speed, &before, &force, &conditions).expect("an impact");
-    // State: angle, rate, penetration. The tip closes with j q′, j = cos q.
-    let acceleration = |[q, u, x]: [f64; 3]| {
-        let tip = |length: f64| Vector3::new(q.cos(), q.sin(), 0.0) * length;
-        let arm = |length: f64| Vector3::new(-q.sin(), q.cos(), 0.0) * length;
-        let line = tip(0.7) - anchor;
-        let push = line * (rate * (free / line.norm() - 1.0));
-        let moment = arm(0.7).dot(&push) + arm(0.5).dot(&gravity) * mass - q.cos() * force(x, q.cos() * u);
-        moment / (mass / 3.0)
-    };
-    let rates = |y: [f64; 3]| [y[1], acceleration(y), y[0].cos() * y[1]];
-    let along = |y: [f64; 3], d: [f64; 3], h: f64| [y[0] + h * d[0], y[1] + h * d[1], y[2] + h * d[2]];
-    let h = found.duration * 1e-4;
-    let (mut y, mut deepest) = ([q0, speed / q0.cos(), 0.0], 0.0f64);
-    let end = loop {
-        let a = rates(y);
-        let b = rates(along(y, a, 0.5 * h));
-        let c = rates(along(y, b, 0.5 * h));
-        let d = rates(along(y, c, h));
-        let mean = std::array::from_fn(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0);
-        let next = along(y, mean, h);
-        if next[2] <= 0.0 && next[1] < 0.0 {
-            let part = y[2] / (y[2] - next[2]);
-            break along(y, mean, part * h);
-        }
-        deepest = deepest.max(next[2]);
-        y = next;
-    };
-    // The kinks and the last step of the reference: (1e-4)².
-    let restitution = -end[0].cos() * end[1] / speed;
-    assert!((found.restitution - restitution).abs() < 1e-7, "{} {restitution}", found.restitution);
-    assert!((found.max_penetration / deepest - 1.0).abs() < 1e-7, "{} {deepest}", found.max_penetration);
-    let energy = found.energy;
-    assert!(energy.residual().abs() < 1e-9 * energy.kinetic_before, "{energy:?}");
-    // The bar is back at its first angle, and gravity and springs are conservative; without them the restitution is another.
-    assert!(energy.work_of_other_forces.abs() < 1e-9 * energy.kinetic_before, "{energy:?}");
-    let alone = TimeConditions { corners: vec![0.01], ..TimeConditions::default() };
-    let alone = impact_in_time(&pose, &contact, speed, &before, &force, &alone).expect("an impact");
-    assert!((alone.restitution - restitution).abs() > 0.01, "{} {restitution}", alone.restitution);
-    let wrong = TimeConditions { point_springs: vec![PointSpring { rate: -1.0, ..spring }], ..conditions };
-    let refused = impact_in_time(&pose, &contact, speed, &before, &force, &wrong);
-    assert!(matches!(refused, Err(ImpactError::PointSpring { .. })), "{refused:?}");
 }
 
 /// End of m x″ = −k xᵖ − d x′ from x = 0 with the speed `speed`: duration and speed ratio, by the Runge-Kutta method of order 4 and the time at
@@ -558,7 +493,7 @@ fn contacts_without_pull_end_at_zero_penetration() {
     let before = motion(&pose, &contact, speed);
     for (exponent, largest) in [(1.0, 411.0), (1.5, 150.0), (3.0, 15.0)] {
         for damping in [0.0, 0.3 * largest, largest] {
-            let spring = JointSpring { joint, stiffness: 0.0, damping, free_position: None };
+            let spring = JointSpring { joint, stiffness: 0.0, damping, free_position: None, drive: 0.0 };
             let (duration, ratio) = damped_block(mass, stiffness, exponent, damping, speed);
             for ends_without_force in [true, false].into_iter().take(if damping > 0.0 { 1 } else { 2 }) {
                 let conditions =
