@@ -5,7 +5,7 @@ use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType};
 use crate::mjcf::relations::actuator::TendonRotor;
 use crate::mjcf::relations::joint_relations::{JointRelations, JointSum, Relation};
 use crate::mjcf::relations::references::JointKey;
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::unique_names::UniqueNames;
 use percuss_mechanism::{
     CurveDescription, Geometry, Inertial, JointDescription, JointKind, Limits, LinkDescription,

@@ -9,7 +9,7 @@ use crate::mjcf::bodies::walk::read_bodies;
 use crate::mjcf::chain::{Chains, build_chains};
 use crate::mjcf::document::attach::attach_models;
 use crate::mjcf::document::check::check_grammar;
-use crate::mjcf::document::files::{AttachedModel, Files, read_files};
+use crate::mjcf::document::files::{AttachedModel, read_files};
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
 use crate::mjcf::relations::keyframe::{qpos_layout, read_keyframes};
@@ -17,7 +17,8 @@ use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
 use crate::qpos::QposLayout;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::files::Files;
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
 use crate::reading::report::{Report, cut};
@@ -40,18 +41,17 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let mut files = read_files(source, text, report);
+    let (mut files, models) = read_files(source, text, report);
     // After an error of a file the tree may be empty.
     if !files.reports.iter().any(Report::has_errors) {
-        let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
         let mut findings = Findings::new(&files.tree, files.reports);
-        roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
+        models.iter().for_each(|model| check_grammar(&files.tree, model.root, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {
-            attach_models(&mut files);
+            attach_models(&mut files, &models);
         }
     }
-    let Files { tree, reports, models } = files;
+    let Files { tree, reports, .. } = files;
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
     let model = if failed { None } else { read_model(&tree, &models, &source.files, options, &mut findings) };

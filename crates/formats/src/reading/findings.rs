@@ -1,7 +1,7 @@
 //! Findings about the elements of a model, with their positions in the main file and in the included files.
 
 use crate::Diagnostic;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::{LONGEST_COMPARED_NAME, MAX_CANDIDATES};
 use crate::reading::report::{NOT_READ, Place, Report, finish_reports, shortened};
 use percuss_mechanism::{Severity, near_names};

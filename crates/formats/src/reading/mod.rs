@@ -1,7 +1,7 @@
 //! Sources, diagnostics, and limits of input, for all readers of model files.
 
 pub(crate) mod diagnostic;
-pub(crate) mod element_tree;
+pub(crate) mod document;
 pub mod encoding;
 pub(crate) mod files;
 pub(crate) mod findings;

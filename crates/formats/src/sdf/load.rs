@@ -1,11 +1,12 @@
 //! Construction of a mechanism from a model in SDFormat.
 
 use crate::hull::{collision_shapes, inertias_beyond_shapes};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::files::Files;
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Report, cut};
-use crate::sdf::document::files::{Files, read_files};
+use crate::sdf::document::files::read_files;
 use crate::sdf::elements::selection::select_model;
 use crate::sdf::frames::poses::resolve_poses;
 use crate::sdf::frames::walk::{collect_scopes, model_name};
@@ -26,7 +27,7 @@ pub(crate) fn load_text(
     report: Report,
 ) -> Result<Loaded, LoadError> {
     let (file, wanted) = (source.file(), source.model());
-    let Files { tree, reports } = read_files(&source.files, (file, wanted), text, report);
+    let Files { tree, reports, .. } = read_files(&source.files, (file, wanted), text, report);
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
     // After an error of a file the tree may be empty.

@@ -1,6 +1,6 @@
 //! Values in the texts of elements.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::UNLIMITED;
 use crate::reading::report::quoted;

@@ -122,7 +122,7 @@ fn build_mechanism(
         return None;
     }
     report_xacro_elements(robot, report);
-    check_element(robot, &ROBOT, report);
+    check_element(robot, ("robot", &ROBOT), report);
     check_robot_attributes(robot, report);
     if report.is_xacro() {
         return None;

@@ -1,7 +1,7 @@
 //! Bodies of a model in depth-first order; frames and replicates are resolved.
 
 use crate::mjcf::bodies::geom::Geom;
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use percuss_mechanism::Inertial;
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;

@@ -3,7 +3,7 @@
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::orientation::{read_pose, rotation_to_z};
 use crate::mjcf::values::settings::Settings;
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use crate::shape::{Purpose, Shape, Solid};
 use percuss_spatial::{Transform, Vector3};

@@ -8,7 +8,7 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::read_pose;
 use crate::mjcf::values::settings::{InertiaFromGeom, Settings};
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use percuss_mechanism::{Inertial, Severity};
 use percuss_spatial::{Matrix3, Transform, Vector3};

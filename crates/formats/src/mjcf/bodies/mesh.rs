@@ -9,7 +9,7 @@ use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
 use crate::mjcf::values::settings::Settings;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::limits::{MAX_HULL_WORK, MAX_INERTIA_TRIANGLES, MAX_MESH_BYTES, MAX_TOTAL_ATTRIBUTES};
 use crate::reading::report::quoted;

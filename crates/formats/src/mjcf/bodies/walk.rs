@@ -7,7 +7,7 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{ClassId, DefaultKind};
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::{read_orientation, read_pose, rotation_from_euler, unit};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_TREE_VISITS};
 use crate::reading::report::quoted;

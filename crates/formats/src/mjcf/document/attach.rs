@@ -1,8 +1,9 @@
 //! Attached models: every `<attach>` gets a copy of a body, a frame or the world of a model as its children, and the main model gets
 //! copies of the constraints, tendons, actuators and meshes that belong to the copy. All names of a copy have a prefix.
 
-use crate::mjcf::document::files::{AttachedModel, Files};
-use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree};
+use crate::mjcf::document::files::AttachedModel;
+use crate::reading::document::element_tree::{Attribute, Element, ElementId, ElementTree};
+use crate::reading::document::files::Files;
 use crate::reading::limits::{
     LONGEST_NAME, MAX_ATTACH_STEPS, MAX_COPIED_BYTES, MAX_ELEMENT_DEPTH, MAX_ELEMENTS,
 };
@@ -60,8 +61,8 @@ enum State {
 }
 
 /// Carries out all attachments. Defects are reported; after an error the tree may be incomplete.
-pub(crate) fn attach_models(files: &mut Files) {
-    let Files { tree, reports, models } = files;
+pub(crate) fn attach_models(files: &mut Files, models: &[AttachedModel]) {
+    let Files { tree, reports, .. } = files;
     let states = vec![State::Waiting; models.len()];
     Attacher { tree, reports, models, states, steps: 0, bytes: 0, expanded: HashSet::new() }.complete(0);
 }
@@ -289,7 +290,7 @@ impl Attacher<'_> {
                 offset: element.offset,
             };
             let children = element.children.clone();
-            let id = self.append(copied, parent);
+            let id = self.tree.append(copied);
             if self.expanded.contains(&source) {
                 self.expanded.insert(id);
             }
@@ -297,13 +298,6 @@ impl Attacher<'_> {
             stack.extend(children.into_iter().rev().map(|child| (child, id, depth + 1)));
         }
         first
-    }
-
-    fn append(&mut self, element: Element, parent: ElementId) -> ElementId {
-        let id = ElementId(self.tree.elements.len() as u32);
-        self.tree.elements.push(element);
-        self.tree.elements[parent.0 as usize].children.push(id);
-        id
     }
 
     /// Copies the meshes of a model, and those of its tendons, constraints and actuators that refer only to the names `within` the
@@ -355,7 +349,7 @@ impl Attacher<'_> {
                 file,
                 offset,
             };
-            let holder = self.append(holder, target);
+            let holder = self.tree.append(holder);
             for element in chosen {
                 let copy = self.copy(element, holder, prefix, cause)?;
                 if section == "asset" {

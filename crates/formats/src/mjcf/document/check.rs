@@ -1,7 +1,8 @@
 //! Comparison of a model with the grammar.
 
-use crate::mjcf::document::grammar::{ElementRule, ROOT, Treatment};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::mjcf::document::grammar::ROOT;
+use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
@@ -13,31 +14,24 @@ pub(crate) fn check_grammar(tree: &ElementTree, root: ElementId, findings: &mut 
 
 /// Applies the treatments to an element, its attributes and its descendants.
 fn check_element(tree: &ElementTree, id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
-    match rule.treatment {
-        Treatment::Read => {}
-        Treatment::Silent => {
-            findings.add_unread(id, || format!("<{}>", rule.tag));
-            return;
-        }
-        Treatment::Warned(reason) => {
-            findings.add_once(Severity::Warning, "ignored", rule.tag, id, || reason.to_owned());
-            return;
-        }
-        Treatment::Refused(reason) => {
-            findings.error("unsupported", id, || format!("<{}>: {reason}", rule.tag));
-            return;
-        }
-    }
-    check_attributes(tree, id, rule, findings);
-    let Some(rules) = rule.content.rules() else { return };
-    for &child in tree.children(id) {
-        let tag = tree.tag(child);
-        match rules.iter().find(|rule| rule.tag == tag) {
-            Some(rule) => check_element(tree, child, rule, findings),
-            None => findings.error("unknown-element", child, || {
-                let guess = similar_name(tag, rules.iter().map(|rule| rule.tag));
-                format!("<{}> is unknown in <{}>{guess}", shortened(tag), shortened(tree.tag(id)))
-            }),
+    let tag = tree.tag(id);
+    match rule.treatment.finding("") {
+        Some((Severity::Error, code, reason)) => findings.error(code, id, || format!("<{tag}>: {reason}")),
+        Some((severity, code, reason)) => findings.add_once(severity, code, tag, id, || reason.to_owned()),
+        None if matches!(rule.treatment, Treatment::Silent) => findings.add_unread(id, || format!("<{tag}>")),
+        None => {
+            check_attributes(tree, id, rule, findings);
+            let Some(rules) = rule.children else { return };
+            for &child in tree.children(id) {
+                let tag = tree.tag(child);
+                match tags(rules).find(|(known, _)| *known == tag) {
+                    Some((_, rule)) => check_element(tree, child, rule, findings),
+                    None => findings.error("unknown-element", child, || {
+                        let guess = similar_name(tag, listed_tags(rules));
+                        format!("<{}> is unknown in <{}>{guess}", shortened(tag), shortened(tree.tag(id)))
+                    }),
+                }
+            }
         }
     }
 }
@@ -49,23 +43,27 @@ fn check_attributes(
     rule: &'static ElementRule,
     findings: &mut Findings<'_>,
 ) {
+    let tag = tree.tag(id);
     for attribute in &tree.element(id).attributes {
         let name = attribute.name.as_str();
-        let treatment = rule.attributes.iter().find(|(known, _)| *known == name).map(|(_, t)| *t);
-        match treatment {
-            Some(Treatment::Read) => {}
-            Some(Treatment::Silent) => findings.add_unread(id, || format!("{name} of <{}>", rule.tag)),
-            Some(Treatment::Warned(reason)) => {
-                findings.add_once(Severity::Warning, "ignored", name, id, || reason.to_owned());
+        let treatment = rule.attribute(name);
+        match treatment.and_then(|treatment| treatment.finding(&attribute.value)) {
+            Some((Severity::Error, code, reason)) => {
+                findings.attribute_error(code, id, name, || format!("{name}: {reason}"));
             }
-            Some(Treatment::Refused(reason)) => {
-                findings.attribute_error("unsupported", id, name, || format!("{name}: {reason}"));
+            Some((severity, code, reason)) => {
+                findings.add_once(severity, code, name, id, || reason.to_owned());
             }
-            None if rule.open => findings.add_unread(id, || format!("{} of <{}>", shortened(name), rule.tag)),
-            None => findings.attribute_error("unknown-attribute", id, name, || {
-                let guess = similar_name(name, rule.attributes.iter().map(|(known, _)| *known));
-                format!("<{}> has no attribute \"{}\"{guess}", rule.tag, shortened(name))
-            }),
+            None if treatment.is_none() && !rule.open => {
+                findings.attribute_error("unknown-attribute", id, name, || {
+                    let guess = similar_name(name, rule.attribute_names());
+                    format!("<{tag}> has no attribute \"{}\"{guess}", shortened(name))
+                });
+            }
+            None if matches!(treatment, None | Some(Treatment::Silent)) => {
+                findings.add_unread(id, || format!("{} of <{tag}>", shortened(name)));
+            }
+            None => {}
         }
     }
 }
@@ -73,7 +71,7 @@ fn check_attributes(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mjcf::document::grammar::Content;
+    use crate::mjcf::document::grammar::IN_BODY;
 
     /// Rule of an element by its path below the root; `None` if it is unknown, and `Some(None)` below an element whose children are not
     /// examined.
@@ -81,9 +79,9 @@ mod tests {
         let mut rule: &'static ElementRule = &ROOT;
         for step in path.split('/').skip(1) {
             let tag = if step == "(world)body" { "body" } else { step };
-            let content = if step == "(world)body" { Content::Body } else { rule.content };
-            let Some(rules) = content.rules() else { return Some(None) };
-            rule = rules.iter().find(|rule| rule.tag == tag)?;
+            let children = if step == "(world)body" { Some(&IN_BODY[..]) } else { rule.children };
+            let Some(rules) = children else { return Some(None) };
+            rule = tags(rules).find(|(known, _)| *known == tag)?.1;
         }
         Some(Some(rule))
     }
@@ -100,11 +98,11 @@ mod tests {
                 continue;
             };
             for name in attributes.split_whitespace() {
-                let known = rule.and_then(|rule| rule.attributes.iter().find(|(known, _)| *known == name));
+                let known = rule.and_then(|rule| rule.attribute(name));
                 match (rule, known) {
-                    (_, Some((_, Treatment::Read))) => read += 1,
-                    (_, Some((_, Treatment::Silent))) => silent += 1,
-                    (_, Some((_, Treatment::Warned(_) | Treatment::Refused(_)))) => refused += 1,
+                    (_, Some(Treatment::Read)) => read += 1,
+                    (_, Some(Treatment::Silent)) => silent += 1,
+                    (_, Some(_)) => refused += 1,
                     (None, None) => open += 1,
                     (Some(rule), None) if rule.open => open += 1,
                     (Some(_), None) => missing.push(format!("{path}: {name}")),

@@ -3,25 +3,15 @@
 //! An `<include>` is replaced by the elements below the root of its file. MuJoCo searches the file relative to the folder of the main
 //! file, then relative to the folder of the including file, and accepts each file once.
 
-use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
-use crate::reading::limits::{
-    MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
-};
+use crate::reading::document::element_tree::{Element, ElementId};
+use crate::reading::document::files::Files;
+use crate::reading::limits::{MAX_INCLUDED_FILES, MAX_MODEL_DEPTH};
 use crate::reading::report::{Place, Report, quoted, shortened};
-use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::{SharedFiles, Source};
 use roxmltree::Node;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-
-/// Tree of a model with one report per file.
-pub(crate) struct Files {
-    pub tree: ElementTree,
-    pub reports: Vec<Report>,
-    /// The main model, then the models that it and they can attach.
-    pub models: Vec<AttachedModel>,
-}
 
 /// Model of which parts can be attached.
 #[derive(Debug)]
@@ -31,32 +21,31 @@ pub(crate) struct AttachedModel {
     pub attachable: Vec<(String, usize)>,
 }
 
-/// Reads the main file `source`, decoded as `text`, and its included files. Defects are reported; after an error the tree may be
-/// incomplete.
-pub(crate) fn read_files(source: &Source, text: &str, report: Report) -> Files {
-    let (name, store) = (&*source.name, &source.files);
-    let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
+/// Reads the main file `source`, decoded as `text`, and its included files: the files, and the main model with the models that it and they
+/// can attach. Defects are reported; after an error the tree may be incomplete.
+pub(crate) fn read_files(source: &Source, text: &str, report: Report) -> (Files, Vec<AttachedModel>) {
+    let path = Path::new(&source.name);
+    let canonical = source.files.canonical(path).ok();
     let mut reader = FileReader {
-        files: Files { tree: ElementTree::default(), reports: vec![report], models: Vec::new() },
-        store,
-        folder,
+        files: Files::new(&source.files, &source.name, text, report),
+        models: Vec::new(),
+        store: &source.files,
+        folder: path.parent().map(Path::to_owned).unwrap_or_default(),
         model: 0,
-        included: HashSet::new(),
-        open: store.canonical(Path::new(name)).into_iter().collect(),
-        bytes: text.len() as u64,
+        included: canonical.iter().cloned().collect(),
+        open: canonical.into_iter().collect(),
     };
-    reader.included.extend(store.canonical(Path::new(name)).ok());
-    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
     reader.append_file(0, None, 0);
     if !reader.files.tree.elements.is_empty() {
-        reader.files.models.push(AttachedModel { root: ElementId(0), attachable: Vec::new() });
+        reader.models.push(AttachedModel { root: ElementId(0), attachable: Vec::new() });
         reader.read_models(0, 0);
     }
-    reader.files
+    (reader.files, reader.models)
 }
 
 struct FileReader<'a> {
     files: Files,
+    models: Vec<AttachedModel>,
     store: &'a SharedFiles,
     /// Folder of the main file of the current model.
     folder: PathBuf,
@@ -66,8 +55,6 @@ struct FileReader<'a> {
     included: HashSet<PathBuf>,
     /// Canonical paths of the main files of the models that contain the current one, and of itself.
     open: Vec<PathBuf>,
-    /// Total size of all files, bytes.
-    bytes: u64,
 }
 
 impl FileReader<'_> {
@@ -88,44 +75,14 @@ impl FileReader<'_> {
 
     /// Appends an element and its descendants; an `<include>` is replaced by the contents of its file.
     fn append_element(&mut self, node: Node<'_, '_>, file: usize, parent: Option<ElementId>, depth: usize) {
-        let offset = node.range().start;
-        if depth > MAX_ELEMENT_DEPTH || self.files.tree.elements.len() >= MAX_ELEMENTS {
-            self.files.reports[file].add_once(
-                percuss_mechanism::Severity::Error,
-                "too-complex",
-                String::new(),
-                Place::Offset(offset),
-                || {
-                    format!(
-                        "with all included files, the model has more than {MAX_ELEMENTS} elements, or elements nested \
-                         deeper than {MAX_ELEMENT_DEPTH} levels"
-                    )
-                },
-            );
+        if self.files.is_full(file, node.range().start, depth) {
             return;
         }
         if node.tag_name().name() == "include" && parent.is_some() {
             self.include(node, file, parent, depth);
             return;
         }
-        let attribute = |a: roxmltree::Attribute<'_, '_>| Attribute {
-            name: a.name().to_owned(),
-            value: a.value().to_owned(),
-            offset: a.range().start,
-        };
-        let id = ElementId(self.files.tree.elements.len() as u32);
-        self.files.tree.elements.push(Element {
-            tag: node.tag_name().name().to_owned(),
-            attributes: node.attributes().map(attribute).collect(),
-            children: Vec::new(),
-            text: String::new(),
-            parent,
-            file,
-            offset,
-        });
-        if let Some(parent) = parent {
-            self.files.tree.elements[parent.0 as usize].children.push(id);
-        }
+        let id = self.files.tree.append(Element::new(node, file, parent, |_| true));
         for child in node.children().filter(Node::is_element) {
             self.append_element(child, file, Some(id), depth + 1);
         }
@@ -143,8 +100,18 @@ impl FileReader<'_> {
         let of_including = Path::new(&self.files.tree.files[file].name).parent().map(Path::to_owned);
         let candidates = [Some(self.folder.join(name)), of_including.map(|folder| folder.join(name))];
         let candidates: Vec<PathBuf> = candidates.into_iter().flatten().collect();
-        let Some(path) = self.find_file(node, file, name, &candidates) else { return };
-        let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
+        let Some(path) = candidates.iter().find(|path| self.store.is_file(path)) else {
+            self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
+                let tried = candidates.first().map_or(Path::new(name), PathBuf::as_path).display();
+                format!(
+                    "the included file {} does not exist; it is searched in the folder of the main file ({})",
+                    quoted(name),
+                    shortened(&tried.to_string())
+                )
+            });
+            return;
+        };
+        let canonical = self.files.canonical(path);
         if !self.included.insert(canonical) {
             self.files.reports[file].error("included-twice", Place::Attribute(node, "file"), || {
                 format!(
@@ -154,32 +121,9 @@ impl FileReader<'_> {
             });
             return;
         }
-        if let Some(index) = self.open_file(&path, file, Place::Attribute(node, "file")) {
+        if let Some(index) = self.open_file(path, file, Place::Attribute(node, "file")) {
             self.append_file(index, parent, depth);
         }
-    }
-
-    /// First of the paths that is a file; `None`, with an error.
-    fn find_file(
-        &mut self,
-        node: Node<'_, '_>,
-        file: usize,
-        name: &str,
-        candidates: &[PathBuf],
-    ) -> Option<PathBuf> {
-        let found = candidates.iter().find(|path| self.store.is_file(path)).cloned();
-        if found.is_none() {
-            self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
-                let tried =
-                    candidates.first().map_or(Path::new(name), PathBuf::as_path).display().to_string();
-                format!(
-                    "the included file {} does not exist; it is searched in the folder of the main file ({})",
-                    quoted(name),
-                    shortened(&tried)
-                )
-            });
-        }
-        found
     }
 
     /// Reads a file into the list of files; `None`, with an error at `place` in file number `file`, if this is impossible.
@@ -189,33 +133,20 @@ impl FileReader<'_> {
                 .error("too-complex", place, || format!("more than {MAX_INCLUDED_FILES} included files"));
             return None;
         }
-        let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
-        let source = match Source::read_from(self.store, &path.to_string_lossy(), left) {
-            Ok(source) => source,
-            Err(error) => {
+        match self.files.open(path, self.model) {
+            Ok(index) => Some(index).filter(|index| !self.files.reports[*index].has_errors()),
+            Err(reason) => {
                 self.files.reports[file].error("unreadable", place, || {
-                    let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
                     format!("the included file {} cannot be read: {reason}", quoted(&path.to_string_lossy()))
                 });
-                return None;
+                None
             }
-        };
-        self.bytes += source.bytes.len() as u64;
-        let mut report = Report::default();
-        let text = source.text(&mut report).map(|text| tolerant_text(&text, &mut report).into_owned());
-        let index = self.files.tree.files.len();
-        self.files.tree.files.push(FileText {
-            name: source.name,
-            text: text.clone().unwrap_or_default(),
-            model: self.model,
-        });
-        self.files.reports.push(report);
-        text.map(|_| index)
+        }
     }
 
     /// Reads the models in the assets of model number `own`, and the models in their assets.
     fn read_models(&mut self, own: usize, depth: usize) {
-        let root = self.files.models[own].root;
+        let root = self.models[own].root;
         let tree = &self.files.tree;
         let assets: Vec<ElementId> =
             tree.in_sections_of(root, "asset").filter(|id| tree.tag(*id) == "model").collect();
@@ -250,7 +181,7 @@ impl FileReader<'_> {
                 });
                 continue;
             }
-            let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
+            let canonical = self.files.canonical(&path);
             if self.open.contains(&canonical) {
                 self.files.reports[file].error("attach-circle", Place::Offset(offset), || {
                     format!(
@@ -260,7 +191,7 @@ impl FileReader<'_> {
                 });
                 continue;
             }
-            let model = self.files.models.len();
+            let model = self.models.len();
             self.model = model;
             self.folder = path.parent().map(Path::to_owned).unwrap_or_default();
             self.included = HashSet::from([canonical.clone()]);
@@ -281,8 +212,8 @@ impl FileReader<'_> {
             }
             let own_name = self.files.tree.attribute(root, "model").map(str::to_owned);
             let attached = given.or(own_name).unwrap_or_default();
-            self.files.models.push(AttachedModel { root, attachable: Vec::new() });
-            self.files.models[own].attachable.push((attached, model));
+            self.models.push(AttachedModel { root, attachable: Vec::new() });
+            self.models[own].attachable.push((attached, model));
             self.open.push(canonical);
             self.read_models(model, depth + 1);
             self.open.pop();

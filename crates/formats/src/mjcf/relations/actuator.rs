@@ -6,7 +6,7 @@ use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 use std::collections::HashMap;

@@ -9,7 +9,7 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use percuss_mechanism::{ClosureKind, Severity};

@@ -2,7 +2,7 @@
 //! couplings of the mechanism.
 
 use crate::mjcf::relations::references::JointKey;
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use std::collections::HashMap;
 
 /// Position of a dependent joint, rad or m, relative to the drawing.

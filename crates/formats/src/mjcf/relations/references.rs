@@ -1,7 +1,7 @@
 //! Elements named by constraints and actuators.
 
 use crate::mjcf::bodies::body::{Bodies, JointType, Site};
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use std::collections::HashMap;

@@ -5,7 +5,7 @@ use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use std::collections::{HashMap, HashSet};
 

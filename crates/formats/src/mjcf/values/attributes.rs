@@ -1,7 +1,7 @@
 //! Typed values of an element's attributes, with the defaults of its class.
 
 use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use crate::urdf::elements::numbers::parse_numbers;

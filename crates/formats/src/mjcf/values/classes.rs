@@ -1,7 +1,7 @@
 //! Classes of defaults. A class inherits the values of the class that contains it.
 
-use crate::mjcf::document::grammar::ACTUATOR_TAGS;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::mjcf::document::grammar::is_actuator;
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use std::cell::RefCell;
@@ -34,7 +34,7 @@ impl DefaultKind {
             "site" => DefaultKind::Site,
             "equality" => DefaultKind::Equality,
             "tendon" => DefaultKind::Tendon,
-            _ if ACTUATOR_TAGS.contains(&tag) => DefaultKind::Actuator,
+            _ if is_actuator(tag) => DefaultKind::Actuator,
             _ => return None,
         })
     }

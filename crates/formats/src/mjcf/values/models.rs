@@ -4,7 +4,7 @@ use crate::mjcf::document::files::AttachedModel;
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
 use crate::mjcf::values::settings::Settings;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 
 /// Settings and classes of all models; the main model is the first.

@@ -1,7 +1,7 @@
 //! Settings of the compiler and of the options. Several sections are merged: the last value of an attribute counts.
 
 use crate::mjcf::values::attributes::Attributes;
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 

@@ -1,9 +1,9 @@
 //! Comparison of a model with the table of elements.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
-use crate::sdf::document::grammar::{ElementRule, Treatment};
 use percuss_mechanism::Severity;
 
 /// Applies the treatments to the children of an element. The recursion is bounded by the depth of the table.
@@ -13,15 +13,14 @@ pub(crate) fn check_children(
     rules: &'static [ElementRule],
     findings: &mut Findings<'_>,
 ) {
-    let mut seen = 0u64;
+    let mut seen = Vec::new();
     for &child in tree.children(parent) {
         let tag = tree.tag(child);
-        let Some(index) = rules.iter().position(|rule| rule.tag == tag) else {
+        let Some((_, rule)) = tags(rules).find(|(known, _)| *known == tag) else {
             warn_unknown(tree, child, rules, findings);
             continue;
         };
-        let rule = &rules[index];
-        if rule.single && seen & (1 << index) != 0 {
+        if rule.single && seen.contains(&tag) {
             // Visual shapes have no effect on the masses.
             let (severity, which) = if tree.tag(parent) == "visual" {
                 (Severity::Warning, "the first one is used, as in libsdformat")
@@ -31,26 +30,22 @@ pub(crate) fn check_children(
             findings.add(severity, "duplicate-element", child, || {
                 format!("a second <{tag}>; only one is allowed, and {which}: delete one of them")
             });
+        } else if rule.single {
+            seen.push(tag);
         }
-        seen |= 1 << index;
-        match rule.treatment {
-            Treatment::Read => {}
-            Treatment::Silent => {
+        match (rule.treatment.finding(""), rule.children) {
+            (Some((Severity::Error, code, reason)), _) => findings.error(code, child, || reason.to_owned()),
+            (Some((severity, code, reason)), _) => {
+                findings.add_once(severity, code, tag, child, || reason.to_owned());
+            }
+            (None, Some(children)) => {
+                check_attributes(tree, child, rule, findings);
+                check_children(tree, child, children, findings);
+            }
+            (None, None) if matches!(rule.treatment, Treatment::Silent) => {
                 findings.add_unread(child, || format!("<{tag}> in <{}>", tree.tag(parent)));
-                continue;
             }
-            Treatment::Warned(reason) => {
-                findings.add_once(Severity::Warning, "ignored", rule.tag, child, || reason.to_owned());
-                continue;
-            }
-            Treatment::Refused(reason) => {
-                findings.error("unsupported", child, || reason.to_owned());
-                continue;
-            }
-        }
-        if let Some(children) = rule.children {
-            check_attributes(tree, child, rule, findings);
-            check_children(tree, child, children, findings);
+            (None, None) => {}
         }
     }
 }
@@ -73,7 +68,7 @@ fn warn_unknown(
         findings.add_unread(element, || format!("<{}>", shortened(tag)));
     } else {
         findings.add_once(Severity::Warning, "unknown-element", tag, element, || {
-            let guess = similar_name(tag, rules.iter().map(|rule| rule.tag));
+            let guess = similar_name(tag, listed_tags(rules));
             format!("unknown element <{}> is ignored{guess}", shortened(tag))
         });
     }
@@ -86,13 +81,14 @@ fn check_attributes(
     rule: &'static ElementRule,
     findings: &mut Findings<'_>,
 ) {
+    let tag = tree.tag(element);
     for attribute in &tree.element(element).attributes {
         let name = attribute.name.as_str();
-        if !rule.attributes.contains(&name) {
-            let kind = format!("{} {name}", rule.tag);
+        if rule.attribute(name).is_none() {
+            let kind = format!("{tag} {name}");
             findings.add_once(Severity::Warning, "unknown-attribute", &kind, element, || {
-                let guess = similar_name(name, rule.attributes.iter().copied());
-                format!("<{}>: unknown attribute \"{}\" is ignored{guess}", rule.tag, shortened(name))
+                let guess = similar_name(name, rule.attribute_names());
+                format!("<{tag}>: unknown attribute \"{}\" is ignored{guess}", shortened(name))
             });
         }
     }

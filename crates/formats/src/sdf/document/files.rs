@@ -2,24 +2,16 @@
 //!
 //! An `<include>` gets the root element of its file as a child. A file may be included several times, but not within itself.
 
-use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
-use crate::reading::limits::{
-    MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
-};
+use crate::SharedFiles;
+use crate::reading::document::element_tree::{Element, ElementId};
+use crate::reading::document::files::Files;
+use crate::reading::limits::{MAX_INCLUDED_FILES, MAX_MODEL_DEPTH};
 use crate::reading::report::{Place, Report, quoted, shortened};
-use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::sdf::document::uri::find_model_file;
-use crate::{SharedFiles, Source};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 use std::path::{Path, PathBuf};
-
-/// Tree of a model with one report per file.
-pub(crate) struct Files {
-    pub tree: ElementTree,
-    pub reports: Vec<Report>,
-}
 
 /// Reads the main file (`text`, named `name`) and its included files, which are in `store`. Defects are reported; after an error the tree
 /// may be incomplete, or empty.
@@ -31,14 +23,9 @@ pub(crate) fn read_files(
     text: &str,
     report: Report,
 ) -> Files {
-    let mut reader = FileReader {
-        files: Files { tree: ElementTree::default(), reports: vec![report] },
-        store,
-        wanted,
-        open: vec![store.canonical(Path::new(name)).unwrap_or_else(|_| PathBuf::from(name))],
-        bytes: text.len() as u64,
-    };
-    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
+    let files = Files::new(store, name, text, report);
+    let open = vec![files.canonical(Path::new(name))];
+    let mut reader = FileReader { files, store, wanted, open };
     reader.append_file(0, None, 0);
     reader.files
 }
@@ -50,8 +37,6 @@ struct FileReader<'a> {
     wanted: Option<&'a str>,
     /// Canonical paths of the files that contain the current element, from the main file on.
     open: Vec<PathBuf>,
-    /// Total size of all files, bytes.
-    bytes: u64,
 }
 
 impl FileReader<'_> {
@@ -84,27 +69,10 @@ impl FileReader<'_> {
 
     /// Appends an element and its descendants. The recursion is bounded by the nesting of the elements.
     fn append_element(&mut self, node: Node<'_, '_>, file: usize, parent: Option<ElementId>, depth: usize) {
-        let offset = node.range().start;
-        if depth > MAX_ELEMENT_DEPTH || self.files.tree.elements.len() >= MAX_ELEMENTS {
-            self.files.reports[file].add_once(
-                Severity::Error,
-                "too-complex",
-                String::new(),
-                Place::Offset(offset),
-                || {
-                    format!(
-                        "with all included files, the model has more than {MAX_ELEMENTS} elements, or elements nested \
-                         deeper than {MAX_ELEMENT_DEPTH} levels"
-                    )
-                },
-            );
+        if self.files.is_full(file, node.range().start, depth) {
             return;
         }
-        let id = ElementId(self.files.tree.elements.len() as u32);
-        self.files.tree.elements.push(element(node, file, parent));
-        if let Some(parent) = parent {
-            self.files.tree.elements[parent.0 as usize].children.push(id);
-        }
+        let id = self.files.tree.append(element(node, file, parent));
         for child in node.children().filter(Node::is_element) {
             self.append_element(child, file, Some(id), depth + 1);
         }
@@ -155,7 +123,7 @@ impl FileReader<'_> {
                 return;
             }
         };
-        let canonical = self.store.canonical(&path).unwrap_or_else(|_| path.clone());
+        let canonical = self.files.canonical(&path);
         if self.open.contains(&canonical) {
             self.files.reports[file].add(severity, "include-cycle", place, || {
                 format!(
@@ -165,36 +133,27 @@ impl FileReader<'_> {
             });
             return;
         }
-        let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
-        let source = match Source::read_from(self.store, &path.to_string_lossy(), left) {
-            Ok(source) => source,
-            Err(error) => {
+        let index = match self.files.open(&path, 0) {
+            Ok(index) => index,
+            Err(reason) => {
                 self.files.reports[file].add(severity, "unreadable", place, || {
-                    let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
                     format!("the included model {} cannot be read: {reason}", quoted(&uri))
                 });
                 return;
             }
         };
-        self.bytes += source.bytes.len() as u64;
-        let mut report = Report::default();
-        let text = source.text(&mut report).map(|text| tolerant_text(&text, &mut report).into_owned());
-        let index = self.files.tree.files.len();
-        self.files.tree.files.push(FileText {
-            name: source.name,
-            text: text.clone().unwrap_or_default(),
-            model: 0,
-        });
-        self.files.reports.push(report);
-        if text.is_some() {
+        if !self.files.reports[index].has_errors() {
             self.open.push(canonical);
             self.append_file(index, Some(include), depth + 1);
             self.open.pop();
         }
         if is_in_other_model && self.files.reports[index].has_errors() {
             let report = std::mem::take(&mut self.files.reports[index]);
-            let FileText { name, text, .. } = &self.files.tree.files[index];
-            let first = report.finish(name, text).into_iter().find(|found| found.severity == Severity::Error);
+            let read = &self.files.tree.files[index];
+            let first = report
+                .finish(&read.name, &read.text)
+                .into_iter()
+                .find(|found| found.severity == Severity::Error);
             self.files.reports[file].warning("unreadable", place, || {
                 let reason = first.map(|found| found.message).unwrap_or_default();
                 format!("another model includes {}, which is not read: {reason}", quoted(&uri))
@@ -227,20 +186,7 @@ fn element(node: Node<'_, '_>, file: usize, parent: Option<ElementId>) -> Elemen
         Some(prefix) => format!("{prefix}:{}", name.name()),
         None => name.name().to_owned(),
     };
-    let attributes = node.attributes().filter(|attribute| attribute.namespace().is_none());
-    let attributes = attributes.map(|a| Attribute {
-        name: a.name().to_owned(),
-        value: a.value().to_owned(),
-        offset: a.range().start,
-    });
     let text: String = node.children().filter(Node::is_text).filter_map(|text| text.text()).collect();
-    Element {
-        tag,
-        attributes: attributes.collect(),
-        children: Vec::new(),
-        text: text.trim_ascii().to_owned(),
-        parent,
-        file,
-        offset: node.range().start,
-    }
+    let own = Element::new(node, file, parent, |attribute| attribute.namespace().is_none());
+    Element { tag, text: text.trim_ascii().to_owned(), ..own }
 }

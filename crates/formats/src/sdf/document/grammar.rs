@@ -1,59 +1,137 @@
-//! Treatments of elements and attributes.
+//! Table of SDFormat: every element with its treatment. Source: SDFormat 1.12 and 1.4 (`sdf/1.12/*.sdf`), and Drake's documentation of
+//! its own elements.
 
-/// Treatment of an element or attribute.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Treatment {
-    /// Part of the mechanism.
-    Read,
-    /// Ignored without a message: no effect on the mechanics of an impact.
-    Silent,
-    /// Ignored with a warning; the text gives the reason.
-    Warned(&'static str),
-    /// Not supported, and the result without this entry would be wrong: an error; the text gives the reason and a remedy.
-    Refused(&'static str),
+use crate::reading::document::grammar::Treatment::{Read, Refused, Silent, Unexamined, Warned};
+use crate::reading::document::grammar::{COMPLIANT, ElementRule, element, unread};
+
+/// Elements in `<sdf>` and `<world>`. Models and includes are examined where they are used.
+pub(crate) const IN_WORLD: &[ElementRule] = &[
+    unread("world model include", Unexamined),
+    JOINT,
+    FRAME,
+    unread("population", Warned("<population> makes copies of a model; they are not read")),
+    unread("state", Warned("the state of a world is not read: all models are as drawn")),
+    unread(
+        "plugin audio wind gravity magnetic_field atmosphere gui physics scene light actor road spherical_coordinates",
+        Silent,
+    ),
+];
+
+/// Elements in `<model>`.
+pub(crate) const IN_MODEL: &[ElementRule] = &[
+    value("static"),
+    POSE,
+    element("link", &[("name", Read)], IN_LINK),
+    JOINT,
+    FRAME,
+    unread("model include", Unexamined),
+    // `walk.rs` warns about plugins that join links.
+    unread("plugin self_collide allow_auto_disable enable_wind gripper", Silent),
+    unread(
+        "drake:joint",
+        Refused(
+            "unsupported",
+            "joints of Drake's own are not read, and the answer without this one would be wrong",
+        ),
+    ),
+    unread(
+        "drake:ball_constraint",
+        Refused(
+            "unsupported",
+            "constraints of Drake are not read, and the answer without this one would be wrong: write a <joint> (ball, \
+             fixed) that closes the loop instead",
+        ),
+    ),
+    unread("drake:distance_constraint drake:tendon_constraint drake:linear_bushing_rpy", COMPLIANT),
+    unread("drake:linear_spring_damper", Silent),
+];
+
+/// Elements with a value as text; a parent may have one of each.
+const fn value(tags: &'static str) -> ElementRule {
+    element(tags, &[], &[]).single()
 }
 
-/// Entry of the table: an element with the attributes that have a meaning.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ElementRule {
-    pub tag: &'static str,
-    pub treatment: Treatment,
-    /// True if a parent may have one such element.
-    pub single: bool,
-    pub attributes: &'static [&'static str],
-    /// Rules of the children; `None` if children are not examined.
-    pub children: Option<&'static [ElementRule]>,
-}
+const POSE: ElementRule =
+    element("pose", &[("relative_to frame degrees rotation_format", Read)], &[]).single();
+const FRAME: ElementRule = element("frame", &[("name attached_to", Read)], &[POSE]);
 
-/// Rule of an element that is read; a parent may have several.
-pub(super) const fn several(
-    tag: &'static str,
-    attributes: &'static [&'static str],
-    children: &'static [ElementRule],
-) -> ElementRule {
-    ElementRule { tag, treatment: Treatment::Read, single: false, attributes, children: Some(children) }
-}
+const IN_LINK: &[ElementRule] = &[
+    POSE,
+    element("inertial", &[("auto", Read)], IN_INERTIAL).single(),
+    element(
+        "collision",
+        &[("name", Read)],
+        &[
+            POSE,
+            value("density"),
+            unread("geometry", Unexamined),
+            unread(
+                "laser_retro max_contacts surface auto_inertia_params frame drake:proximity_properties",
+                Silent,
+            ),
+        ],
+    ),
+    element(
+        "visual",
+        &[("name", Read)],
+        &[
+            POSE,
+            unread("geometry", Unexamined),
+            unread(
+                "material cast_shadows laser_retro transparency visibility_flags meta plugin frame",
+                Silent,
+            ),
+        ],
+    ),
+    unread(
+        "kinematic",
+        Warned("a kinematic link is moved by script; here it moves with its joints. Lock a joint to hold it"),
+    ),
+    unread(
+        "gravity enable_wind self_collide must_be_base_link velocity_decay sensor projector audio_sink audio_source \
+         battery light particle_emitter plugin frame",
+        Silent,
+    ),
+];
 
-/// Rule of an element that is read; a parent may have one.
-pub(super) const fn single(
-    tag: &'static str,
-    attributes: &'static [&'static str],
-    children: &'static [ElementRule],
-) -> ElementRule {
-    ElementRule { single: true, ..several(tag, attributes, children) }
-}
+const IN_INERTIAL: &[ElementRule] = &[
+    value("mass density"),
+    POSE,
+    element("inertia", &[], &[value("ixx ixy ixz iyy iyz izz")]).single(),
+    unread(
+        "fluid_added_mass",
+        Refused(
+            "unsupported",
+            "the added mass of a fluid is not read, and the answer without it would be wrong; remove the element to get the \
+                 effective mass in air",
+        ),
+    ),
+    unread("auto_inertia_params frame", Silent),
+];
 
-/// Rule of an element with a value as text; a parent may have one.
-pub(super) const fn value(tag: &'static str) -> ElementRule {
-    single(tag, &[], &[])
-}
+const JOINT: ElementRule = element("joint", &[("name type", Read)], IN_JOINT);
 
-/// Rule of an element that is not read.
-pub(super) const fn unread(tag: &'static str, treatment: Treatment) -> ElementRule {
-    ElementRule { tag, treatment, single: false, attributes: &[], children: None }
-}
+const IN_JOINT: &[ElementRule] = &[
+    value("parent child"),
+    POSE,
+    element("axis axis2", &[], IN_AXIS).single(),
+    value("thread_pitch screw_thread_pitch gearbox_ratio gearbox_reference_body"),
+    // The joints read `physics/simbody/must_be_loop_joint`.
+    unread("physics sensor frame plugin", Silent),
+    value("drake:rotor_inertia drake:gear_ratio"),
+    element("drake:mimic", &[("joint multiplier offset", Read)], &[]).single(),
+    unread("drake:controller_gains", Silent),
+];
 
-/// Rule of an element that is read, and whose children other functions examine.
-pub(super) const fn unexamined(tag: &'static str) -> ElementRule {
-    unread(tag, Treatment::Read)
-}
+const IN_AXIS: &[ElementRule] = &[
+    element("xyz", &[("expressed_in", Read)], &[]).single(),
+    value("use_parent_model_frame"),
+    element(
+        "limit",
+        &[],
+        &[value("lower upper"), unread("effort velocity stiffness dissipation drake:acceleration", Silent)],
+    )
+    .single(),
+    element("mimic", &[("joint axis", Read)], &[value("multiplier offset reference")]).single(),
+    unread("dynamics initial_position", Silent),
+];

@@ -3,6 +3,5 @@
 pub(crate) mod check;
 pub(crate) mod files;
 pub(crate) mod grammar;
-pub(crate) mod grammar_rules;
 pub(crate) mod uri;
 pub(crate) mod version;

@@ -1,6 +1,6 @@
 //! Versions of the format.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 

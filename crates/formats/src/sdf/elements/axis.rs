@@ -1,6 +1,6 @@
 //! Axes of joints: direction, limits, and the joint that an axis follows.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{MIN_AXIS_COMPONENT, UNLIMITED};
 use crate::reading::report::quoted;

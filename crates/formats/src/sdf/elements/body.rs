@@ -1,6 +1,6 @@
 //! Links: inertia and shapes.
 
-use crate::reading::element_tree::ElementTree;
+use crate::reading::document::element_tree::ElementTree;
 use crate::reading::findings::Findings;
 use crate::sdf::elements::geometry::{Collision, read_shape};
 use crate::sdf::elements::inertia::{LinkInertia, read_inertia};

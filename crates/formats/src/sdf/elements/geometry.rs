@@ -1,7 +1,7 @@
 //! Shapes of links.
 
 use crate::mjcf::bodies::solids::{self, UnitInertia};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::MAX_SHAPE_SIZE;
 use crate::shape::Solid;
 use crate::urdf::elements::numbers::parse_numbers;

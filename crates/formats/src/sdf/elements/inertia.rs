@@ -1,7 +1,7 @@
 //! Inertias of links: declared, computed from the collisions, or the defaults of the format.
 
 use crate::mjcf::bodies::inertia::{sum, turn};
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::sdf::document::version::Version;
 use crate::sdf::elements::geometry::Collision;

@@ -1,6 +1,6 @@
 //! Joints with their ends and axes.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use crate::sdf::elements::axis::{JointAxis, read_axis};

@@ -1,6 +1,6 @@
 //! Choice of one model of a file.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::{quoted, shortened};
 use crate::sdf::document::version::check_version;

@@ -3,7 +3,7 @@
 //! Every frame has a base and a pose in the base. Default bases: the model frame; of a joint its child; of a model the enclosing model
 //! or the world. Source: SDFormat, "Pose frame semantics", and its converters of versions 1.4 and 1.6.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::limits::MAX_FRAME_CHAIN;
 use crate::reading::report::quoted;

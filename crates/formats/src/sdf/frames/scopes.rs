@@ -1,6 +1,6 @@
 //! Scopes of names: the world, and models within models.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::LONGEST_NAME;
 use crate::sdf::document::version::Version;
 use percuss_spatial::Transform;

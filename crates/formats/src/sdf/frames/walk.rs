@@ -1,12 +1,12 @@
 //! Collection of scopes, links, joints and frames.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_MODEL_DEPTH, MAX_PLUGIN_NAMES};
 use crate::reading::plugins::joins_links;
 use crate::reading::report::quoted;
 use crate::sdf::document::check::check_children;
-use crate::sdf::document::grammar_rules::{IN_MODEL, IN_WORLD};
+use crate::sdf::document::grammar::{IN_MODEL, IN_WORLD};
 use crate::sdf::document::version::Version;
 use crate::sdf::frames::scopes::{Frame, FrameId, FrameKind, Scope, ScopeId, Scopes, SdfJoint, SdfLink};
 use crate::sdf::values::{read_boolean_attribute, read_boolean_in, text_in};

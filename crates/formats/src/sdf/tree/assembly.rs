@@ -1,6 +1,6 @@
 //! Links, joints, closures and couplings of the chosen model.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 use crate::reading::unique_names::UniqueNames;

@@ -5,7 +5,7 @@
 //! of its position: its steps are reversed, and their axes change the sign. The quaternion of a ball joint then turns the parent in the
 //! child.
 
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::unique_names::UniqueNames;
 use crate::sdf::elements::axis::JointAxis;
 use crate::sdf::elements::joint::{JointBody, JointType};

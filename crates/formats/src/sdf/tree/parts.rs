@@ -1,6 +1,6 @@
 //! Parts of the mechanism with their elements, for findings.
 
-use crate::reading::element_tree::ElementId;
+use crate::reading::document::element_tree::ElementId;
 use percuss_mechanism::{ClosureDescription, CouplingDescription, JointDescription, LinkDescription};
 
 /// Links, joints, closures and couplings of a model, each with its element.

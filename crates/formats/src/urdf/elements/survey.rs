@@ -1,7 +1,8 @@
 //! Comparison of the file with the table of the dialect.
 
+use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::report::{Place, Report, shortened};
-use crate::urdf::elements::dialect::{ElementRule, GAZEBO_JOINT, Treatment};
+use crate::urdf::elements::dialect::GAZEBO_JOINT;
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
@@ -85,10 +86,16 @@ pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Applies the table to an element, its attributes and its descendants. The depth of recursion is the depth of the table.
-pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
-    check_attributes(node, rule, report);
-    let mut seen = 0u64;
+/// Applies the table to an element, its attributes and its descendants. The depth of recursion is the depth of the table. `tag`: tag of
+/// the element in the table.
+pub(crate) fn check_element(
+    node: Node<'_, '_>,
+    (tag, rule): (&'static str, &ElementRule),
+    report: &mut Report,
+) {
+    check_attributes(node, (tag, rule), report);
+    let children = rule.children.unwrap_or_default();
+    let mut seen = Vec::new();
     for child in node.children() {
         if child.is_text() {
             warn_stray_text(node, child, report);
@@ -96,24 +103,18 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
         if !child.is_element() {
             continue;
         }
-        let Some(index) = rule.children.iter().position(|s| is_named(child, s.name)) else {
-            if rule.silent.split_ascii_whitespace().any(|name| is_named(child, name)) {
-                report.add_unread(Place::Element(child), || {
-                    format!("<{}> in <{}>", child.tag_name().name(), rule.name)
-                });
-            } else if tag_language(child) == Language::Urdf {
-                warn_unknown_element(child, rule, report);
+        let Some((found_tag, found)) = tags(children).find(|(tag, _)| is_named(child, tag)) else {
+            if tag_language(child) == Language::Urdf {
+                warn_unknown_element(child, (tag, rule), report);
             }
             continue;
         };
-        let found = &rule.children[index];
-        // Tables of elements that a parent may have once are short.
-        let bit = if found.single { 1 << index } else { 0 };
-        if seen & bit != 0 {
+        if found.single && seen.contains(&found_tag) {
             report_duplicate(node, child, report);
+        } else if found.single {
+            seen.push(found_tag);
         }
-        seen |= bit;
-        apply_treatment(child, found, report);
+        apply_treatment(child, (found_tag, found), report);
     }
 }
 
@@ -141,37 +142,28 @@ pub(crate) fn is_fixed_joint(node: Node<'_, '_>) -> bool {
 }
 
 /// Applies the treatment of the table to an element.
-fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
+fn apply_treatment(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     let place = Place::Element(node);
-    match rule.treatment {
-        Treatment::Read => {
-            if rule.name == "gazebo" {
+    match (rule.treatment.finding(node.text().unwrap_or_default()), rule.treatment) {
+        (Some((Severity::Error, code, reason)), _) => report.error(code, place, || reason.to_owned()),
+        (Some((severity, code, reason)), _) => {
+            let lead = if severity == Severity::Warning { format!("<{tag}>: ") } else { String::new() };
+            report.add_once(severity, code, tag.to_owned(), place, || format!("{lead}{reason}"));
+        }
+        (None, Treatment::Read) => {
+            if tag == "gazebo" {
                 check_gazebo_joints(node, report);
             }
-            check_element(node, rule, report);
+            check_element(node, (tag, rule), report);
         }
-        Treatment::Text => {}
-        Treatment::Silent => match rule.name {
-            "visual" | "collision" => list_unread_children(node, report),
-            _ => report.add_unread(place, || format!("<{}> in <{}>", rule.name, parent_tag(node))),
-        },
-        Treatment::Noted(reason) => {
-            report.add_once(Severity::Note, "ignored", rule.name.to_owned(), place, || reason.to_owned());
+        (None, Treatment::Silent) if ["visual", "collision"].contains(&tag) => {
+            list_unread_children(node, report);
         }
-        Treatment::WarnedUnless(harmless, _) if has_no_effect(node.text().unwrap_or_default(), harmless) => {}
-        Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason) => {
-            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || {
-                format!("<{}>: {reason}", rule.name)
-            });
+        (None, Treatment::Silent | Treatment::Unlisted) => {
+            report.add_unread(place, || format!("<{tag}> in <{}>", parent_tag(node)));
         }
-        Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
+        (None, _) => {}
     }
-}
-
-/// True if a value is one of the words without effect, or a number of at most 0.
-fn has_no_effect(value: &str, harmless: &[&str]) -> bool {
-    let value = value.trim_ascii();
-    harmless.contains(&value) || value.parse::<f64>().is_ok_and(|number| number <= 0.0)
 }
 
 /// Children of `<geometry>` that `shape.rs` reads.
@@ -202,46 +194,51 @@ fn parent_tag<'a>(node: Node<'a, '_>) -> &'a str {
 }
 
 /// Applies the treatments of the table to the attributes of an element.
-fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
+fn check_attributes(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
-        let name = attribute.name();
+        let (name, value) = (attribute.name(), attribute.value());
         let place = Place::Attribute(node, name);
-        let treatment =
-            rule.attributes.iter().find(|(known, _)| *known == name).map(|(_, treatment)| treatment);
-        match treatment {
-            Some(Treatment::Read) if has_xacro_substitution(attribute.value()) => {
-                report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
+        let treatment = rule.attribute(name);
+        match (treatment.and_then(|treatment| treatment.finding(value)), treatment) {
+            (Some((Severity::Warning, code, reason)), _) => {
+                report.warning(code, place, || format!("{name}=\"{}\": {reason}", shortened(value)));
             }
-            Some(Treatment::Read | Treatment::Text) => {}
-            Some(Treatment::Silent) => report.add_unread(place, || format!("{name} of <{}>", rule.name)),
-            Some(Treatment::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
-            Some(Treatment::WarnedUnless(harmless, _)) if has_no_effect(attribute.value(), harmless) => {}
-            Some(Treatment::Warned(reason) | Treatment::WarnedUnless(_, reason)) => {
-                report.warning("ignored", place, || {
-                    format!("{name}=\"{}\": {reason}", shortened(attribute.value()))
-                });
+            (Some((severity, code, reason)), _) => report.add(severity, code, place, || reason.to_owned()),
+            (None, Some(Treatment::Read)) if has_xacro_substitution(value) => {
+                report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(value)));
             }
-            Some(Treatment::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
-            None => {
+            (None, Some(Treatment::Silent)) => report.add_unread(place, || format!("{name} of <{tag}>")),
+            (None, Some(_)) => {}
+            (None, None) => {
                 let shown = shortened(name);
-                let kind = format!("{} {shown}", rule.name);
-                report.add_once(Severity::Warning, "unknown-attribute", kind, place, || {
-                    let near = near_names(name, rule.attributes.iter().map(|(known, _)| *known));
-                    let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
-                    format!("unknown attribute \"{shown}\" is ignored{guess}")
-                });
+                report.add_once(
+                    Severity::Warning,
+                    "unknown-attribute",
+                    format!("{tag} {shown}"),
+                    place,
+                    || {
+                        let near = near_names(name, rule.attribute_names());
+                        let guess =
+                            near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+                        format!("unknown attribute \"{shown}\" is ignored{guess}")
+                    },
+                );
             }
         }
     }
 }
 
 /// Warns about an element that the table does not contain, with a similar name.
-fn warn_unknown_element(node: Node<'_, '_>, parent: &'static ElementRule, report: &mut Report) {
+fn warn_unknown_element(
+    node: Node<'_, '_>,
+    (parent, rule): (&'static str, &ElementRule),
+    report: &mut Report,
+) {
     let name = node.tag_name().name();
     let shown = shortened(name);
-    let kind = format!("{} {shown}", parent.name);
+    let kind = format!("{parent} {shown}");
     report.add_once(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
-        let known = parent.children.iter().map(|s| s.name).filter(|n| !n.starts_with("drake:"));
+        let known = listed_tags(rule.children.unwrap_or_default()).filter(|n| !n.starts_with("drake:"));
         let guess =
             near_names(name, known).first().map(|n| format!("; did you mean <{n}>?")).unwrap_or_default();
         format!("unknown element <{shown}> is ignored{guess}")
@@ -263,7 +260,7 @@ fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report
 fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
-            check_element(joint, &GAZEBO_JOINT, report);
+            check_element(joint, ("joint", &GAZEBO_JOINT), report);
         } else {
             refuse_gazebo_joint(joint, report, || {
                 "it belongs in a <gazebo> of <robot> that has no attribute \"reference\"".to_owned()
@@ -303,13 +300,13 @@ mod tests {
     fn warnings(text: &str) -> Vec<String> {
         let document = roxmltree::Document::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         let mut report = Report::default();
-        check_element(document.root_element(), &ROBOT, &mut report);
+        check_element(document.root_element(), ("robot", &ROBOT), &mut report);
         let found = report.finish("", text).into_iter().filter(|d| d.severity == Severity::Warning);
         found.map(|d| d.message).collect()
     }
 
     /// Inserts every element and attribute with a warning, and an unknown one, below the elements of `path`; counts them.
-    fn insert_names(path: &[&str], rule: &'static ElementRule, count: &mut usize) {
+    fn insert_names(path: &[&str], rule: &ElementRule, count: &mut usize) {
         let mut insert = |name: &str, element: &str| {
             let holders = path[1..].iter().map(|tag| format!("<{tag}>")).collect::<String>();
             let ends = path[1..].iter().rev().map(|tag| format!("</{tag}>")).collect::<String>();
@@ -323,21 +320,25 @@ mod tests {
             *count += 1;
         };
         insert("unheard_of", "<unheard_of/>");
-        for child in rule.children {
-            if matches!(child.treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
-                insert(child.name, &format!("<{0}>1</{0}>", child.name));
+        let is_warned =
+            |treatment: Treatment| matches!(treatment.finding("1"), Some((Severity::Warning, ..)));
+        let is_read = |rule: &ElementRule| matches!(rule.treatment, Treatment::Read);
+        let children = rule.children.unwrap_or_default();
+        for (tag, child) in tags(children) {
+            if is_warned(child.treatment) {
+                insert(tag, &format!("<{tag}>1</{tag}>"));
             }
-            if matches!(child.treatment, Treatment::Read) {
-                insert("unheard_of", &format!("<{} unheard_of=\"1\"/>", child.name));
+            if is_read(child) {
+                insert("unheard_of", &format!("<{tag} unheard_of=\"1\"/>"));
             }
-            for (name, treatment) in child.attributes {
-                if matches!(treatment, Treatment::Warned(_) | Treatment::WarnedUnless(..)) {
-                    insert(name, &format!("<{} {name}=\"1\"/>", child.name));
+            for name in child.attribute_names() {
+                if child.attribute(name).is_some_and(is_warned) {
+                    insert(name, &format!("<{tag} {name}=\"1\"/>"));
                 }
             }
         }
-        for child in rule.children.iter().filter(|child| matches!(child.treatment, Treatment::Read)) {
-            insert_names(&[path, &[child.name]].concat(), child, count);
+        for (tag, child) in tags(children).filter(|(_, child)| is_read(child)) {
+            insert_names(&[path, &[tag]].concat(), child, count);
         }
     }
 

@@ -1,5 +1,7 @@
 //! Elements of a model. The tree contains the elements of all included files.
 
+use roxmltree::Node;
+
 /// Index of an element in its [`ElementTree`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct ElementId(pub(crate) u32);
@@ -17,6 +19,31 @@ pub(crate) struct Element {
     pub file: usize,
     /// Byte offset in the file.
     pub offset: usize,
+}
+
+impl Element {
+    /// Element of a file, without children and text; `is_read`: true for the attributes that are kept.
+    pub fn new(
+        node: Node<'_, '_>,
+        file: usize,
+        parent: Option<ElementId>,
+        is_read: impl Fn(&roxmltree::Attribute<'_, '_>) -> bool,
+    ) -> Self {
+        let attributes = node.attributes().filter(is_read).map(|attribute| Attribute {
+            name: attribute.name().to_owned(),
+            value: attribute.value().to_owned(),
+            offset: attribute.range().start,
+        });
+        Self {
+            tag: node.tag_name().name().to_owned(),
+            attributes: attributes.collect(),
+            children: Vec::new(),
+            text: String::new(),
+            parent,
+            file,
+            offset: node.range().start,
+        }
+    }
 }
 
 /// Attribute with its position.
@@ -50,6 +77,16 @@ impl ElementTree {
     /// Root element of the main file.
     pub fn root(&self) -> ElementId {
         ElementId(0)
+    }
+
+    /// Appends an element, also to the children of its parent.
+    pub fn append(&mut self, element: Element) -> ElementId {
+        let id = ElementId(self.elements.len() as u32);
+        if let Some(parent) = element.parent {
+            self.elements[parent.0 as usize].children.push(id);
+        }
+        self.elements.push(element);
+        id
     }
 
     /// The element with this index.
