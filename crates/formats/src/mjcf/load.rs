@@ -45,7 +45,7 @@ pub(crate) fn load_text(
     // After an error of a file the tree may be empty.
     if !files.reports.iter().any(Report::has_errors) {
         let mut findings = Findings::new(&files.tree, files.reports);
-        models.iter().for_each(|model| check_grammar(&files.tree, model.root, &mut findings));
+        models.iter().for_each(|model| check_grammar(model.root, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {
             attach_models(&mut files, &models);
@@ -54,7 +54,7 @@ pub(crate) fn load_text(
     let Files { tree, reports, .. } = files;
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
-    let model = if failed { None } else { read_model(&tree, &models, &source.files, options, &mut findings) };
+    let model = if failed { None } else { read_model(&models, &source.files, options, &mut findings) };
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
@@ -81,20 +81,20 @@ struct Parts {
 
 /// Contents of a model; `None` after an error.
 fn read_model(
-    tree: &ElementTree,
     models: &[AttachedModel],
     files: &SharedFiles,
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Parts> {
-    let models = Models::read(tree, models, findings);
-    let mut bodies = read_bodies(tree, &models, findings);
+    let tree = findings.tree;
+    let models = Models::read(models, findings);
+    let mut bodies = read_bodies(&models, findings);
     if findings.has_errors() {
         return None;
     }
     let references = References { bodies: &bodies };
-    let tendons = read_tendons(tree, &models, &references, findings);
-    let added = reflected_armatures(tree, &models, &bodies, &tendons, findings);
+    let tendons = read_tendons(&models, &references, findings);
+    let added = reflected_armatures(&models, &bodies, &tendons, findings);
     let reader = EqualityReader { tree, models: &models, references: &references, tendons: &tendons };
     let Constraints { closures, joints: mut relations } = reader.read(findings);
     if closures.len() > MAX_ELEMENTS_PER_KIND {
@@ -105,7 +105,7 @@ fn read_model(
     for ((body, position), armature) in added.joints {
         bodies.bodies[body].joints[position].armature += armature;
     }
-    let mut meshes = Meshes::read(tree, files, &models, findings);
+    let mut meshes = Meshes::read(files, &models, findings);
     let inertias = body_inertias(&bodies.bodies, &mut meshes, &models, findings);
     if findings.has_errors() {
         return None;
@@ -138,22 +138,22 @@ fn read_model(
         .map(|is_auxiliary| if *is_auxiliary { None } else { of_bodies.next() }.unwrap_or_default());
     let (shapes, is_whole): (Vec<Vec<Shape>>, Vec<bool>) = of_links.unzip();
     let hulls = (&shapes[..], &is_whole[..]);
-    let mechanism = build_mechanism(tree, &bodies, (&chains, &closures), hulls, options, findings)?;
+    let mechanism = build_mechanism(&bodies, (&chains, &closures), hulls, options, findings)?;
     let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
-    let poses = read_keyframes(tree, &qpos, findings);
+    let poses = read_keyframes(&qpos, findings);
     Some(Parts { mechanism, shapes, poses, qpos, opened: meshes.opened })
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements. `is_whole`: true for a link
 /// all of whose geoms are among its shapes.
 fn build_mechanism(
-    tree: &ElementTree,
     bodies: &Bodies,
     (chains, closures): (&Chains, &[BodyClosure]),
     (shapes, is_whole): (&[Vec<Shape>], &[bool]),
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Mechanism> {
+    let tree = findings.tree;
     let name = cut(tree.attribute(tree.root(), "model").unwrap_or("MuJoCo Model"), LONGEST_NAME);
     let mut builder = MechanismBuilder::new(name).accept(options.accept);
     builder = chains.links.iter().cloned().fold(builder, MechanismBuilder::link);

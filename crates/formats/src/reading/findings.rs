@@ -8,7 +8,7 @@ use percuss_mechanism::{Severity, near_names};
 
 /// Collected findings, bounded in number.
 pub(crate) struct Findings<'t> {
-    tree: &'t ElementTree,
+    pub tree: &'t ElementTree,
     /// One report for each file of the tree.
     reports: Vec<Report>,
 }

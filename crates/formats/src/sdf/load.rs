@@ -31,7 +31,7 @@ pub(crate) fn load_text(
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
     // After an error of a file the tree may be empty.
-    let model = if failed { None } else { read_model(&tree, wanted, options, &mut findings) };
+    let model = if failed { None } else { read_model(wanted, options, &mut findings) };
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
@@ -53,35 +53,33 @@ pub(crate) fn load_text(
 
 /// Mechanism, and shapes of its links; `None` after an error.
 fn read_model(
-    tree: &ElementTree,
     wanted: Option<&str>,
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
-    let selected = select_model(tree, wanted, findings)?;
-    let mut scopes = collect_scopes(tree, selected.container, selected.model, findings);
+    let selected = select_model(wanted, findings)?;
+    let mut scopes = collect_scopes(selected.container, selected.model, findings);
     if findings.has_errors() {
         return None;
     }
-    scopes.resolve_attachments(tree);
-    resolve_poses(tree, &mut scopes, findings);
+    scopes.resolve_attachments(findings.tree);
+    resolve_poses(&mut scopes, findings);
     if findings.has_errors() {
         return None;
     }
-    let (parts, mut bodies) = assemble(tree, &scopes, selected.model, findings)?;
+    let (parts, mut bodies) = assemble(&scopes, selected.model, findings)?;
     let of_links = parts.links.iter().map(|(_, origin)| match origin.link {
         Some(link) => bodies.get_mut(link).and_then(Option::take).unwrap_or_default(),
         None => Vec::new(),
     });
     let shapes: Vec<Vec<Shape>> = of_links.collect();
-    let name = model_name(tree, selected.model);
-    let mechanism = build_mechanism(tree, name, &parts, &shapes, options, findings)?;
+    let name = model_name(findings.tree, selected.model);
+    let mechanism = build_mechanism(name, &parts, &shapes, options, findings)?;
     Some((mechanism, shapes))
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements.
 fn build_mechanism(
-    tree: &ElementTree,
     name: &str,
     parts: &Parts,
     shapes: &[Vec<Shape>],
@@ -108,7 +106,7 @@ fn build_mechanism(
     };
     for (subject, problem) in found {
         if !is_expected(parts, &subject, &problem) {
-            let element = locate(tree, parts, &subject, &problem);
+            let element = locate(findings.tree, parts, &subject, &problem);
             findings.add(problem.severity(), problem.code(), element, || problem.to_string());
         }
     }

@@ -10,11 +10,10 @@ use percuss_spatial::Transform;
 
 /// N finite numbers in the text of an element; `None`, with an error, if invalid.
 pub(crate) fn read_numbers<const N: usize>(
-    tree: &ElementTree,
     element: ElementId,
     findings: &mut Findings<'_>,
 ) -> Option<[f64; N]> {
-    let text = tree.text(element);
+    let text = findings.tree.text(element);
     match parse_numbers::<N>(text) {
         Ok(values) => Some(values),
         Err(defect) => {
@@ -25,52 +24,32 @@ pub(crate) fn read_numbers<const N: usize>(
 }
 
 /// Finite number in a child element; `None` if absent, or, with an error, if invalid.
-pub(crate) fn read_number_in(
-    tree: &ElementTree,
-    parent: ElementId,
-    tag: &str,
-    findings: &mut Findings<'_>,
-) -> Option<f64> {
-    let element = tree.child(parent, tag)?;
-    read_numbers::<1>(tree, element, findings).map(|[value]| value)
+pub(crate) fn read_number_in(parent: ElementId, tag: &str, findings: &mut Findings<'_>) -> Option<f64> {
+    let element = findings.tree.child(parent, tag)?;
+    read_numbers::<1>(element, findings).map(|[value]| value)
 }
 
 /// Position limit in a child element; `None` if absent or without effect (infinite, or at least 1e16).
-pub(crate) fn read_limit_in(
-    tree: &ElementTree,
-    parent: ElementId,
-    tag: &str,
-    findings: &mut Findings<'_>,
-) -> Option<f64> {
-    let element = tree.child(parent, tag)?;
-    match tree.text(element).to_ascii_lowercase().as_str() {
+pub(crate) fn read_limit_in(parent: ElementId, tag: &str, findings: &mut Findings<'_>) -> Option<f64> {
+    let element = findings.tree.child(parent, tag)?;
+    match findings.tree.text(element).to_ascii_lowercase().as_str() {
         "inf" | "+inf" | "-inf" | "infinity" | "-infinity" => None,
         _ => {
-            let [value] = read_numbers::<1>(tree, element, findings)?;
+            let [value] = read_numbers::<1>(element, findings)?;
             Some(value).filter(|value| value.abs() < UNLIMITED)
         }
     }
 }
 
 /// Boolean in a child element; false if absent, or, with an error, if invalid.
-pub(crate) fn read_boolean_in(
-    tree: &ElementTree,
-    parent: ElementId,
-    tag: &str,
-    findings: &mut Findings<'_>,
-) -> bool {
-    let Some(element) = tree.child(parent, tag) else { return false };
-    boolean(tree.text(element), element, findings)
+pub(crate) fn read_boolean_in(parent: ElementId, tag: &str, findings: &mut Findings<'_>) -> bool {
+    let Some(element) = findings.tree.child(parent, tag) else { return false };
+    boolean(findings.tree.text(element), element, findings)
 }
 
 /// Boolean in an attribute; false if absent, or, with an error, if invalid.
-pub(crate) fn read_boolean_attribute(
-    tree: &ElementTree,
-    element: ElementId,
-    name: &str,
-    findings: &mut Findings<'_>,
-) -> bool {
-    tree.attribute(element, name).is_some_and(|text| boolean(text, element, findings))
+pub(crate) fn read_boolean_attribute(element: ElementId, name: &str, findings: &mut Findings<'_>) -> bool {
+    findings.tree.attribute(element, name).is_some_and(|text| boolean(text, element, findings))
 }
 
 /// Truth value of a text; false, with an error, if invalid.
@@ -83,22 +62,18 @@ fn boolean(text: &str, element: ElementId, findings: &mut Findings<'_>) -> bool 
 }
 
 /// Pose in the text of an element; the identity, with an error, if invalid.
-pub(crate) fn read_pose(tree: &ElementTree, pose: ElementId, findings: &mut Findings<'_>) -> Transform<f64> {
-    let format = tree.attribute(pose, "rotation_format").unwrap_or("euler_rpy");
-    let degrees = read_boolean_attribute(tree, pose, "degrees", findings);
-    sdf_values::parse_pose(tree.text(pose), format, degrees).unwrap_or_else(|defect| {
+pub(crate) fn read_pose(pose: ElementId, findings: &mut Findings<'_>) -> Transform<f64> {
+    let format = findings.tree.attribute(pose, "rotation_format").unwrap_or("euler_rpy");
+    let degrees = read_boolean_attribute(pose, "degrees", findings);
+    sdf_values::parse_pose(findings.tree.text(pose), format, degrees).unwrap_or_else(|defect| {
         findings.error("bad-pose", pose, || defect);
         Transform::identity()
     })
 }
 
 /// Pose in the child `<pose>`; the identity if absent, or, with an error, if invalid.
-pub(crate) fn read_pose_in(
-    tree: &ElementTree,
-    parent: ElementId,
-    findings: &mut Findings<'_>,
-) -> Transform<f64> {
-    tree.child(parent, "pose").map_or_else(Transform::identity, |pose| read_pose(tree, pose, findings))
+pub(crate) fn read_pose_in(parent: ElementId, findings: &mut Findings<'_>) -> Transform<f64> {
+    findings.tree.child(parent, "pose").map_or_else(Transform::identity, |pose| read_pose(pose, findings))
 }
 
 /// Name in the text of a child element; empty if absent.

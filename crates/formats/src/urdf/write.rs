@@ -54,12 +54,12 @@ fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) ->
     let fits_instruction =
         |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
     for (code, name) in comments.known.iter().filter(|(_, name)| fits_instruction(name)) {
-        append(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
+        append!(out, "<?percuss-known {code} {name}?>\n");
     }
     for line in &comments.heading {
-        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(line)));
+        append!(out, "<!-- {} -->\n", escape_comment(line));
     }
-    append(&mut out, format_args!("<robot name=\"{}\">\n", escape_attribute(mechanism.name())));
+    append!(out, "<robot name=\"{}\">\n", escape_attribute(mechanism.name()));
     for (index, link) in mechanism.links().iter().enumerate() {
         write_comment(&mut out, &comments.links, link.name());
         write_link(&mut out, link, shapes.get(index).map_or("", String::as_str));
@@ -151,17 +151,17 @@ fn shape_element(parts: &ModelParts<'_>, shape: &Shape) -> Result<String, String
 
 fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
     if let Some(text) = comments.get(name) {
-        append(out, format_args!("  <!-- {} -->\n", escape_comment(text)));
+        append!(out, "  <!-- {} -->\n", escape_comment(text));
     }
 }
 
 fn write_link(out: &mut String, link: &Link, shapes: &str) {
     let name = escape_attribute(link.name());
     if link.inertial().is_none() && shapes.is_empty() {
-        append(out, format_args!("  <link name=\"{name}\"/>\n"));
+        append!(out, "  <link name=\"{name}\"/>\n");
         return;
     }
-    append(out, format_args!("  <link name=\"{name}\">\n"));
+    append!(out, "  <link name=\"{name}\">\n");
     if let Some(inertial) = link.inertial() {
         write_inertial(out, inertial);
     }
@@ -170,12 +170,12 @@ fn write_link(out: &mut String, link: &Link, shapes: &str) {
 }
 
 fn write_inertial(out: &mut String, inertial: &Inertial) {
-    append(out, format_args!("    <inertial>\n      <origin xyz=\"{}\"/>\n", format_vector(&inertial.com)));
-    append(out, format_args!("      <mass value=\"{}\"/>\n", format_number(inertial.mass)));
+    append!(out, "    <inertial>\n      <origin xyz=\"{}\"/>\n", format_vector(&inertial.com));
+    append!(out, "      <mass value=\"{}\"/>\n", format_number(inertial.mass));
     let entries = [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)];
     out.push_str("      <inertia");
     for (name, row, column) in entries {
-        append(out, format_args!(" {name}=\"{}\"", format_number(inertial.about_com[(row, column)])));
+        append!(out, " {name}=\"{}\"", format_number(inertial.about_com[(row, column)]));
     }
     out.push_str("/>\n    </inertial>\n");
 }
@@ -184,60 +184,49 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     let (name, kind) = (escape_attribute(joint.name()), joint.kind());
     let link_name = |id| escape_attribute(mechanism.link(id).name());
     let role = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
-    append(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{role}>\n", kind.name()));
-    append(out, format_args!("    {}\n", origin_element(joint.origin())));
-    append(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
-    append(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
+    append!(out, "  <joint name=\"{name}\" type=\"{}\"{role}>\n", kind.name());
+    append!(out, "    {}\n", origin_element(joint.origin()));
+    append!(out, "    <parent link=\"{}\"/>\n", link_name(joint.parent()));
+    append!(out, "    <child link=\"{}\"/>\n", link_name(joint.child()));
     if kind.has_axis() {
-        append(out, format_args!("    <axis xyz=\"{}\"/>\n", format_vector(joint.axis())));
+        append!(out, "    <axis xyz=\"{}\"/>\n", format_vector(joint.axis()));
     }
     let rate = format_number(joint.rate_limit().unwrap_or(0.0));
     if let Some(limits) = joint.limits() {
         let (lower, upper) = (format_number(limits.lower), format_number(limits.upper));
-        append(
-            out,
-            format_args!(
-                "    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"{rate}\"/>\n"
-            ),
-        );
+        append!(out, "    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"{rate}\"/>\n");
     } else if matches!(kind, JointKind::Revolute | JointKind::Prismatic) || joint.rate_limit().is_some() {
-        append(out, format_args!("    <limit effort=\"0\" velocity=\"{rate}\"/>\n"));
+        append!(out, "    <limit effort=\"0\" velocity=\"{rate}\"/>\n");
     }
     if has_armature(joint) {
         // urdfdom refuses the element without damping and friction.
         let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();
-        append(
-            out,
-            format_args!("    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" ")),
-        );
+        append!(out, "    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" "));
     }
     if let Some(mimic) = joint.mimic() {
         let master = escape_attribute(mechanism.joint(mimic.master).name());
         let (multiplier, offset) = (format_number(mimic.multiplier), format_number(mimic.offset));
-        append(
-            out,
-            format_args!("    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n"),
-        );
+        append!(out, "    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n");
     }
     out.push_str("  </joint>\n");
 }
 
 fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
     let (name, kind) = (escape_attribute(closure.name()), closure.kind());
-    append(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
+    append!(out, "  <loop name=\"{name}\" type=\"{}\">\n", kind.name());
     for (tag, end) in [("predecessor", closure.predecessor()), ("successor", closure.successor())] {
         let LoopFrame { link, frame } = end;
         let link = link.map_or("world".to_owned(), |id| escape_attribute(mechanism.link(id).name()));
-        append(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin_element(frame)));
+        append!(out, "    <{tag} link=\"{link}\">{}</{tag}>\n", origin_element(frame));
     }
     if kind.has_axis() {
-        append(out, format_args!("    <axis xyz=\"{}\"/>\n", format_vector(closure.axis())));
+        append!(out, "    <axis xyz=\"{}\"/>\n", format_vector(closure.axis()));
     }
     if kind == ClosureKind::Universal {
-        append(out, format_args!("    <axis2 xyz=\"{}\"/>\n", format_vector(closure.axis2())));
+        append!(out, "    <axis2 xyz=\"{}\"/>\n", format_vector(closure.axis2()));
     }
     if let Some(distance) = closure.distance() {
-        append(out, format_args!("    <distance value=\"{}\"/>\n", format_number(distance)));
+        append!(out, "    <distance value=\"{}\"/>\n", format_number(distance));
     }
     out.push_str("  </loop>\n");
 }
@@ -245,34 +234,31 @@ fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
 fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
     let name = escape_attribute(coupling.name());
     let Some(LinkRatio { predecessor, successor, ratio }) = coupling.ratio() else {
-        append(out, format_args!("  <relation name=\"{name}\">\n"));
+        append!(out, "  <relation name=\"{name}\">\n");
         write_terms(out, mechanism, coupling.terms(), "    ");
-        append(out, format_args!("    <constant value=\"{}\"/>\n", format_number(coupling.constant())));
+        append!(out, "    <constant value=\"{}\"/>\n", format_number(coupling.constant()));
         if let Some(curve) = coupling.curve() {
             let offset = format_number(curve.offset());
             let coefficients = format_vector(&curve.coefficients().into());
-            append(out, format_args!("    <curve offset=\"{offset}\" coefficients=\"{coefficients}\">\n"));
+            append!(out, "    <curve offset=\"{offset}\" coefficients=\"{coefficients}\">\n");
             write_terms(out, mechanism, curve.terms(), "      ");
             out.push_str("    </curve>\n");
         }
         out.push_str("  </relation>\n");
         return;
     };
-    append(out, format_args!("  <coupling name=\"{name}\">\n"));
+    append!(out, "  <coupling name=\"{name}\">\n");
     for (tag, link) in [("predecessor", predecessor), ("successor", successor)] {
-        append(
-            out,
-            format_args!("    <{tag} link=\"{}\"/>\n", escape_attribute(mechanism.link(link).name())),
-        );
+        append!(out, "    <{tag} link=\"{}\"/>\n", escape_attribute(mechanism.link(link).name()));
     }
-    append(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(ratio)));
+    append!(out, "    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(ratio));
 }
 
 /// Joints of a relation with their factors.
 fn write_terms(out: &mut String, mechanism: &Mechanism, terms: &[(JointId, f64)], indent: &str) {
     for (joint, factor) in terms {
         let (name, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
-        append(out, format_args!("{indent}<joint name=\"{name}\" factor=\"{factor}\"/>\n"));
+        append!(out, "{indent}<joint name=\"{name}\" factor=\"{factor}\"/>\n");
     }
 }
 
@@ -282,17 +268,17 @@ fn write_contact(out: &mut String, mechanism: &Mechanism, contact: &NamedContact
     let other =
         contact.against().map_or("world".to_owned(), |id| escape_attribute(mechanism.link(id).name()));
     let point = format_vector(contact.point());
-    append(out, format_args!("  <contact name=\"{name}\" type=\"{kind}\">\n"));
-    append(out, format_args!("    <body link=\"{link}\" xyz=\"{point}\"/>\n"));
-    append(out, format_args!("    <other link=\"{other}\"/>\n"));
+    append!(out, "  <contact name=\"{name}\" type=\"{kind}\">\n");
+    append!(out, "    <body link=\"{link}\" xyz=\"{point}\"/>\n");
+    append!(out, "    <other link=\"{other}\"/>\n");
     let (tag, vector) = match contact.normal() {
         ContactNormal::Fixed(normal) => ("normal", normal),
         ContactNormal::Toward(point) => ("toward", point),
         ContactNormal::Away(point) => ("away", point),
     };
-    append(out, format_args!("    <{tag} xyz=\"{}\"/>\n", format_vector(vector)));
+    append!(out, "    <{tag} xyz=\"{}\"/>\n", format_vector(vector));
     if let Some(gap) = contact.gap() {
-        append(out, format_args!("    <gap value=\"{}\"/>\n", format_number(gap)));
+        append!(out, "    <gap value=\"{}\"/>\n", format_number(gap));
     }
     out.push_str("  </contact>\n");
 }

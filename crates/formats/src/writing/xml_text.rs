@@ -2,22 +2,25 @@
 
 use crate::reading::limits::DECIMAL_NOTATION_RANGE;
 use percuss_spatial::Vector3;
-use std::fmt::Write;
 
 /// First lines of a file: XML declaration, and `heading` as a comment; no comment if `heading` is empty.
 pub(crate) fn xml_head(heading: &str) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     if !heading.is_empty() {
-        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
+        append!(out, "<!-- {} -->\n", escape_comment(heading));
     }
     out
 }
 
-/// Appends formatted text.
-pub(crate) fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
-    // Writing to a string cannot fail.
-    let _ = out.write_fmt(text);
+/// Appends formatted text to a string.
+macro_rules! append {
+    ($out:expr, $($text:tt)*) => {{
+        use std::fmt::Write as _;
+        // Writing to a string cannot fail.
+        let _ = $out.write_fmt(format_args!($($text)*));
+    }};
 }
+pub(crate) use append;
 
 /// Three numbers with spaces between.
 pub(crate) fn format_vector(v: &Vector3<f64>) -> String {

@@ -66,12 +66,8 @@ type MeshKey = (String, MeshRule, Vec<u64>);
 
 impl<'t> Meshes<'t> {
     /// Reads the assets of a model. `files`: store of the mesh files.
-    pub fn read(
-        tree: &'t ElementTree,
-        files: &SharedFiles,
-        models: &Models<'_>,
-        findings: &mut Findings<'_>,
-    ) -> Self {
+    pub fn read(files: &SharedFiles, models: &Models<'_>, findings: &mut Findings<'t>) -> Self {
+        let tree = findings.tree;
         let folder = Path::new(&tree.files[0].name).parent().map(Path::to_owned).unwrap_or_default();
         let mut meshes = HashMap::new();
         for element in tree.in_sections("asset").filter(|element| tree.tag(*element) == "mesh") {

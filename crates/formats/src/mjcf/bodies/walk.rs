@@ -37,7 +37,8 @@ struct Parent {
 }
 
 /// Reads all bodies. A tree with too many elements is an error, after which the tree is incomplete.
-pub(crate) fn read_bodies(tree: &ElementTree, models: &Models<'_>, findings: &mut Findings<'_>) -> Bodies {
+pub(crate) fn read_bodies(models: &Models<'_>, findings: &mut Findings<'_>) -> Bodies {
+    let tree = findings.tree;
     let world = Body {
         element: tree.root(),
         name: "world".to_owned(),
@@ -55,7 +56,7 @@ pub(crate) fn read_bodies(tree: &ElementTree, models: &Models<'_>, findings: &mu
     let mut has_world = false;
     for section in tree.children_named(tree.root(), "worldbody") {
         has_world = true;
-        let class = models.classes(section).named(tree, section, "childclass", walker.findings);
+        let class = models.classes(section).named(section, "childclass", walker.findings);
         let parent = Parent {
             body: 0,
             frame: Transform::identity(),
@@ -94,7 +95,7 @@ impl<'t> Walker<'_, 't, '_> {
                 "frame" => {
                     let frame =
                         read_pose(Attributes::new(tree, child), self.models.settings(child), self.findings);
-                    let class = self.models.classes(child).named(tree, child, "childclass", self.findings);
+                    let class = self.models.classes(child).named(child, "childclass", self.findings);
                     let inner = Parent {
                         frame: parent.frame * frame,
                         class: class.or(parent.class),
@@ -190,7 +191,7 @@ impl<'t> Walker<'_, 't, '_> {
             inertial: None,
             moving_ancestor: above.moving_ancestor,
         });
-        let class = self.models.classes(element).named(self.tree, element, "childclass", self.findings);
+        let class = self.models.classes(element).named(element, "childclass", self.findings);
         let inner = Parent {
             body: index,
             frame: Transform::identity(),
@@ -386,7 +387,7 @@ impl<'t> Walker<'_, 't, '_> {
         let separator = attributes.text("sep").unwrap_or_default();
         let offset = Vector3::from(attributes.numbers::<3>("offset", self.findings).unwrap_or_default());
         let angles = attributes.numbers::<3>("euler", self.findings).unwrap_or_default();
-        let class = self.models.classes(element).named(self.tree, element, "childclass", self.findings);
+        let class = self.models.classes(element).named(element, "childclass", self.findings);
         let digits = (count as usize).to_string().len();
         let mut translation = Vector3::zeros();
         for copy in 0..count as usize {

@@ -1,31 +1,32 @@
 //! Comparison of a model with the grammar.
 
 use crate::mjcf::document::grammar::ROOT;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
 /// Applies the treatments of the grammar to all elements of a model.
-pub(crate) fn check_grammar(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) {
-    check_element(tree, root, &ROOT, findings);
+pub(crate) fn check_grammar(root: ElementId, findings: &mut Findings<'_>) {
+    check_element(root, &ROOT, findings);
 }
 
 /// Applies the treatments to an element, its attributes and its descendants.
-fn check_element(tree: &ElementTree, id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
+fn check_element(id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
+    let tree = findings.tree;
     let tag = tree.tag(id);
     match rule.treatment.finding("") {
         Some((Severity::Error, code, reason)) => findings.error(code, id, || format!("<{tag}>: {reason}")),
         Some((severity, code, reason)) => findings.add_once(severity, code, tag, id, || reason.to_owned()),
         None if matches!(rule.treatment, Treatment::Silent) => findings.add_unread(id, || format!("<{tag}>")),
         None => {
-            check_attributes(tree, id, rule, findings);
+            check_attributes(id, rule, findings);
             let Some(rules) = rule.children else { return };
             for &child in tree.children(id) {
                 let tag = tree.tag(child);
                 match tags(rules).find(|(known, _)| *known == tag) {
-                    Some((_, rule)) => check_element(tree, child, rule, findings),
+                    Some((_, rule)) => check_element(child, rule, findings),
                     None => findings.error("unknown-element", child, || {
                         let guess = similar_name(tag, listed_tags(rules));
                         format!("<{}> is unknown in <{}>{guess}", shortened(tag), shortened(tree.tag(id)))
@@ -37,14 +38,9 @@ fn check_element(tree: &ElementTree, id: ElementId, rule: &'static ElementRule, 
 }
 
 /// Reports attributes that are ignored, unsupported or unknown.
-fn check_attributes(
-    tree: &ElementTree,
-    id: ElementId,
-    rule: &'static ElementRule,
-    findings: &mut Findings<'_>,
-) {
-    let tag = tree.tag(id);
-    for attribute in &tree.element(id).attributes {
+fn check_attributes(id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
+    let tag = findings.tree.tag(id);
+    for attribute in &findings.tree.element(id).attributes {
         let name = attribute.name.as_str();
         let treatment = rule.attribute(name);
         match treatment.and_then(|treatment| treatment.finding(&attribute.value)) {

@@ -6,7 +6,7 @@ use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 use std::collections::HashMap;
@@ -87,12 +87,12 @@ impl Armatures {
 
 /// Armatures of all actuators and tendons. An actuator adds gear² · armature to all velocities of its joint, or to its tendon.
 pub(crate) fn reflected_armatures(
-    tree: &ElementTree,
     models: &Models<'_>,
     bodies: &Bodies,
     tendons: &HashMap<String, Tendon>,
     findings: &mut Findings<'_>,
 ) -> Armatures {
+    let tree = findings.tree;
     let references = References { bodies };
     let mut added = Armatures::default();
     let mut with_armature: Vec<&Tendon> = tendons.values().filter(|tendon| tendon.armature != 0.0).collect();

@@ -15,11 +15,8 @@ use std::collections::HashMap;
 /// Reads the keyframes of the main model. The position of a joint is `qpos` minus the attribute `ref`; the pose of a free joint is relative
 /// to the pose as drawn. Mimics and locked joints are left out. A keyframe whose `qpos` does not fit the model is left out with a warning:
 /// MuJoCo refuses it.
-pub(crate) fn read_keyframes(
-    tree: &ElementTree,
-    layout: &QposLayout,
-    findings: &mut Findings<'_>,
-) -> Vec<NamedPose> {
+pub(crate) fn read_keyframes(layout: &QposLayout, findings: &mut Findings<'_>) -> Vec<NamedPose> {
+    let tree = findings.tree;
     let keys: Vec<ElementId> = tree.in_sections("keyframe").take(MAX_ELEMENTS_PER_KIND).collect();
     let mut names = UniqueNames::default();
     names.reserve(keys.iter().filter_map(|key| tree.attribute(*key, "name")));

@@ -5,7 +5,7 @@ use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use std::collections::{HashMap, HashSet};
 
@@ -35,11 +35,11 @@ pub(crate) struct Tendon {
 
 /// Reads all tendons, by name. Unnamed tendons are kept for their armature, with a key that no reference has.
 pub(crate) fn read_tendons(
-    tree: &ElementTree,
     models: &Models<'_>,
     references: &References<'_>,
     findings: &mut Findings<'_>,
 ) -> HashMap<String, Tendon> {
+    let tree = findings.tree;
     let mut tendons = HashMap::new();
     let related: HashSet<&str> = ["equality", "actuator"]
         .into_iter()
@@ -59,8 +59,8 @@ pub(crate) fn read_tendons(
         let path = match tree.tag(element) {
             // Without a constraint and an armature the tendon has no effect.
             _ if is_replicated => TendonPath::Replicated,
-            "fixed" => fixed_path(tree, element, references, findings),
-            "spatial" => spatial_path(tree, element, references, findings),
+            "fixed" => fixed_path(element, references, findings),
+            "spatial" => spatial_path(element, references, findings),
             // The grammar reports other elements.
             _ => continue,
         };
@@ -80,15 +80,10 @@ pub(crate) fn read_tendons(
 }
 
 /// Path of a `<fixed>` tendon, whose length is Σ coefficient · joint position.
-fn fixed_path(
-    tree: &ElementTree,
-    element: ElementId,
-    references: &References<'_>,
-    findings: &mut Findings<'_>,
-) -> TendonPath {
+fn fixed_path(element: ElementId, references: &References<'_>, findings: &mut Findings<'_>) -> TendonPath {
     let mut terms = Vec::new();
-    for child in tree.children_named(element, "joint") {
-        let attributes = Attributes::new(tree, child);
+    for child in findings.tree.children_named(element, "joint") {
+        let attributes = Attributes::new(findings.tree, child);
         let Some(coefficient) = attributes.number("coef", findings) else {
             if attributes.text("coef").is_none() {
                 findings.error("missing-attribute", child, || {
@@ -106,12 +101,8 @@ fn fixed_path(
 }
 
 /// Path of a `<spatial>` tendon: a straight line if it has only two sites, otherwise `Wrapped`.
-fn spatial_path(
-    tree: &ElementTree,
-    element: ElementId,
-    references: &References<'_>,
-    findings: &mut Findings<'_>,
-) -> TendonPath {
+fn spatial_path(element: ElementId, references: &References<'_>, findings: &mut Findings<'_>) -> TendonPath {
+    let tree = findings.tree;
     let children = tree.children(element);
     let (&[first, second], true) = (children, children.iter().all(|child| tree.tag(*child) == "site")) else {
         return TendonPath::Wrapped;

@@ -1,7 +1,7 @@
 //! Classes of defaults. A class inherits the values of the class that contains it.
 
 use crate::mjcf::document::grammar::is_actuator;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use std::cell::RefCell;
@@ -73,31 +73,26 @@ impl Classes {
     pub const MAIN: ClassId = ClassId(0);
 
     /// Reads the `<default>` sections below a root.
-    pub fn read(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) -> Self {
+    pub fn read(root: ElementId, findings: &mut Findings<'_>) -> Self {
         let mut classes = Self {
             classes: vec![Class::default()],
             by_name: HashMap::from([(MAIN.to_owned(), Self::MAIN)]),
             found: RefCell::default(),
         };
-        for section in tree.children_named(root, "default") {
-            if let Some(name) = tree.attribute(section, "class").filter(|name| *name != MAIN) {
+        for section in findings.tree.children_named(root, "default") {
+            if let Some(name) = findings.tree.attribute(section, "class").filter(|name| *name != MAIN) {
                 findings.attribute_error("bad-class", section, "class", || {
                     format!("the top class is {}; its only name is \"main\", or none", quoted(name))
                 });
             }
-            classes.read_class(tree, section, Self::MAIN, findings);
+            classes.read_class(section, Self::MAIN, findings);
         }
         classes
     }
 
     /// Reads the contents of a class. The recursion is bounded by the nesting of the elements.
-    fn read_class(
-        &mut self,
-        tree: &ElementTree,
-        element: ElementId,
-        class: ClassId,
-        findings: &mut Findings<'_>,
-    ) {
+    fn read_class(&mut self, element: ElementId, class: ClassId, findings: &mut Findings<'_>) {
+        let tree = findings.tree;
         for &child in tree.children(element) {
             if let Some(kind) = DefaultKind::of_tag(tree.tag(child)) {
                 for attribute in &tree.element(child).attributes {
@@ -126,7 +121,7 @@ impl Classes {
             self.by_name.insert(name.to_owned(), id);
             let level = self.classes[class.0].level + 1;
             self.classes.push(Class { parent: Some(class), level, ..Class::default() });
-            self.read_class(tree, child, id, findings);
+            self.read_class(child, id, findings);
         }
     }
 
@@ -134,12 +129,11 @@ impl Classes {
     /// unknown.
     pub fn named(
         &self,
-        tree: &ElementTree,
         element: ElementId,
         attribute: &'static str,
         findings: &mut Findings<'_>,
     ) -> Option<ClassId> {
-        let name = tree.attribute(element, attribute)?;
+        let name = findings.tree.attribute(element, attribute)?;
         let found = self.by_name.get(name).copied();
         if found.is_none() {
             findings.attribute_error("unknown-class", element, attribute, || {

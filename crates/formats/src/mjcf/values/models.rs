@@ -15,9 +15,10 @@ pub(crate) struct Models<'t> {
 
 impl<'t> Models<'t> {
     /// Reads the settings and classes of all models.
-    pub fn read(tree: &'t ElementTree, models: &[AttachedModel], findings: &mut Findings<'_>) -> Self {
+    pub fn read(models: &[AttachedModel], findings: &mut Findings<'t>) -> Self {
+        let tree = findings.tree;
         let read = |model: &AttachedModel| {
-            (Settings::read(tree, model.root, findings), Classes::read(tree, model.root, findings))
+            (Settings::read(model.root, findings), Classes::read(model.root, findings))
         };
         Self { tree, models: models.iter().map(read).collect() }
     }
@@ -41,7 +42,7 @@ impl<'t> Models<'t> {
         findings: &mut Findings<'_>,
     ) -> Attributes<'t> {
         let classes = self.classes(element);
-        let own = classes.named(self.tree, element, "class", findings);
+        let own = classes.named(element, "class", findings);
         let class = own.or(inherited).unwrap_or(Classes::MAIN);
         Attributes::with_defaults(self.tree, element, (classes, class, kind))
     }

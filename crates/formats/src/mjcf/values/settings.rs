@@ -1,7 +1,7 @@
 //! Settings of the compiler and of the options. Several sections are merged: the last value of an attribute counts.
 
 use crate::mjcf::values::attributes::Attributes;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 
@@ -62,7 +62,8 @@ impl Default for Settings {
 
 impl Settings {
     /// Reads the `<compiler>` and `<option>` sections below a root.
-    pub fn read(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) -> Self {
+    pub fn read(root: ElementId, findings: &mut Findings<'_>) -> Self {
+        let tree = findings.tree;
         let mut settings = Self::default();
         for element in tree.children_named(root, "compiler") {
             settings.merge_compiler(Attributes::new(tree, element), findings);

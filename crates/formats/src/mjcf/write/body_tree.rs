@@ -20,7 +20,8 @@ const THIN_ROD: f64 = 1e-9;
 const LEAST_DECOMPOSED: f64 = 1e-11;
 
 /// Bodies of the file: one per link, except massless links whose joints belong to the body of their child.
-pub(super) struct BodyTree {
+pub(super) struct BodyTree<'m> {
+    pub mechanism: &'m Mechanism,
     /// Pose of every link in the world with all joints at 0.
     pub world_poses: Vec<Transform<f64>>,
     /// Inertia of each link; the moments of a thin rod and of a point mass are not 0.
@@ -59,12 +60,12 @@ pub(super) enum Coordinates {
     Half(usize),
 }
 
-impl BodyTree {
+impl<'m> BodyTree<'m> {
     /// Finds the bodies. `balances`: moments with A + B < C are replaced by the nearest ones with A + B = C.
     ///
     /// # Errors
     /// [`MjcfError`] for links that MuJoCo refuses.
-    pub fn new(mechanism: &Mechanism, balances: bool) -> Result<Self, MjcfError> {
+    pub fn new(mechanism: &'m Mechanism, balances: bool) -> Result<Self, MjcfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
@@ -98,6 +99,7 @@ impl BodyTree {
             chains.push(Some(chain));
         }
         let mut tree = Self {
+            mechanism,
             world_poses,
             inertials: mechanism.links().iter().map(|link| link.inertial().copied()).collect(),
             share: vec![1.0; count],
@@ -168,7 +170,8 @@ impl BodyTree {
     }
 
     /// Writes the limits of one joint only, with the given attributes. The limits of other joints are lost.
-    pub fn limit_only(&mut self, mechanism: &Mechanism, joint: JointId, attributes: String) {
+    pub fn limit_only(&mut self, joint: JointId, attributes: String) {
+        let mechanism = self.mechanism;
         let lost = mechanism.joint_ids().filter(|id| *id != joint && mechanism.joint(*id).limits().is_some());
         self.changes.extend(lost.map(|id| {
             Change::lost(
@@ -182,35 +185,29 @@ impl BodyTree {
     }
 
     /// Attributes of the limits of a joint.
-    fn limit_attributes(&self, mechanism: &Mechanism, joint: JointId) -> String {
+    fn limit_attributes(&self, joint: JointId) -> String {
         match &self.only_limit {
             Some((limited, attributes)) if *limited == joint => attributes.clone(),
             Some(_) => String::new(),
-            None => mechanism.joint(joint).limits().filter(has_range).map_or(String::new(), |limits| {
+            None => self.mechanism.joint(joint).limits().filter(has_range).map_or(String::new(), |limits| {
                 format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
             }),
         }
     }
 
     /// Appends a line within the body of a link; within the world for `None`.
-    pub fn append_content(&mut self, mechanism: &Mechanism, link: Option<LinkId>, line: &str) {
-        match link.filter(|link| !self.is_world(mechanism, *link)) {
+    pub fn append_content(&mut self, link: Option<LinkId>, line: &str) {
+        match link.filter(|link| !self.is_world(*link)) {
             Some(link) => self.contents[link.index()].push_str(line),
             None => self.world_contents.push_str(line),
         }
     }
 
     /// Appends the second half of a link for a closure within the body of a link; within the world for `None`.
-    pub fn append_half(
-        &mut self,
-        mechanism: &Mechanism,
-        link: Option<LinkId>,
-        closure: &Closure,
-        lines: &str,
-    ) {
-        self.append_content(mechanism, link, lines);
-        let number = mechanism.closures().iter().position(|other| other.name() == closure.name());
-        let holder = link.filter(|link| !self.is_world(mechanism, *link));
+    pub fn append_half(&mut self, link: Option<LinkId>, closure: &Closure, lines: &str) {
+        self.append_content(link, lines);
+        let number = self.mechanism.closures().iter().position(|other| other.name() == closure.name());
+        let holder = link.filter(|link| !self.is_world(*link));
         self.halves.extend(number.map(|number| (holder, number)));
     }
 
@@ -220,8 +217,8 @@ impl BodyTree {
     }
 
     /// True if the link is the world of MuJoCo.
-    pub fn is_world(&self, mechanism: &Mechanism, link: LinkId) -> bool {
-        self.root_is_world && link == mechanism.root()
+    pub fn is_world(&self, link: LinkId) -> bool {
+        self.root_is_world && link == self.mechanism.root()
     }
 
     /// Joints of the second halves within a body, or within the world.
@@ -236,25 +233,21 @@ impl BodyTree {
     ///
     /// # Errors
     /// [`MjcfError`] for joints without a form in MJCF, and for bodies nested too deep.
-    pub fn append_bodies(
-        &self,
-        mechanism: &Mechanism,
-        out: &mut String,
-    ) -> Result<Vec<Coordinates>, MjcfError> {
+    pub fn append_bodies(&self, out: &mut String) -> Result<Vec<Coordinates>, MjcfError> {
         let mut coordinates = Vec::new();
-        let root = mechanism.root();
+        let root = self.mechanism.root();
         // Links to open, and the depth of bodies to close.
         enum Step {
             Open(LinkId, usize),
             Close(usize),
         }
         let mut steps = Vec::new();
-        let children = |link: LinkId| self.child_bodies(mechanism, link);
+        let children = |link: LinkId| self.child_bodies(link);
         if self.root_is_world {
             steps.extend(children(root).into_iter().rev().map(|child| Step::Open(child, 0)));
         } else {
             // Floating bodies belong to the world: the root does not move.
-            let is_floating = |link: &LinkId| self.is_free(mechanism, *link);
+            let is_floating = |link: &LinkId| self.is_free(*link);
             let floating = children(root).into_iter().filter(is_floating);
             steps.extend(floating.rev().map(|child| Step::Open(child, 0)).collect::<Vec<_>>());
             steps.push(Step::Open(root, 0));
@@ -262,43 +255,43 @@ impl BodyTree {
         while let Some(step) = steps.pop() {
             let (link, depth) = match step {
                 Step::Close(depth) => {
-                    append(out, format_args!("{}</body>\n", indent(depth)));
+                    append!(out, "{}</body>\n", indent(depth));
                     continue;
                 }
                 Step::Open(link, depth) => (link, depth),
             };
             if depth > MAX_DEPTH {
-                let name = mechanism.link(link).name();
+                let name = self.mechanism.link(link).name();
                 return Err(MjcfError::new(
                     "link",
                     name,
                     format!("bodies are nested deeper than {MAX_DEPTH} levels"),
                 ));
             }
-            self.open_body(mechanism, link, depth, out)?;
-            coordinates.extend(self.body_coordinates(mechanism, link));
+            self.open_body(link, depth, out)?;
+            coordinates.extend(self.body_coordinates(link));
             steps.push(Step::Close(depth));
-            let moves_with_root = |child: &LinkId| link != root || !self.is_free(mechanism, *child);
+            let moves_with_root = |child: &LinkId| link != root || !self.is_free(*child);
             let below = children(link).into_iter().filter(moves_with_root);
             steps.extend(below.rev().map(|child| Step::Open(child, depth + 1)).collect::<Vec<_>>());
         }
         for line in self.world_contents.lines() {
-            append(out, format_args!("{}{line}\n", indent(0)));
+            append!(out, "{}{line}\n", indent(0));
         }
         coordinates.extend(self.half_coordinates(None));
         Ok(coordinates)
     }
 
     /// Joints of the body of a link and of the halves within it.
-    fn body_coordinates(&self, mechanism: &Mechanism, link: LinkId) -> Vec<Coordinates> {
+    fn body_coordinates(&self, link: LinkId) -> Vec<Coordinates> {
         let own = self.world_poses[link.index()];
-        let is_free = self.is_free(mechanism, link);
+        let is_free = self.is_free(link);
         let of_joint = |&joint: &JointId| match is_free {
             true => Coordinates::Free(link),
             false => Coordinates::Joint {
                 joint,
                 in_body: own.rotation.transpose()
-                    * self.world_poses[mechanism.joint(joint).child().index()].rotation,
+                    * self.world_poses[self.mechanism.joint(joint).child().index()].rotation,
             },
         };
         let chain = self.chains[link.index()].as_deref().unwrap_or_default();
@@ -306,7 +299,8 @@ impl BodyTree {
     }
 
     /// Bodies directly below the body of a link, through merged links.
-    fn child_bodies(&self, mechanism: &Mechanism, link: LinkId) -> Vec<LinkId> {
+    fn child_bodies(&self, link: LinkId) -> Vec<LinkId> {
+        let mechanism = self.mechanism;
         let through = |id: &JointId| {
             let mut child = mechanism.joint(*id).child();
             while self.chains[child.index()].is_none() {
@@ -320,20 +314,15 @@ impl BodyTree {
     }
 
     /// True for a body with a free joint of MuJoCo: a floating joint to the root.
-    pub fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+    pub fn is_free(&self, link: LinkId) -> bool {
         let Some([id]) = self.chains[link.index()].as_deref() else { return false };
-        let joint = mechanism.joint(*id);
-        joint.kind() == JointKind::Floating && joint.parent() == mechanism.root()
+        let joint = self.mechanism.joint(*id);
+        joint.kind() == JointKind::Floating && joint.parent() == self.mechanism.root()
     }
 
     /// Writes the opening tag and the contents of a body.
-    fn open_body(
-        &self,
-        mechanism: &Mechanism,
-        link: LinkId,
-        depth: usize,
-        out: &mut String,
-    ) -> Result<(), MjcfError> {
+    fn open_body(&self, link: LinkId, depth: usize, out: &mut String) -> Result<(), MjcfError> {
+        let mechanism = self.mechanism;
         let chain = self.chains[link.index()].as_deref().unwrap_or_default();
         let own = self.world_poses[link.index()];
         let pose = match chain.first() {
@@ -343,34 +332,32 @@ impl BodyTree {
         let lead = indent(depth);
         let description = mechanism.link(link);
         let is_rotor = self.rotors[link.index()] == Some(Rotor::Body);
-        append(
+        append!(
             out,
-            format_args!(
-                "{lead}<body name=\"{}\"{}{}>\n",
-                escape_attribute(description.name()),
-                pose_attributes(&pose),
-                // The mass of a rotor has no weight.
-                if is_rotor { " gravcomp=\"1\"" } else { "" }
-            ),
+            "{lead}<body name=\"{}\"{}{}>\n",
+            escape_attribute(description.name()),
+            pose_attributes(&pose),
+            // The mass of a rotor has no weight.
+            if is_rotor { " gravcomp=\"1\"" } else { "" }
         );
         for &id in chain {
             let joint = mechanism.joint(id);
             // Frame of the joint in the body, with all joints at 0.
             let frame = own.inverse() * self.world_poses[joint.child().index()];
-            let lines = if self.is_free(mechanism, link) {
+            let lines = if self.is_free(link) {
                 free_joint(joint)
             } else {
-                joint_lines(joint, &frame, !is_rotor, &self.limit_attributes(mechanism, id))
+                joint_lines(joint, &frame, !is_rotor, &self.limit_attributes(id))
             };
             for line in lines? {
-                append(out, format_args!("{lead}  {line}\n"));
+                append!(out, "{lead}  {line}\n");
             }
         }
         if let Some(inertial) = &self.inertials[link.index()] {
-            append(out, format_args!("{lead}  {}\n", inertial_element(inertial, self.share[link.index()])));
+            append!(out, "{lead}  {}\n", inertial_element(inertial, self.share[link.index()]));
         }
         for line in self.contents[link.index()].lines() {
-            append(out, format_args!("{lead}  {line}\n"));
+            append!(out, "{lead}  {line}\n");
         }
         Ok(())
     }
@@ -455,12 +442,12 @@ pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
 pub(super) fn pose_attributes(pose: &Transform<f64>) -> String {
     let mut text = String::new();
     if pose.translation != Vector3::zeros() {
-        append(&mut text, format_args!(" pos=\"{}\"", format_vector(&pose.translation)));
+        append!(text, " pos=\"{}\"", format_vector(&pose.translation));
     }
     if pose.rotation != Matrix3::identity() {
         let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
         let parts = [q.w, q.i, q.j, q.k].map(format_number);
-        append(&mut text, format_args!(" quat=\"{}\"", parts.join(" ")));
+        append!(text, " quat=\"{}\"", parts.join(" "));
     }
     text
 }

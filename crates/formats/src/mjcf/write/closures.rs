@@ -19,7 +19,8 @@ pub(super) struct Sections {
 }
 
 /// Writes all closures; adds sites and second halves of links to the bodies.
-pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Result<Sections, MjcfError> {
+pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<Sections, MjcfError> {
+    let mechanism = tree.mechanism;
     let mut sections = Sections::default();
     // Links are split first, since every half takes a part of the inertia.
     let mut halves = vec![0usize; mechanism.links().len()];
@@ -32,23 +33,21 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
     for closure in mechanism.closures() {
         let name = escape_attribute(closure.name());
         if !needs_half(closure.kind()) {
-            report_open_drawing(mechanism, tree, closure);
+            report_open_drawing(tree, closure);
         }
         match closure.kind() {
             ClosureKind::Fixed => {
-                add_sites(mechanism, tree, closure, &name, &Vector3::zeros());
-                append(
-                    &mut sections.equalities,
-                    format_args!("    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
+                add_sites(tree, closure, &name, &Vector3::zeros());
+                append!(
+                    sections.equalities,
+                    "    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"
                 );
             }
-            ClosureKind::Spherical => {
-                add_connect(mechanism, tree, closure, &name, &Vector3::zeros(), &mut sections)
-            }
+            ClosureKind::Spherical => add_connect(tree, closure, &name, &Vector3::zeros(), &mut sections),
             ClosureKind::Revolute => {
-                add_connect(mechanism, tree, closure, &name, &Vector3::zeros(), &mut sections);
+                add_connect(tree, closure, &name, &Vector3::zeros(), &mut sections);
                 let along = closure.axis() * mechanism.characteristic_length();
-                add_connect(mechanism, tree, closure, &format!("{name}/axis"), &along, &mut sections);
+                add_connect(tree, closure, &format!("{name}/axis"), &along, &mut sections);
                 tree.changes.push(Change::changed(
                     "loop",
                     closure.name(),
@@ -57,7 +56,7 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
                 ));
             }
             ClosureKind::Distance => {
-                add_rod(mechanism, tree, closure, &name, &mut sections);
+                add_rod(tree, closure, &name, &mut sections);
                 tree.changes.push(Change::changed(
                     "loop",
                     closure.name(),
@@ -69,7 +68,7 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
             | ClosureKind::Cylindrical
             | ClosureKind::Planar
             | ClosureKind::Universal => {
-                add_half(mechanism, tree, closure, &name, &mut sections)?;
+                add_half(tree, closure, &name, &mut sections)?;
             }
         }
     }
@@ -88,66 +87,46 @@ fn needs_half(kind: ClosureKind) -> bool {
 }
 
 /// Adds the sites `NAME/1` and `NAME/2` of a closure, shifted by `along` in the loop frames.
-fn add_sites(
-    mechanism: &Mechanism,
-    tree: &mut BodyTree,
-    closure: &Closure,
-    name: &str,
-    along: &Vector3<f64>,
-) {
+fn add_sites(tree: &mut BodyTree<'_>, closure: &Closure, name: &str, along: &Vector3<f64>) {
     for (number, LoopFrame { link, frame }) in [(1, closure.predecessor()), (2, closure.successor())] {
         let shifted = *frame * Transform::from_translation(*along);
         let line = format!("<site name=\"{name}/{number}\"{}/>\n", pose_attributes(&shifted));
-        tree.append_content(mechanism, *link, &line);
+        tree.append_content(*link, &line);
     }
 }
 
 /// Adds a `<connect>` of the points at `along` in the two loop frames, m.
 fn add_connect(
-    mechanism: &Mechanism,
-    tree: &mut BodyTree,
+    tree: &mut BodyTree<'_>,
     closure: &Closure,
     name: &str,
     along: &Vector3<f64>,
     sections: &mut Sections,
 ) {
-    add_sites(mechanism, tree, closure, name, along);
-    append(
-        &mut sections.equalities,
-        format_args!("    <connect name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
-    );
+    add_sites(tree, closure, name, along);
+    append!(sections.equalities, "    <connect name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
 }
 
 /// Adds a distance closure as a tendon of constant length between two sites. MuJoCo's constraint is relative to the length as drawn.
-fn add_rod(
-    mechanism: &Mechanism,
-    tree: &mut BodyTree,
-    closure: &Closure,
-    name: &str,
-    sections: &mut Sections,
-) {
-    add_sites(mechanism, tree, closure, name, &Vector3::zeros());
+fn add_rod(tree: &mut BodyTree<'_>, closure: &Closure, name: &str, sections: &mut Sections) {
+    add_sites(tree, closure, name, &Vector3::zeros());
     let [first, second] =
         [closure.predecessor(), closure.successor()].map(|end| world_frame(tree, end).translation);
     let drawn = (second - first).norm();
     let excess = closure.distance().map_or(0.0, |distance| distance - drawn);
-    append(
-        &mut sections.tendons,
-        format_args!(
-            "    <spatial name=\"{name}\">\n      <site site=\"{name}/1\"/>\n      <site site=\"{name}/2\"/>\n    </spatial>\n"
-        ),
+    append!(
+        sections.tendons,
+        "    <spatial name=\"{name}\">\n      <site site=\"{name}/1\"/>\n      <site site=\"{name}/2\"/>\n    </spatial>\n"
     );
-    append(
-        &mut sections.equalities,
-        format_args!(
-            "    <tendon name=\"{name}\" tendon1=\"{name}\" polycoef=\"{} 1 0 0 0\"/>\n",
-            format_number(excess)
-        ),
+    append!(
+        sections.equalities,
+        "    <tendon name=\"{name}\" tendon1=\"{name}\" polycoef=\"{} 1 0 0 0\"/>\n",
+        format_number(excess)
     );
 }
 
 /// Loop frame in the world with all joints at 0.
-fn world_frame(tree: &BodyTree, end: &LoopFrame) -> Transform<f64> {
+fn world_frame(tree: &BodyTree<'_>, end: &LoopFrame) -> Transform<f64> {
     let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
     link * end.frame
 }
@@ -218,24 +197,20 @@ pub(super) struct Half<'c> {
 }
 
 /// Second half that the writer adds for a closure.
-pub(super) fn half_of<'c>(
-    mechanism: &Mechanism,
-    tree: &BodyTree,
-    closure: &'c Closure,
-) -> Result<Half<'c>, MjcfError> {
-    let (_, own, base, is_successor) = split_end(mechanism, closure)?;
+pub(super) fn half_of<'c>(tree: &BodyTree<'_>, closure: &'c Closure) -> Result<Half<'c>, MjcfError> {
+    let (_, own, base, is_successor) = split_end(tree.mechanism, closure)?;
     let drawn = world_frame(tree, base).inverse() * world_frame(tree, own);
     Ok(Half { own, base, drawn, joints: half_joints(closure, &drawn, is_successor) })
 }
 
 /// Second half of a link, jointed to the other link of the closure and welded to the first half.
 fn add_half(
-    mechanism: &Mechanism,
-    tree: &mut BodyTree,
+    tree: &mut BodyTree<'_>,
     closure: &Closure,
     name: &str,
     sections: &mut Sections,
 ) -> Result<(), MjcfError> {
+    let mechanism = tree.mechanism;
     let (link, own, base, is_successor) = split_end(mechanism, closure)?;
     let (x_wb, x_wo) = (world_frame(tree, base), world_frame(tree, own));
     // The split link's loop frame in the loop frame of the other link, as drawn.
@@ -245,15 +220,13 @@ fn add_half(
     let mut lines = String::new();
     // The frame of the half is the loop frame of the split link.
     let pose = base.frame * drawn;
-    append(&mut lines, format_args!("<body name=\"{name}/half\"{}>\n", pose_attributes(&pose)));
+    append!(lines, "<body name=\"{name}/half\"{}>\n", pose_attributes(&pose));
     for HalfJoint { suffix, slides, axis } in joints {
         let kind = if slides { "slide" } else { "hinge" };
-        append(
-            &mut lines,
-            format_args!(
-                "  <joint name=\"{name}/{suffix}\" type=\"{kind}\" axis=\"{}\"/>\n",
-                format_vector(&axis)
-            ),
+        append!(
+            lines,
+            "  <joint name=\"{name}/{suffix}\" type=\"{kind}\" axis=\"{}\"/>\n",
+            format_vector(&axis)
         );
     }
     if let Some(mut inertial) = tree.inertials[link.index()] {
@@ -261,16 +234,13 @@ fn add_half(
         let rotation = own.frame.rotation;
         let turned = rotation.transpose() * inertial.about_com * rotation;
         inertial.about_com = turned * 0.5 + turned.transpose() * 0.5;
-        append(&mut lines, format_args!("  {}\n", inertial_element(&inertial, tree.share[link.index()])));
+        append!(lines, "  {}\n", inertial_element(&inertial, tree.share[link.index()]));
     }
-    append(&mut lines, format_args!("  <site name=\"{name}/1\"/>\n</body>\n"));
-    tree.append_half(mechanism, base.link, closure, &lines);
+    append!(lines, "  <site name=\"{name}/1\"/>\n</body>\n");
+    tree.append_half(base.link, closure, &lines);
     let site = format!("<site name=\"{name}/2\"{}/>\n", pose_attributes(&own.frame));
-    tree.append_content(mechanism, Some(link), &site);
-    append(
-        &mut sections.equalities,
-        format_args!("    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
-    );
+    tree.append_content(Some(link), &site);
+    append!(sections.equalities, "    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
     let split = mechanism.link(link).name();
     tree.changes.push(Change::changed(
         "loop",
@@ -309,7 +279,8 @@ fn check_drawing(
 }
 
 /// Reports a closure that is open as drawn: programs close such a loop at different poses.
-fn report_open_drawing(mechanism: &Mechanism, tree: &mut BodyTree, closure: &Closure) {
+fn report_open_drawing(tree: &mut BodyTree<'_>, closure: &Closure) {
+    let mechanism = tree.mechanism;
     let frame = |end: &LoopFrame| {
         let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
         link * end.frame

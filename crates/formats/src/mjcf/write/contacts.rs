@@ -4,11 +4,12 @@ use super::body_tree::{BodyTree, pose_attributes};
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::writing::changes::Change;
 use crate::writing::xml_text::escape_attribute;
-use percuss_mechanism::{ContactKind, ContactNormal, Mechanism, NamedContact};
+use percuss_mechanism::{ContactKind, ContactNormal, NamedContact};
 use percuss_spatial::Transform;
 
 /// Adds a site for each contact, and a change for the data that a site cannot express.
-pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
+pub(super) fn add_contacts(tree: &mut BodyTree<'_>) {
+    let mechanism = tree.mechanism;
     for contact in mechanism.contacts() {
         let name = contact.name();
         if !tree.has_body(contact.link()) {
@@ -22,7 +23,7 @@ pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
             continue;
         };
         let line = format!("<site name=\"{}\"{}/>\n", escape_attribute(name), pose_attributes(&frame));
-        tree.append_content(mechanism, Some(contact.link()), &line);
+        tree.append_content(Some(contact.link()), &line);
         let is_plain = contact.kind() == ContactKind::Other
             && contact.gap().is_none()
             && contact.against().is_none_or(|other| other == mechanism.root())
@@ -39,7 +40,7 @@ pub(super) fn add_contacts(mechanism: &Mechanism, tree: &mut BodyTree) {
 }
 
 /// Frame in the link with the contact point and the normal as drawn.
-fn site_frame(tree: &BodyTree, contact: &NamedContact) -> Option<Transform<f64>> {
+fn site_frame(tree: &BodyTree<'_>, contact: &NamedContact) -> Option<Transform<f64>> {
     let own = tree.world_poses[contact.link().index()];
     let other = contact.against().map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
     let point = own.point(contact.point());

@@ -3,10 +3,11 @@
 use super::body_tree::{BodyTree, has_range};
 use super::rotors::Rotor;
 use crate::writing::changes::Change;
-use percuss_mechanism::{JointKind, Mechanism};
+use percuss_mechanism::JointKind;
 
 /// Changes of links and joints, because bodies of MJCF are nested and can have several joints.
-pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change> {
+pub(super) fn form_changes(tree: &BodyTree<'_>) -> Vec<Change> {
+    let mechanism = tree.mechanism;
     let mut changes = Vec::new();
     let root = mechanism.link(mechanism.root()).name();
     if !tree.has_world_root() {
@@ -33,7 +34,7 @@ pub(super) fn form_changes(mechanism: &Mechanism, tree: &BodyTree) -> Vec<Change
     }
     for joint in mechanism.joints() {
         let name = joint.name();
-        let is_free = joint.parent() == mechanism.root() && tree.is_free(mechanism, joint.child());
+        let is_free = joint.parent() == mechanism.root() && tree.is_free(joint.child());
         let parts = match joint.kind() {
             JointKind::Fixed => {
                 changes.push(Change::lost(

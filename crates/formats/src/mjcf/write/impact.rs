@@ -5,7 +5,7 @@ use super::error::MjcfError;
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::writing::state::MechanismState;
 use crate::writing::xml_text::{append, format_number, format_vector};
-use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, LinkId};
 use percuss_spatial::{Transform, Vector3};
 
 /// Name of the keyframe and of the contact pair.
@@ -70,9 +70,9 @@ impl MjcfImpact {
     ///
     /// # Errors
     /// [`MjcfError`]: a link without a body in the file.
-    pub(super) fn add_contact(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
+    pub(super) fn add_contact(&self, tree: &mut BodyTree<'_>) -> Result<(), MjcfError> {
         match &self.contact {
-            ImpactContact::Surfaces(surfaces) => self.add_geoms(surfaces, mechanism, tree),
+            ImpactContact::Surfaces(surfaces) => self.add_geoms(surfaces, tree),
             ImpactContact::Limit { joint, range: [lower, upper] } => {
                 let attributes = format!(
                     " range=\"{} {}\" solreflimit=\"{}\" solimplimit=\"{}\"",
@@ -81,20 +81,16 @@ impl MjcfImpact {
                     list(&self.solref),
                     list(&self.solimp)
                 );
-                tree.limit_only(mechanism, *joint, attributes);
+                tree.limit_only(*joint, attributes);
                 Ok(())
             }
         }
     }
 
     /// Adds the two geoms to the bodies.
-    fn add_geoms(
-        &self,
-        surfaces: &ImpactSurfaces,
-        mechanism: &Mechanism,
-        tree: &mut BodyTree,
-    ) -> Result<(), MjcfError> {
-        let moving = |link| moving_link(mechanism, tree, link);
+    fn add_geoms(&self, surfaces: &ImpactSurfaces, tree: &mut BodyTree<'_>) -> Result<(), MjcfError> {
+        let mechanism = tree.mechanism;
+        let moving = |link| moving_link(tree, link);
         let other = surfaces.against.map(moving).filter(|link| *link != mechanism.root());
         let own = moving(surfaces.link);
         if let Some(link) = [Some(own), other].into_iter().flatten().find(|link| !tree.has_body(*link)) {
@@ -112,7 +108,7 @@ impl MjcfImpact {
             format_number(surfaces.radius),
             format_vector(&poses[own.index()].inverse_point(&centre))
         );
-        tree.append_content(mechanism, Some(own), &sphere);
+        tree.append_content(Some(own), &sphere);
         let Some(rotation) = rotation_to_z(-surfaces.normal) else {
             return Err(MjcfError::new(
                 "link",
@@ -133,7 +129,7 @@ impl MjcfImpact {
             "<geom name=\"{NAME}/face\" type=\"{kind}\" size=\"{size}\"{} {attributes}/>\n",
             pose_attributes(&(holder.inverse() * face))
         );
-        tree.append_content(mechanism, other, &line);
+        tree.append_content(other, &line);
         Ok(())
     }
 
@@ -148,21 +144,17 @@ impl MjcfImpact {
             }
         );
         if let Some([solref, solimp]) = &self.equality {
-            append(
-                &mut out,
-                format_args!(
-                    "  <default>\n    <equality solref=\"{}\" solimp=\"{}\"/>\n  </default>\n",
-                    list(solref),
-                    list(solimp)
-                ),
+            append!(
+                out,
+                "  <default>\n    <equality solref=\"{}\" solimp=\"{}\"/>\n  </default>\n",
+                list(solref),
+                list(solimp)
             );
         }
-        append(
-            &mut out,
-            format_args!(
-                "  <custom>\n    <numeric name=\"restitution\" data=\"{}\"/>\n  </custom>\n",
-                format_number(self.restitution)
-            ),
+        append!(
+            out,
+            "  <custom>\n    <numeric name=\"restitution\" data=\"{}\"/>\n  </custom>\n",
+            format_number(self.restitution)
         );
         out
     }
@@ -183,7 +175,8 @@ impl MjcfImpact {
 
 /// First link of the chain of fixed joints to a link. MuJoCo estimates the inverse mass at a contact from the body of the geom, and the
 /// estimates of welded bodies differ.
-fn moving_link(mechanism: &Mechanism, tree: &BodyTree, mut link: LinkId) -> LinkId {
+fn moving_link(tree: &BodyTree<'_>, mut link: LinkId) -> LinkId {
+    let mechanism = tree.mechanism;
     while let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
         && joint.kind() == JointKind::Fixed
         && tree.has_body(joint.parent())

@@ -6,7 +6,7 @@ use super::error::MjcfError;
 use crate::writing::state::MechanismState;
 use crate::writing::xml_text::format_number;
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_mechanism::{JointKind, Mechanism};
+use percuss_mechanism::JointKind;
 use percuss_spatial::{Matrix3, Vector3, plane_basis};
 
 /// Values of `qpos` and `qvel`.
@@ -19,8 +19,7 @@ pub(super) struct Keyframe {
 impl Keyframe {
     /// Keyframe of a state. `coordinates`: joints of the file in the order of `qpos`.
     pub fn new(
-        mechanism: &Mechanism,
-        tree: &BodyTree,
+        tree: &BodyTree<'_>,
         coordinates: &[Coordinates],
         state: &MechanismState,
     ) -> Result<Self, MjcfError> {
@@ -28,7 +27,7 @@ impl Keyframe {
         for entry in coordinates {
             match entry {
                 Coordinates::Joint { joint, in_body } => {
-                    let kind = mechanism.joint(*joint).kind();
+                    let kind = tree.mechanism.joint(*joint).kind();
                     let (q, v) = (&state.positions[joint.index()], &state.velocities[joint.index()]);
                     key.add_joint(kind, in_body, q, v);
                 }
@@ -41,7 +40,7 @@ impl Keyframe {
                     key.qvel.extend(twist.linear.iter().chain(&pose.inverse_vector(&twist.angular)));
                 }
                 Coordinates::Half(number) => {
-                    key.add_half(&half_of(mechanism, tree, &mechanism.closures()[*number])?, state);
+                    key.add_half(&half_of(tree, &tree.mechanism.closures()[*number])?, state);
                 }
             }
         }

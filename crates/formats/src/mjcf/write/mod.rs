@@ -71,15 +71,15 @@ fn write_file(
 ) -> Result<ModelText, MjcfError> {
     let mechanism = parts.mechanism;
     let mut tree = BodyTree::new(mechanism, parts.balances_inertia)?;
-    let forms = form_changes(mechanism, &tree);
+    let forms = form_changes(&tree);
     tree.changes.extend(forms);
-    let closures = closures::write_closures(mechanism, &mut tree)?;
-    let relations = relations::write_relations(mechanism, &mut tree);
-    contacts::add_contacts(mechanism, &mut tree);
+    let closures = closures::write_closures(&mut tree)?;
+    let relations = relations::write_relations(&mut tree);
+    contacts::add_contacts(&mut tree);
     let shapes = shapes::add_shapes(parts, &mut tree, impact.is_none());
-    impact.map_or(Ok(()), |impact| impact.add_contact(mechanism, &mut tree))?;
+    impact.map_or(Ok(()), |impact| impact.add_contact(&mut tree))?;
     let mut out = xml_head(heading);
-    append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
+    append!(out, "<mujoco model=\"{}\">\n", escape_attribute(mechanism.name()));
     out.push_str(
         "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\"/>\n",
     );
@@ -87,19 +87,19 @@ fn write_file(
     out.push_str(shapes.classes);
     append_section(&mut out, "asset", &shapes.assets);
     out.push_str("  <worldbody>\n");
-    let coordinates = tree.append_bodies(mechanism, &mut out)?;
+    let coordinates = tree.append_bodies(&mut out)?;
     out.push_str("  </worldbody>\n");
     append_section(&mut out, "contact", &shapes.excludes);
     append_section(&mut out, "tendon", &[closures.tendons, relations.tendons].concat());
     append_section(&mut out, "equality", &[closures.equalities, relations.equalities].concat());
-    let key = |state| Keyframe::new(mechanism, &tree, &coordinates, state);
+    let key = |state| Keyframe::new(&tree, &coordinates, state);
     let mut keys = String::new();
     for (name, state) in parts.poses {
-        append(&mut keys, format_args!("    {}\n", key(state)?.element(&escape_attribute(name))));
+        append!(keys, "    {}\n", key(state)?.element(&escape_attribute(name)));
     }
     if let Some(impact) = impact {
         out.push_str(&impact.pair());
-        append(&mut keys, format_args!("    {}\n", key(&impact.state)?.element(impact::NAME)));
+        append!(keys, "    {}\n", key(&impact.state)?.element(impact::NAME));
     }
     append_section(&mut out, "keyframe", &keys);
     out.push_str("</mujoco>\n");
@@ -112,6 +112,6 @@ fn write_file(
 /// Appends a section of the file; nothing if `lines` is empty.
 fn append_section(out: &mut String, section: &str, lines: &str) {
     if !lines.is_empty() {
-        append(out, format_args!("  <{section}>\n{lines}  </{section}>\n"));
+        append!(out, "  <{section}>\n{lines}  </{section}>\n");
     }
 }

@@ -8,7 +8,8 @@ use crate::writing::xml_text::{append, escape_attribute, format_number};
 use percuss_mechanism::{JointId, Mechanism};
 
 /// Writes all mimics and couplings.
-pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sections {
+pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
+    let mechanism = tree.mechanism;
     let mut sections = Sections::default();
     let name = |id| escape_attribute(mechanism.joint(id).name());
     for joint in mechanism.joints() {
@@ -16,19 +17,17 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
         if tree.rotors[joint.child().index()] == Some(Rotor::Follower) {
             continue;
         }
-        append(
-            &mut sections.equalities,
-            format_args!(
-                "    <joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
-                escape_attribute(joint.name()),
-                name(mimic.master),
-                format_number(mimic.offset),
-                format_number(mimic.multiplier)
-            ),
+        append!(
+            sections.equalities,
+            "    <joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
+            escape_attribute(joint.name()),
+            name(mimic.master),
+            format_number(mimic.offset),
+            format_number(mimic.multiplier)
         );
     }
     let is_tendon = |number| tree.rotors.contains(&Some(Rotor::Tendon(number)));
-    write_rotors(&mut sections, mechanism, tree);
+    write_rotors(&mut sections, tree);
     for (_, coupling) in mechanism.couplings().iter().enumerate().filter(|(number, _)| !is_tendon(*number)) {
         let own = escape_attribute(coupling.name());
         let constant = coupling.constant();
@@ -43,26 +42,22 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
         let reason = "MJCF writes all relations of joints as equalities";
         tree.changes.push(Change::changed("coupling", coupling.name(), form, reason));
         if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
-            append(
-                &mut sections.equalities,
-                format_args!(
-                    "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
-                    name(*first),
-                    name(*second),
-                    format_number(constant / a),
-                    format_number(-b / a)
-                ),
+            append!(
+                sections.equalities,
+                "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
+                name(*first),
+                name(*second),
+                format_number(constant / a),
+                format_number(-b / a)
             );
             continue;
         }
         write_tendon(&mut sections, mechanism, &own, "", coupling.terms());
         let Some(curve) = coupling.curve() else {
-            append(
-                &mut sections.equalities,
-                format_args!(
-                    "    <tendon name=\"{own}\" tendon1=\"{own}\" polycoef=\"{} 0 0 0 0\"/>\n",
-                    format_number(constant)
-                ),
+            append!(
+                sections.equalities,
+                "    <tendon name=\"{own}\" tendon1=\"{own}\" polycoef=\"{} 0 0 0 0\"/>\n",
+                format_number(constant)
             );
             continue;
         };
@@ -70,19 +65,18 @@ pub(super) fn write_relations(mechanism: &Mechanism, tree: &mut BodyTree) -> Sec
         write_tendon(&mut sections, mechanism, &argument, "", curve.terms());
         let shifted = shifted_coefficients(curve.offset(), curve.coefficients());
         let coefficients = [constant + shifted[0], shifted[1], shifted[2], shifted[3], shifted[4]];
-        append(
-            &mut sections.equalities,
-            format_args!(
-                "    <tendon name=\"{own}\" tendon1=\"{own}\" tendon2=\"{argument}\" polycoef=\"{}\"/>\n",
-                coefficients.map(format_number).join(" ")
-            ),
+        append!(
+            sections.equalities,
+            "    <tendon name=\"{own}\" tendon1=\"{own}\" tendon2=\"{argument}\" polycoef=\"{}\"/>\n",
+            coefficients.map(format_number).join(" ")
         );
     }
     sections
 }
 
 /// Writes the tendons whose armatures are rotors.
-fn write_rotors(sections: &mut Sections, mechanism: &Mechanism, tree: &BodyTree) {
+fn write_rotors(sections: &mut Sections, tree: &BodyTree<'_>) {
+    let mechanism = tree.mechanism;
     for link in mechanism.link_ids() {
         let (Some(rotor), Some(joint)) = (tree.rotors[link.index()], mechanism.parent_joint(link)) else {
             continue;
@@ -109,10 +103,10 @@ fn write_tendon(
     attributes: &str,
     terms: &[(JointId, f64)],
 ) {
-    append(&mut sections.tendons, format_args!("    <fixed name=\"{name}\"{attributes}>\n"));
+    append!(sections.tendons, "    <fixed name=\"{name}\"{attributes}>\n");
     for (joint, factor) in terms.iter().filter(|(_, factor)| *factor != 0.0) {
         let (joint, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
-        append(&mut sections.tendons, format_args!("      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n"));
+        append!(sections.tendons, "      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n");
     }
     sections.tendons.push_str("    </fixed>\n");
 }

@@ -8,7 +8,7 @@ use crate::writing::changes::{Change, lost_shape};
 use crate::writing::parts::{ModelParts, has_positive_size};
 use crate::writing::structure::immovable_links;
 use crate::writing::xml_text::{append, escape_attribute, format_number, scale_text};
-use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_mechanism::{JointKind, LinkId};
 use std::collections::{BTreeSet, HashMap};
 
 /// Default classes of the geoms. Contacts of visual geoms are disabled. Groups 2 and 3 are MuJoCo's convention: viewers hide group 3.
@@ -39,7 +39,11 @@ struct Assets {
 
 /// Adds a geom for each shape, and returns the sections that the geoms require. `with_contacts`: true if collision shapes make contact; if false, all shapes are
 /// visual.
-pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, with_contacts: bool) -> ShapeSections {
+pub(super) fn add_shapes(
+    parts: &ModelParts<'_>,
+    tree: &mut BodyTree<'_>,
+    with_contacts: bool,
+) -> ShapeSections {
     let mechanism = parts.mechanism;
     let mut assets = Assets::default();
     let mut with_collisions = vec![false; mechanism.links().len()];
@@ -53,7 +57,7 @@ pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, with_conta
             };
             match line {
                 Ok(line) => {
-                    tree.append_content(mechanism, Some(link), &line);
+                    tree.append_content(Some(link), &line);
                     with_collisions[link.index()] |= !is_visual;
                     has_geoms = true;
                 }
@@ -66,7 +70,7 @@ pub(super) fn add_shapes(parts: &ModelParts<'_>, tree: &mut BodyTree, with_conta
     ShapeSections {
         classes: if has_geoms { CLASSES } else { "" },
         assets: assets.lines,
-        excludes: excluded_pairs(mechanism, tree, &with_collisions),
+        excludes: excluded_pairs(tree, &with_collisions),
     }
 }
 
@@ -124,13 +128,11 @@ impl Assets {
         let name = self.used.take(if stem.is_empty() { "mesh".to_owned() } else { stem.to_owned() });
         let scale = scale_text(" scale=\"", &scale, "\"");
         // Without `shell`, MuJoCo refuses flat meshes. The inertia of the mesh is not used.
-        append(
-            &mut self.lines,
-            format_args!(
-                "    <mesh name=\"{}\" file=\"{}\"{scale} inertia=\"shell\"/>\n",
-                escape_attribute(&name),
-                escape_attribute(file)
-            ),
+        append!(
+            self.lines,
+            "    <mesh name=\"{}\" file=\"{}\"{scale} inertia=\"shell\"/>\n",
+            escape_attribute(&name),
+            escape_attribute(file)
         );
         self.names.insert(key, name.clone());
         name
@@ -139,7 +141,8 @@ impl Assets {
 
 /// Elements `<exclude>` for pairs of bodies that a loop joins, and for pairs of an immovable body and its child, except the world. MuJoCo itself excludes the
 /// other pairs of parent and child.
-fn excluded_pairs(mechanism: &Mechanism, tree: &mut BodyTree, with_collisions: &[bool]) -> String {
+fn excluded_pairs(tree: &mut BodyTree<'_>, with_collisions: &[bool]) -> String {
+    let mechanism = tree.mechanism;
     let immovable = immovable_links(mechanism);
     let root = mechanism.root();
     // Links that fixed joints connect move as one body. A link of the immovable group stays alone: the other links may be obstacles.
@@ -174,8 +177,7 @@ fn excluded_pairs(mechanism: &Mechanism, tree: &mut BodyTree, with_collisions: &
             above = mechanism.joint(id).parent();
         }
         // Shapes of the world are obstacles.
-        if immovable[above.index()] && !tree.is_world(mechanism, above) && joint.kind() != JointKind::Floating
-        {
+        if immovable[above.index()] && !tree.is_world(above) && joint.kind() != JointKind::Floating {
             exclude(above, link);
         }
     }
@@ -190,10 +192,7 @@ fn excluded_pairs(mechanism: &Mechanism, tree: &mut BodyTree, with_collisions: &
     }
     let name = |index: usize| escape_attribute(mechanism.links()[index].name());
     pairs.iter().fold(String::new(), |mut out, (one, other)| {
-        append(
-            &mut out,
-            format_args!("    <exclude body1=\"{}\" body2=\"{}\"/>\n", name(*one), name(*other)),
-        );
+        append!(out, "    <exclude body1=\"{}\" body2=\"{}\"/>\n", name(*one), name(*other));
         out
     })
 }

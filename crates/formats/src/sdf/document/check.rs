@@ -1,23 +1,19 @@
 //! Comparison of a model with the table of elements.
 
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
 /// Applies the treatments to the children of an element. The recursion is bounded by the depth of the table.
-pub(crate) fn check_children(
-    tree: &ElementTree,
-    parent: ElementId,
-    rules: &'static [ElementRule],
-    findings: &mut Findings<'_>,
-) {
+pub(crate) fn check_children(parent: ElementId, rules: &'static [ElementRule], findings: &mut Findings<'_>) {
+    let tree = findings.tree;
     let mut seen = Vec::new();
     for &child in tree.children(parent) {
         let tag = tree.tag(child);
         let Some((_, rule)) = tags(rules).find(|(known, _)| *known == tag) else {
-            warn_unknown(tree, child, rules, findings);
+            warn_unknown(child, rules, findings);
             continue;
         };
         if rule.single && seen.contains(&tag) {
@@ -39,8 +35,8 @@ pub(crate) fn check_children(
                 findings.add_once(severity, code, tag, child, || reason.to_owned());
             }
             (None, Some(children)) => {
-                check_attributes(tree, child, rule, findings);
-                check_children(tree, child, children, findings);
+                check_attributes(child, rule, findings);
+                check_children(child, children, findings);
             }
             (None, None) if matches!(rule.treatment, Treatment::Silent) => {
                 findings.add_unread(child, || format!("<{tag}> in <{}>", tree.tag(parent)));
@@ -51,13 +47,8 @@ pub(crate) fn check_children(
 }
 
 /// Warns about an unknown element, as libsdformat does. Elements with a prefix are extensions of other programs.
-fn warn_unknown(
-    tree: &ElementTree,
-    element: ElementId,
-    rules: &'static [ElementRule],
-    findings: &mut Findings<'_>,
-) {
-    let tag = tree.tag(element);
+fn warn_unknown(element: ElementId, rules: &'static [ElementRule], findings: &mut Findings<'_>) {
+    let tag = findings.tree.tag(element);
     if tag == "experimental:params" {
         findings.error("unsupported", element, || {
             "changes of an included model (experimental:params) are not read, and the answer without them would be wrong; write them \
@@ -75,14 +66,9 @@ fn warn_unknown(
 }
 
 /// Warns about unknown attributes.
-fn check_attributes(
-    tree: &ElementTree,
-    element: ElementId,
-    rule: &'static ElementRule,
-    findings: &mut Findings<'_>,
-) {
-    let tag = tree.tag(element);
-    for attribute in &tree.element(element).attributes {
+fn check_attributes(element: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
+    let tag = findings.tree.tag(element);
+    for attribute in &findings.tree.element(element).attributes {
         let name = attribute.name.as_str();
         if rule.attribute(name).is_none() {
             let kind = format!("{tag} {name}");

@@ -30,9 +30,9 @@ impl Version {
 }
 
 /// Reports an absent or unknown version of an `<sdf>`.
-pub(crate) fn check_version(tree: &ElementTree, sdf: ElementId, findings: &mut Findings<'_>) {
+pub(crate) fn check_version(sdf: ElementId, findings: &mut Findings<'_>) {
     let (first, last) = (Version::FIRST.0, Version::LAST.0);
-    let Some(text) = tree.attribute(sdf, "version") else {
+    let Some(text) = findings.tree.attribute(sdf, "version") else {
         findings.error("missing-attribute", sdf, || {
             format!("<sdf> has no attribute \"version\" (1.{first} to 1.{last}), on which the meaning of poses and axes depends")
         });

@@ -34,34 +34,33 @@ pub(crate) struct JointAxis {
 
 /// Reads `<axis>` or `<axis2>` of a joint; the z-axis without limits if absent.
 pub(crate) fn read_axis(
-    tree: &ElementTree,
     scopes: &Scopes,
     joint: FrameId,
     tag: &'static str,
     findings: &mut Findings<'_>,
 ) -> JointAxis {
     let own = scopes.frame(joint);
-    let Some(axis) = tree.child(own.element, tag) else {
+    let Some(axis) = findings.tree.child(own.element, tag) else {
         return JointAxis { direction: Vector3::z(), limits: None, mimic: None };
     };
     JointAxis {
-        direction: read_direction(tree, scopes, joint, axis, findings),
-        limits: tree.child(axis, "limit").and_then(|limit| read_limits(tree, limit, findings)),
-        mimic: read_mimic(tree, scopes, joint, axis, findings),
+        direction: read_direction(scopes, joint, axis, findings),
+        limits: findings.tree.child(axis, "limit").and_then(|limit| read_limits(limit, findings)),
+        mimic: read_mimic(scopes, joint, axis, findings),
     }
 }
 
 /// Direction of an axis in the joint frame.
 fn read_direction(
-    tree: &ElementTree,
     scopes: &Scopes,
     joint: FrameId,
     axis: ElementId,
     findings: &mut Findings<'_>,
 ) -> Vector3<f64> {
+    let tree = findings.tree;
     let own = scopes.frame(joint);
     let xyz = tree.child(axis, "xyz");
-    let given = xyz.and_then(|xyz| read_numbers::<3>(tree, xyz, findings));
+    let given = xyz.and_then(|xyz| read_numbers::<3>(xyz, findings));
     let direction: Vector3<f64> = given.map_or_else(Vector3::z, Into::into);
     if direction.amax() < MIN_AXIS_COMPONENT {
         findings.error("zero-axis", xyz.unwrap_or(axis), || {
@@ -80,7 +79,7 @@ fn read_direction(
     // The converter of older files replaces `expressed_in` by the model frame.
     let is_in_model_frame = version < Version::WITH_FRAMES
         && if is_stated {
-            read_boolean_in(tree, axis, "use_parent_model_frame", findings)
+            read_boolean_in(axis, "use_parent_model_frame", findings)
         } else {
             version == Version::FIRST && is_in_outer_model(tree, own.element)
         };
@@ -110,9 +109,9 @@ fn is_in_outer_model(tree: &ElementTree, joint: ElementId) -> bool {
 }
 
 /// Position limits, m or rad; `None` if both are missing or infinite.
-fn read_limits(tree: &ElementTree, limit: ElementId, findings: &mut Findings<'_>) -> Option<Limits> {
-    let lower = read_limit_in(tree, limit, "lower", findings);
-    let upper = read_limit_in(tree, limit, "upper", findings);
+fn read_limits(limit: ElementId, findings: &mut Findings<'_>) -> Option<Limits> {
+    let lower = read_limit_in(limit, "lower", findings);
+    let upper = read_limit_in(limit, "upper", findings);
     if lower.is_none() && upper.is_none() {
         return None;
     }
@@ -122,19 +121,19 @@ fn read_limits(tree: &ElementTree, limit: ElementId, findings: &mut Findings<'_>
 
 /// Reads `<mimic>` of an axis, or Drake's of the joint.
 fn read_mimic(
-    tree: &ElementTree,
     scopes: &Scopes,
     joint: FrameId,
     axis: ElementId,
     findings: &mut Findings<'_>,
 ) -> Option<SdfMimic> {
+    let tree = findings.tree;
     let own = scopes.frame(joint);
     if let Some(mimic) = tree.child(axis, "mimic") {
-        let mut number = |tag, default| read_number_in(tree, mimic, tag, findings).unwrap_or(default);
+        let mut number = |tag, default| read_number_in(mimic, tag, findings).unwrap_or(default);
         let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
         let reference = number("reference", 0.0);
         let leader_axis = usize::from(tree.attribute(mimic, "axis") == Some("axis2"));
-        let leader = find_leader(tree, scopes, joint, mimic, findings)?;
+        let leader = find_leader(scopes, joint, mimic, findings)?;
         let offset = offset - multiplier * reference;
         return Some(SdfMimic { element: mimic, leader: (leader, leader_axis), multiplier, offset });
     }
@@ -148,19 +147,18 @@ fn read_mimic(
         None => default,
     };
     let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
-    let leader = find_leader(tree, scopes, joint, mimic, findings)?;
+    let leader = find_leader(scopes, joint, mimic, findings)?;
     Some(SdfMimic { element: mimic, leader: (leader, 0), multiplier, offset })
 }
 
 /// Joint that a mimic names.
 fn find_leader(
-    tree: &ElementTree,
     scopes: &Scopes,
     joint: FrameId,
     mimic: ElementId,
     findings: &mut Findings<'_>,
 ) -> Option<usize> {
-    let name = tree.attribute(mimic, "joint").unwrap_or_default();
+    let name = findings.tree.attribute(mimic, "joint").unwrap_or_default();
     let found = scopes.find(scopes.frame(joint).scope, name).map(|frame| scopes.frame(frame).kind);
     if let Some(FrameKind::Joint(leader)) = found {
         return Some(leader);

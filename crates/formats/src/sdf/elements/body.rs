@@ -1,6 +1,5 @@
 //! Links: inertia and shapes.
 
-use crate::reading::document::element_tree::ElementTree;
 use crate::reading::findings::Findings;
 use crate::sdf::elements::geometry::{Collision, read_shape};
 use crate::sdf::elements::inertia::{LinkInertia, read_inertia};
@@ -20,16 +19,15 @@ pub(crate) struct LinkBody {
 
 /// Reads the inertia and the shapes of a link. `is_fixed`: the link cannot move.
 pub(crate) fn read_body(
-    tree: &ElementTree,
     scopes: &Scopes,
     link: usize,
     is_fixed: bool,
     findings: &mut Findings<'_>,
 ) -> LinkBody {
     let element = scopes.links[link].element;
-    let collisions = read_shapes(tree, scopes, link, "collision", findings);
-    let visuals = read_shapes(tree, scopes, link, "visual", findings);
-    let inertia = read_inertia(tree, element, &collisions, is_fixed, findings);
+    let collisions = read_shapes(scopes, link, "collision", findings);
+    let visuals = read_shapes(scopes, link, "visual", findings);
+    let inertia = read_inertia(element, &collisions, is_fixed, findings);
     let mut extent = Geometry::None;
     for part in collisions.iter().chain(&visuals) {
         extent = match (extent, part.shape.radius()) {
@@ -53,13 +51,8 @@ pub(crate) fn read_body(
 }
 
 /// Shapes in elements with a tag. A shape with invalid numbers is left out, with a warning.
-fn read_shapes(
-    tree: &ElementTree,
-    scopes: &Scopes,
-    link: usize,
-    tag: &str,
-    findings: &mut Findings<'_>,
-) -> Vec<Collision> {
+fn read_shapes(scopes: &Scopes, link: usize, tag: &str, findings: &mut Findings<'_>) -> Vec<Collision> {
+    let tree = findings.tree;
     let link = &scopes.links[link];
     let mut found = Vec::new();
     for element in tree.children_named(link.element, tag) {
@@ -79,7 +72,7 @@ fn read_shapes(
             let named = tree.attribute(pose, "relative_to").filter(|name| !name.is_empty());
             let base = named.and_then(|name| scopes.find(link.scope, name));
             let base = base.map_or_else(Transform::identity, |base| scopes.relative_pose(link.frame, base));
-            frame = base * read_pose(tree, pose, findings);
+            frame = base * read_pose(pose, findings);
         }
         found.push(Collision { element, shape, frame });
     }

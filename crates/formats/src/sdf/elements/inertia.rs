@@ -1,7 +1,7 @@
 //! Inertias of links: declared, computed from the collisions, or the defaults of the format.
 
 use crate::mjcf::bodies::inertia::{sum, turn};
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
 use crate::sdf::document::version::Version;
 use crate::sdf::elements::geometry::Collision;
@@ -27,12 +27,12 @@ pub(crate) struct LinkInertia {
 
 /// Reads the inertia of a link. `is_fixed`: the link cannot move, so that defaults need no warning.
 pub(crate) fn read_inertia(
-    tree: &ElementTree,
     link: ElementId,
     collisions: &[Collision],
     is_fixed: bool,
     findings: &mut Findings<'_>,
 ) -> LinkInertia {
+    let tree = findings.tree;
     let Some(element) = tree.child(link, "inertial") else {
         if !is_fixed {
             findings.add_once(Severity::Warning, "default-inertia", "link", link, || {
@@ -44,14 +44,14 @@ pub(crate) fn read_inertia(
             is_default: true,
         };
     };
-    if read_boolean_attribute(tree, element, "auto", findings)
+    if read_boolean_attribute(element, "auto", findings)
         && Version::of_element(tree, element) >= WITH_AUTO
-        && let Some(inertial) = inertia_of_collisions(tree, element, collisions, is_fixed, findings)
+        && let Some(inertial) = inertia_of_collisions(element, collisions, is_fixed, findings)
     {
         return LinkInertia { inertial, is_default: false };
     }
-    let mass = read_number_in(tree, element, "mass", findings);
-    let frame = read_pose_in(tree, element, findings);
+    let mass = read_number_in(element, "mass", findings);
+    let frame = read_pose_in(element, findings);
     if let Some(pose) =
         tree.child(element, "pose").filter(|pose| tree.attribute(*pose, "relative_to").is_some())
     {
@@ -71,7 +71,7 @@ pub(crate) fn read_inertia(
         });
     }
     let mut entry = |tag: &str, default: f64| {
-        let given = moments.and_then(|moments| read_number_in(tree, moments, tag, findings));
+        let given = moments.and_then(|moments| read_number_in(moments, tag, findings));
         given.unwrap_or(default)
     };
     let (xx, yy, zz) =
@@ -91,13 +91,12 @@ pub(crate) fn read_inertia(
 /// Inertia of the collisions of a link; scaled to the mass where one is given. `None`, with a finding, if a shape has no volume that is
 /// computed.
 fn inertia_of_collisions(
-    tree: &ElementTree,
     inertial: ElementId,
     collisions: &[Collision],
     is_fixed: bool,
     findings: &mut Findings<'_>,
 ) -> Option<Inertial> {
-    let density = read_number_in(tree, inertial, "density", findings).unwrap_or(DEFAULT_DENSITY);
+    let density = read_number_in(inertial, "density", findings).unwrap_or(DEFAULT_DENSITY);
     let mut parts = Vec::new();
     for collision in collisions {
         let Some((unit, centroid)) = collision.shape.unit_inertia() else {
@@ -107,7 +106,7 @@ fn inertia_of_collisions(
             });
             return None;
         };
-        let own = read_number_in(tree, collision.element, "density", findings);
+        let own = read_number_in(collision.element, "density", findings);
         let mass = own.unwrap_or(density) * unit.volume;
         let tensor = Matrix3::from_diagonal(&Vector3::from(unit.moments)) * mass;
         parts.push(Inertial {
@@ -125,7 +124,7 @@ fn inertia_of_collisions(
         return None;
     }
     let mut total = sum(&parts);
-    if let Some(mass) = read_number_in(tree, inertial, "mass", findings).filter(|_| total.mass > 0.0) {
+    if let Some(mass) = read_number_in(inertial, "mass", findings).filter(|_| total.mass > 0.0) {
         findings.add_once(Severity::Note, "auto-inertia", "mass", inertial, || {
             "auto=\"true\" with <mass>: the moments of the collisions are scaled to the mass, as in libsdformat from 14.7 and 15.2 on; \
              earlier versions ignore the mass"

@@ -1,6 +1,6 @@
 //! Joints with their ends and axes.
 
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use crate::sdf::elements::axis::{JointAxis, read_axis};
@@ -74,17 +74,13 @@ pub(crate) struct JointBody {
 }
 
 /// Reads a joint; `None`, with an error, if its type or an end is invalid.
-pub(crate) fn read_joint(
-    tree: &ElementTree,
-    scopes: &Scopes,
-    index: usize,
-    findings: &mut Findings<'_>,
-) -> Option<JointBody> {
+pub(crate) fn read_joint(scopes: &Scopes, index: usize, findings: &mut Findings<'_>) -> Option<JointBody> {
+    let tree = findings.tree;
     let joint = &scopes.joints[index];
     let element = joint.element;
-    let kind = read_type(tree, element, findings);
-    let parent = read_end(tree, scopes, (joint.scope, element), "parent", findings);
-    let child = read_end(tree, scopes, (joint.scope, element), "child", findings);
+    let kind = read_type(element, findings);
+    let parent = read_end(scopes, (joint.scope, element), "parent", findings);
+    let child = read_end(scopes, (joint.scope, element), "child", findings);
     let (kind, parent, child) = (kind?, parent?, child?);
     let Attached::Link(child) = child else {
         findings.error("child-world", element, || {
@@ -100,7 +96,7 @@ pub(crate) fn read_joint(
     }
     let tags = ["axis", "axis2"];
     let axes = tags.iter().take(kind.axes());
-    let axes: Vec<JointAxis> = axes.map(|tag| read_axis(tree, scopes, joint.frame, tag, findings)).collect();
+    let axes: Vec<JointAxis> = axes.map(|tag| read_axis(scopes, joint.frame, tag, findings)).collect();
     for tag in tags.iter().take(kind.axes()).filter(|tag| tree.child(element, tag).is_none()) {
         if kind.axes() == 2 {
             findings.error("missing-element", element, || format!("a {} joint has no <{tag}>", kind.name()));
@@ -114,8 +110,8 @@ pub(crate) fn read_joint(
     let axes =
         axes.into_iter().map(|axis| JointAxis { limits: axis.limits.filter(|_| !is_continuous), ..axis });
     let axes = axes.collect();
-    let rotor = read_number_in(tree, element, "drake:rotor_inertia", findings).unwrap_or(0.0);
-    let ratio = read_number_in(tree, element, "drake:gear_ratio", findings).unwrap_or(1.0);
+    let rotor = read_number_in(element, "drake:rotor_inertia", findings).unwrap_or(0.0);
+    let ratio = read_number_in(element, "drake:gear_ratio", findings).unwrap_or(1.0);
     let simbody = tree.child(element, "physics").and_then(|physics| tree.child(physics, "simbody"));
     Some(JointBody {
         index,
@@ -126,16 +122,16 @@ pub(crate) fn read_joint(
         parent,
         child,
         axes,
-        advance: if kind == JointType::Screw { read_advance(tree, element, findings) } else { 0.0 },
+        advance: if kind == JointType::Screw { read_advance(element, findings) } else { 0.0 },
         armature: rotor * ratio * ratio,
         is_loop_joint: simbody
-            .is_some_and(|simbody| read_boolean_in(tree, simbody, "must_be_loop_joint", findings)),
-        gear: if kind == JointType::Gearbox { read_gear(tree, scopes, index, findings) } else { None },
+            .is_some_and(|simbody| read_boolean_in(simbody, "must_be_loop_joint", findings)),
+        gear: if kind == JointType::Gearbox { read_gear(scopes, index, findings) } else { None },
     })
 }
 
-fn read_type(tree: &ElementTree, element: ElementId, findings: &mut Findings<'_>) -> Option<JointType> {
-    let given = tree.attribute(element, "type").unwrap_or_default();
+fn read_type(element: ElementId, findings: &mut Findings<'_>) -> Option<JointType> {
+    let given = findings.tree.attribute(element, "type").unwrap_or_default();
     let found = TYPES.iter().find(|(word, _)| *word == given).map(|(_, kind)| *kind);
     if found.is_none() {
         findings.attribute_error("unknown-joint-type", element, "type", || {
@@ -149,12 +145,12 @@ fn read_type(tree: &ElementTree, element: ElementId, findings: &mut Findings<'_>
 
 /// Body at an end of a joint: a link, a frame or model attached to one, or the world.
 fn read_end(
-    tree: &ElementTree,
     scopes: &Scopes,
     (scope, joint): (ScopeId, ElementId),
     tag: &'static str,
     findings: &mut Findings<'_>,
 ) -> Option<Attached> {
+    let tree = findings.tree;
     let element = tree.child(joint, tag).filter(|element| !tree.text(*element).is_empty());
     let Some(element) = element else {
         findings.error("missing-element", joint, || {
@@ -162,18 +158,17 @@ fn read_end(
         });
         return None;
     };
-    resolve_body(tree, scopes, scope, element, findings)
+    resolve_body(scopes, scope, element, findings)
 }
 
 /// Body that the text of an element names.
 fn resolve_body(
-    tree: &ElementTree,
     scopes: &Scopes,
     scope: ScopeId,
     element: ElementId,
     findings: &mut Findings<'_>,
 ) -> Option<Attached> {
-    let name = tree.text(element);
+    let name = findings.tree.text(element);
     if name == "world" {
         return Some(Attached::Ground);
     }
@@ -192,9 +187,9 @@ fn resolve_body(
 }
 
 /// Advance of a screw, m/rad: right-handed metres per turn, or (older) left-handed radians per metre.
-fn read_advance(tree: &ElementTree, element: ElementId, findings: &mut Findings<'_>) -> f64 {
+fn read_advance(element: ElementId, findings: &mut Findings<'_>) -> f64 {
     let [turn, pitch] =
-        ["screw_thread_pitch", "thread_pitch"].map(|tag| read_number_in(tree, element, tag, findings));
+        ["screw_thread_pitch", "thread_pitch"].map(|tag| read_number_in(element, tag, findings));
     screw_advance(turn, pitch).unwrap_or_else(|(code, defect)| {
         findings.error(code, element, || defect.to_owned());
         0.0
@@ -202,23 +197,18 @@ fn read_advance(tree: &ElementTree, element: ElementId, findings: &mut Findings<
 }
 
 /// Ratio and reference body of a gearbox; `None`, with an error, if the body is unknown.
-fn read_gear(
-    tree: &ElementTree,
-    scopes: &Scopes,
-    index: usize,
-    findings: &mut Findings<'_>,
-) -> Option<(f64, Attached)> {
+fn read_gear(scopes: &Scopes, index: usize, findings: &mut Findings<'_>) -> Option<(f64, Attached)> {
     let joint = &scopes.joints[index];
-    let ratio = read_number_in(tree, joint.element, "gearbox_ratio", findings).unwrap_or(1.0);
-    let Some(reference) = tree.child(joint.element, "gearbox_reference_body") else {
+    let ratio = read_number_in(joint.element, "gearbox_ratio", findings).unwrap_or(1.0);
+    let Some(reference) = findings.tree.child(joint.element, "gearbox_reference_body") else {
         findings.error("missing-element", joint.element, || {
             "the gearbox has no <gearbox_reference_body>, the link relative to which its angles count"
                 .to_owned()
         });
         return None;
     };
-    if text_in(tree, joint.element, "gearbox_reference_body").is_empty() {
+    if text_in(findings.tree, joint.element, "gearbox_reference_body").is_empty() {
         return None;
     }
-    resolve_body(tree, scopes, joint.scope, reference, findings).map(|body| (ratio, body))
+    resolve_body(scopes, joint.scope, reference, findings).map(|body| (ratio, body))
 }

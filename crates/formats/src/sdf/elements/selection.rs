@@ -1,6 +1,6 @@
 //! Choice of one model of a file.
 
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::{quoted, shortened};
 use crate::sdf::document::version::check_version;
@@ -19,18 +19,15 @@ pub(crate) struct Selected {
 
 /// Chooses the model with the name `wanted`; without a name, the only model, or the only one that is not static. `None`, with an error
 /// that lists the models, if none or several are left.
-pub(crate) fn select_model(
-    tree: &ElementTree,
-    wanted: Option<&str>,
-    findings: &mut Findings<'_>,
-) -> Option<Selected> {
+pub(crate) fn select_model(wanted: Option<&str>, findings: &mut Findings<'_>) -> Option<Selected> {
+    let tree = findings.tree;
     let sdf = tree.root();
     for index in 0..tree.elements.len() {
         let element = ElementId(index as u32);
         // Plugins may contain elements of any name.
         let holder = tree.element(element).parent.map(|holder| tree.tag(holder));
         if tree.tag(element) == "sdf" && matches!(holder, None | Some("include")) {
-            check_version(tree, element, findings);
+            check_version(element, findings);
         }
     }
     let worlds = tree.children_named(sdf, "world");

@@ -3,7 +3,7 @@
 //! Every frame has a base and a pose in the base. Default bases: the model frame; of a joint its child; of a model the enclosing model
 //! or the world. Source: SDFormat, "Pose frame semantics", and its converters of versions 1.4 and 1.6.
 
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::limits::MAX_FRAME_CHAIN;
 use crate::reading::report::quoted;
@@ -14,9 +14,9 @@ use percuss_mechanism::Severity;
 use percuss_spatial::Transform;
 
 /// Computes the bases and poses of all frames. Unknown names and circles are errors.
-pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &mut Findings<'_>) {
+pub(crate) fn resolve_poses(scopes: &mut Scopes, findings: &mut Findings<'_>) {
     for index in 0..scopes.frames.len() {
-        let (base, pose) = read_frame(tree, scopes, FrameId(index), findings);
+        let (base, pose) = read_frame(scopes, FrameId(index), findings);
         scopes.frames[index].base = base;
         scopes.frames[index].pose = pose;
     }
@@ -28,7 +28,7 @@ pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &
     });
     // Nested models have higher indices than the models that contain them.
     for index in (1..scopes.scopes.len()).rev() {
-        place_model(tree, scopes, ScopeId(index), findings);
+        place_model(scopes, ScopeId(index), findings);
     }
     for_each_from_the_root(scopes, |scopes, frame, base| {
         let x_wb = base.map_or_else(Transform::identity, |base| scopes.frame(base).world_pose);
@@ -38,11 +38,11 @@ pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &
 
 /// Base and pose of a frame. A model is placed later by its placement frame.
 fn read_frame(
-    tree: &ElementTree,
     scopes: &Scopes,
     id: FrameId,
     findings: &mut Findings<'_>,
 ) -> (Option<FrameId>, Transform<f64>) {
+    let tree = findings.tree;
     let frame = scopes.frame(id);
     let model_frame = scopes.scope(frame.scope).frame;
     let (holder, default) = match frame.kind {
@@ -78,7 +78,7 @@ fn read_frame(
         relative_to
     };
     let base = named.and_then(|name| find_frame(scopes, id, pose, name, findings));
-    (Some(base.unwrap_or(default)), read_pose(tree, pose, findings))
+    (Some(base.unwrap_or(default)), read_pose(pose, findings))
 }
 
 /// Frame that an element names; an unknown name is an error.
@@ -146,7 +146,8 @@ fn refuse_circles(scopes: &Scopes, findings: &mut Findings<'_>) -> bool {
 }
 
 /// Moves a model so that its frame named by `placement_frame` has the stated pose of the model.
-fn place_model(tree: &ElementTree, scopes: &mut Scopes, id: ScopeId, findings: &mut Findings<'_>) {
+fn place_model(scopes: &mut Scopes, id: ScopeId, findings: &mut Findings<'_>) {
+    let tree = findings.tree;
     let scope = scopes.scope(id);
     let of_include = scope.include.and_then(|include| tree.child(include, "placement_frame"));
     let name = match of_include {

@@ -36,13 +36,8 @@ pub(crate) fn included_model(tree: &ElementTree, element: ElementId) -> Option<E
 }
 
 /// Reads all scopes of a `<world>` or of an `<sdf>`. `main`: `<model>` or `<include>` whose elements have names without a prefix.
-pub(crate) fn collect_scopes(
-    tree: &ElementTree,
-    container: ElementId,
-    main: ElementId,
-    findings: &mut Findings<'_>,
-) -> Scopes {
-    let mut walker = Walker { tree, findings, scopes: Scopes::default() };
+pub(crate) fn collect_scopes(container: ElementId, main: ElementId, findings: &mut Findings<'_>) -> Scopes {
+    let mut walker = Walker { findings, scopes: Scopes::default() };
     let world = ScopeId(0);
     let frame = walker.push_frame(container, world, FrameKind::World, String::new());
     walker.scopes.scopes.push(Scope {
@@ -55,24 +50,23 @@ pub(crate) fn collect_scopes(
         first_link: None,
         prefix: String::new(),
         is_static: true,
-        version: Version::of_element(tree, container),
+        version: Version::of_element(walker.findings.tree, container),
         top: world,
         depth: 0,
     });
-    check_children(tree, container, IN_WORLD, walker.findings);
+    check_children(container, IN_WORLD, walker.findings);
     walker.read_contents(container, world, Some(main));
     let scopes = 0..walker.scopes.scopes.len();
     walker.warn_plugins(container, scopes);
     walker.scopes
 }
 
-struct Walker<'t, 'f, 'w> {
-    tree: &'t ElementTree,
+struct Walker<'f, 'w> {
     findings: &'w mut Findings<'f>,
     scopes: Scopes,
 }
 
-impl Walker<'_, '_, '_> {
+impl Walker<'_, '_> {
     /// Adds a frame; its base and pose are set later.
     fn push_frame(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind, name: String) -> FrameId {
         let identity = Transform::identity();
@@ -91,7 +85,7 @@ impl Walker<'_, '_, '_> {
 
     /// Reads the contents of a world or model. The recursion is bounded by the depth of the models.
     fn read_contents(&mut self, element: ElementId, scope: ScopeId, main: Option<ElementId>) {
-        let tree = self.tree;
+        let tree = self.findings.tree;
         // Joints come last: in older files a joint may have the name of a link, which then counts.
         for &child in tree.children(element) {
             match tree.tag(child) {
@@ -139,14 +133,13 @@ impl Walker<'_, '_, '_> {
 
     /// Adds a frame under the name of its element.
     fn read_named(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind) -> FrameId {
-        let tree = self.tree;
-        let name = tree.attribute(element, "name").unwrap_or_default();
+        let name = self.findings.tree.attribute(element, "name").unwrap_or_default();
         self.add_named(element, name, scope, kind)
     }
 
     /// Adds a frame and its name; empty, long, reserved and repeated names are errors.
     fn add_named(&mut self, element: ElementId, name: &str, scope: ScopeId, kind: FrameKind) -> FrameId {
-        let tag = self.tree.tag(element);
+        let tag = self.findings.tree.tag(element);
         let own = self.scopes.scope(scope);
         let full = format!("{}{name}", own.prefix);
         if name.is_empty() {
@@ -165,9 +158,9 @@ impl Walker<'_, '_, '_> {
         let frame = self.push_frame(element, scope, kind, full);
         match earlier {
             Some(earlier) if !name.is_empty() => {
-                let is_same_kind = self.tree.tag(earlier) == tag;
+                let is_same_kind = self.findings.tree.tag(earlier) == tag;
                 let severity = if is_same_kind { Severity::Error } else { Severity::Note };
-                let first = self.tree.tag(earlier);
+                let first = self.findings.tree.tag(earlier);
                 self.findings.add(severity, "duplicate-name", element, || {
                     format!(
                         "the name {} was given before, to a <{first}>; names must be unique in a model",
@@ -194,7 +187,7 @@ impl Walker<'_, '_, '_> {
         scope: ScopeId,
         main: Option<ElementId>,
     ) {
-        let tree = self.tree;
+        let tree = self.findings.tree;
         let source = include.unwrap_or(model);
         let depth = self.scopes.scope(scope).depth + 1;
         if depth > MAX_MODEL_DEPTH {
@@ -206,7 +199,7 @@ impl Walker<'_, '_, '_> {
         let name = model_name(tree, source);
         let id = ScopeId(self.scopes.scopes.len());
         let is_merged =
-            include.is_some_and(|include| read_boolean_attribute(tree, include, "merge", self.findings));
+            include.is_some_and(|include| read_boolean_attribute(include, "merge", self.findings));
         if is_merged && scope.0 == 0 && tree.children_named(model, "link").next().is_some() {
             self.findings.error("merged-links", source, || {
                 "a model with links of its own is merged into a world, which has models and joints, but \
@@ -226,7 +219,7 @@ impl Walker<'_, '_, '_> {
             _ => format!("{}{name}::", self.scopes.scope(scope).prefix),
         };
         let with_static = include.filter(|include| tree.child(*include, "static").is_some()).unwrap_or(model);
-        let is_static = read_boolean_in(tree, with_static, "static", self.findings);
+        let is_static = read_boolean_in(with_static, "static", self.findings);
         // All models are placed in the world, which is static itself.
         let is_static = is_static || scope.0 > 0 && self.scopes.scope(scope).is_static;
         let top = if scope.0 == 0 { id } else { self.scopes.scope(scope).top };
@@ -244,7 +237,7 @@ impl Walker<'_, '_, '_> {
             top,
             depth,
         });
-        check_children(tree, model, IN_MODEL, self.findings);
+        check_children(model, IN_MODEL, self.findings);
         self.read_contents(model, id, None);
         for holder in [Some(model), include].into_iter().flatten() {
             self.warn_plugins(holder, id.0..id.0 + 1);
@@ -280,7 +273,7 @@ impl Walker<'_, '_, '_> {
 
     /// Warns about plugins of a model or world, and of its links and joints, that join or couple links. `scopes`: scopes of their names.
     fn warn_plugins(&mut self, holder: ElementId, scopes: Range<usize>) {
-        let tree = self.tree;
+        let tree = self.findings.tree;
         let parts = tree.children(holder).iter().filter(|part| ["link", "joint"].contains(&tree.tag(**part)));
         for plugin in parts.chain([&holder]).flat_map(|holder| tree.children_named(*holder, "plugin")) {
             let name = ["name", "filename"].map(|name| tree.attribute(plugin, name).unwrap_or_default());

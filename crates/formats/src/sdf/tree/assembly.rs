@@ -17,15 +17,15 @@ use std::collections::{HashMap, HashSet};
 
 /// Parts of the mechanism of the model `main`, and the shapes of its links, by index of the link in the scopes. `None` after an error.
 pub(crate) fn assemble(
-    tree: &ElementTree,
     scopes: &Scopes,
     main: ElementId,
     findings: &mut Findings<'_>,
 ) -> Option<(Parts, Vec<Option<Vec<Shape>>>)> {
+    let tree = findings.tree;
     let is_read = read_scopes(tree, scopes, main);
     let joints: Vec<JointBody> = (0..scopes.joints.len())
         .filter(|joint| is_joint_read(tree, scopes, &is_read, *joint))
-        .filter_map(|joint| read_joint(tree, scopes, joint, findings))
+        .filter_map(|joint| read_joint(scopes, joint, findings))
         .collect();
     if findings.has_errors() {
         return None;
@@ -47,7 +47,7 @@ pub(crate) fn assemble(
     let bodies: Vec<Option<LinkBody>> = links
         .iter()
         .enumerate()
-        .map(|(link, read)| read.map(|_| read_body(tree, scopes, link, is_fixed[link], findings)))
+        .map(|(link, read)| read.map(|_| read_body(scopes, link, is_fixed[link], findings)))
         .collect();
     if findings.has_errors() {
         return None;

@@ -49,7 +49,8 @@ pub(super) struct Chain {
 }
 
 /// Links of the file.
-pub(super) struct Bodies {
+pub(super) struct Bodies<'m> {
+    pub mechanism: &'m Mechanism,
     /// Pose of every link in the world with all joints at 0.
     pub world_poses: Vec<Transform<f64>>,
     pub forms: Vec<Form>,
@@ -85,16 +86,17 @@ pub(super) fn model_name(mechanism: &Mechanism) -> String {
     }
 }
 
-impl Bodies {
+impl<'m> Bodies<'m> {
     /// Finds the forms of all links.
     ///
     /// # Errors
     /// [`SdfError`] for names that SDFormat reserves.
-    pub fn new(mechanism: &Mechanism) -> Result<Self, SdfError> {
+    pub fn new(mechanism: &'m Mechanism) -> Result<Self, SdfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
         let mut bodies = Self {
+            mechanism,
             world_poses,
             forms: vec![Form::Link; count],
             chains: vec![None; count],
@@ -105,14 +107,15 @@ impl Bodies {
         if mechanism.link(root).name() == "world" {
             bodies.forms[root.index()] = Form::World;
         }
-        bodies.find_chains(mechanism);
-        bodies.changes = bodies.form_changes(mechanism);
-        bodies.name_links(mechanism)?;
+        bodies.find_chains();
+        bodies.changes = bodies.form_changes();
+        bodies.name_links()?;
         Ok(bodies)
     }
 
     /// Finds frames, chains and the links within them. Links come before the links that support them.
-    fn find_chains(&mut self, mechanism: &Mechanism) {
+    fn find_chains(&mut self) {
+        let mechanism = self.mechanism;
         let held = held_links(mechanism);
         let mergeable = |link: LinkId| {
             is_massless(mechanism, link)
@@ -156,7 +159,8 @@ impl Bodies {
     }
 
     /// Changes of links and joints, because SDFormat has frames, and joints with a pose and two axes.
-    fn form_changes(&self, mechanism: &Mechanism) -> Vec<Change> {
+    fn form_changes(&self) -> Vec<Change> {
+        let mechanism = self.mechanism;
         let mut changes = Vec::new();
         if self.forms[mechanism.root().index()] == Form::Link {
             let what = "a link that a joint fixes to the world";
@@ -216,7 +220,8 @@ impl Bodies {
     }
 
     /// Gives the links their names.
-    fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
+    fn name_links(&mut self) -> Result<(), SdfError> {
+        let mechanism = self.mechanism;
         // Links with a valid name keep it.
         let (valid, changed): (Vec<LinkId>, Vec<LinkId>) = mechanism.link_ids().partition(|id| {
             let name = mechanism.link(*id).name();
@@ -260,7 +265,8 @@ impl Bodies {
     }
 
     /// Writes all links and frames. `shapes`: visuals and collisions of each link as XML, in link order.
-    pub fn append_links(&mut self, mechanism: &Mechanism, shapes: &[String], out: &mut String) {
+    pub fn append_links(&mut self, shapes: &[String], out: &mut String) {
+        let mechanism = self.mechanism;
         let fixed = immovable_links(mechanism);
         for id in mechanism.link_ids() {
             let form = self.forms[id.index()].clone();
@@ -273,20 +279,17 @@ impl Bodies {
                 }
             };
             let name = escape_attribute(self.name(id));
-            let pose = self.pose_element(mechanism, parent, id);
+            let pose = self.pose_element(parent, id);
             if form == Form::Frame {
                 let parent = parent.map(|parent| escape_attribute(self.name(parent))).unwrap_or_default();
-                append(
-                    out,
-                    format_args!("    <frame name=\"{name}\" attached_to=\"{parent}\">{pose}</frame>\n"),
-                );
+                append!(out, "    <frame name=\"{name}\" attached_to=\"{parent}\">{pose}</frame>\n");
                 continue;
             }
-            append(out, format_args!("    <link name=\"{name}\">\n"));
+            append!(out, "    <link name=\"{name}\">\n");
             if !pose.is_empty() {
-                append(out, format_args!("      {pose}\n"));
+                append!(out, "      {pose}\n");
             }
-            let inertial = self.inertial_of(mechanism, id, fixed[id.index()]);
+            let inertial = self.inertial_of(id, fixed[id.index()]);
             append_inertial(out, &inertial);
             out.push_str(&shapes[id.index()]);
             out.push_str("    </link>\n");
@@ -294,9 +297,9 @@ impl Bodies {
     }
 
     /// `<pose>` of a link relative to the link that supports it; empty for the identity in the model.
-    fn pose_element(&self, mechanism: &Mechanism, parent: Option<LinkId>, link: LinkId) -> String {
+    fn pose_element(&self, parent: Option<LinkId>, link: LinkId) -> String {
         let pose = match parent {
-            Some(parent) => path_pose(mechanism, parent, link),
+            Some(parent) => path_pose(self.mechanism, parent, link),
             None => Transform::identity(),
         };
         match parent.filter(|parent| self.forms[parent.index()] != Form::World) {
@@ -310,7 +313,8 @@ impl Bodies {
     }
 
     /// Inertia of a link as written.
-    fn inertial_of(&mut self, mechanism: &Mechanism, link: LinkId, is_fixed: bool) -> Inertial {
+    fn inertial_of(&mut self, link: LinkId, is_fixed: bool) -> Inertial {
+        let mechanism = self.mechanism;
         let name = mechanism.link(link).name();
         let massless = Inertial::diagonal(0.0, [0.0; 3], [0.0; 3]);
         let own = mechanism.link(link).inertial().copied().unwrap_or(massless);
@@ -373,13 +377,13 @@ fn append_inertial(out: &mut String, inertial: &Inertial) {
     out.push_str("      <inertial>\n");
     if inertial.com != Vector3::zeros() {
         let pose = pose_text(&Transform::from_translation(inertial.com));
-        append(out, format_args!("        <pose>{pose}</pose>\n"));
+        append!(out, "        <pose>{pose}</pose>\n");
     }
-    append(out, format_args!("        <mass>{}</mass>\n        <inertia>", format_number(inertial.mass)));
+    append!(out, "        <mass>{}</mass>\n        <inertia>", format_number(inertial.mass));
     for (tag, row, column) in
         [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)]
     {
-        append(out, format_args!("<{tag}>{}</{tag}>", format_number(inertial.about_com[(row, column)])));
+        append!(out, "<{tag}>{}</{tag}>", format_number(inertial.about_com[(row, column)]));
     }
     out.push_str("</inertia>\n      </inertial>\n");
 }

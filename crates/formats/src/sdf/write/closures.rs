@@ -5,14 +5,15 @@ use super::error::SdfError;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
 use crate::writing::changes::Change;
 use crate::writing::xml_text::{append, escape_attribute, format_vector};
-use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame, Mechanism};
+use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame};
 use percuss_spatial::{Transform, Vector3};
 
 /// Writes all closures. SDFormat defines the frame of a joint in its child; the frame in the parent follows from the poses as drawn.
 ///
 /// # Errors
 /// [`SdfError`] for kinds without a joint in SDFormat, and for closures that are open as drawn.
-pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<String, SdfError> {
+pub(super) fn write_closures(bodies: &mut Bodies<'_>) -> Result<String, SdfError> {
+    let mechanism = bodies.mechanism;
     let mut out = String::new();
     let floats = mechanism.joints().iter().any(|joint| joint.kind() == JointKind::Floating);
     for closure in mechanism.closures() {
@@ -44,7 +45,7 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
             )));
         }
         let name = escape_attribute(&bodies.joint_name(closure.name()));
-        append(&mut out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
+        append!(out, "    <joint name=\"{name}\" type=\"{kind}\">\n");
         if floats {
             bodies.changes.push(Change::changed(
                 "loop",
@@ -65,7 +66,7 @@ pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Resu
 
 /// Appends pose, ends and axes. The child is the successor, or the predecessor if the successor is the world. `drawn`: loop frame of the
 /// successor in that of the predecessor.
-fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
+fn append_ends(bodies: &Bodies<'_>, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
     let is_world = |end: &LoopFrame| end.link.is_none_or(|link| bodies.forms[link.index()] == Form::World);
     let is_swapped = is_world(closure.successor());
     let (parent, child) = if is_swapped {
@@ -73,10 +74,10 @@ fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: 
     } else {
         (closure.predecessor(), closure.successor())
     };
-    append(out, format_args!("      <pose>{}</pose>\n", pose_text(&child.frame)));
+    append!(out, "      <pose>{}</pose>\n", pose_text(&child.frame));
     for (tag, end) in [("parent", parent), ("child", child)] {
         let name = end.link.map_or("world", |link| bodies.name(link));
-        append(out, format_args!("      <{tag}>{}</{tag}>\n", escape_attribute(name)));
+        append!(out, "      <{tag}>{}</{tag}>\n", escape_attribute(name));
     }
     // Axes in the loop frame of the child; the first axis of a universal joint is that of the parent.
     let axes: Vec<Vector3<f64>> = match closure.kind() {
@@ -86,9 +87,6 @@ fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: 
         _ => Vec::new(),
     };
     for (tag, axis) in ["axis", "axis2"].iter().zip(axes) {
-        append(
-            out,
-            format_args!("      <{tag}><xyz>{}</xyz></{tag}>\n", format_vector(&axis.map(|x| x + 0.0))),
-        );
+        append!(out, "      <{tag}><xyz>{}</xyz></{tag}>\n", format_vector(&axis.map(|x| x + 0.0)));
     }
 }

@@ -30,7 +30,8 @@ impl Axes {
     ///
     /// # Errors
     /// [`SdfError`] for couplings that are no mimic.
-    pub fn new(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<Self, SdfError> {
+    pub fn new(bodies: &mut Bodies<'_>) -> Result<Self, SdfError> {
+        let mechanism = bodies.mechanism;
         let mut axes = Self { names: HashMap::new(), followers: HashMap::new(), has_rotors: false };
         let mut chains: Vec<Chain> = bodies.chains.iter().flatten().cloned().collect();
         // Joints with a valid name keep it.
@@ -111,23 +112,22 @@ impl Axes {
     ///
     /// # Errors
     /// [`SdfError`] for planar joints, and for armatures that SDFormat cannot express.
-    pub fn write_joints(&self, mechanism: &Mechanism, bodies: &mut Bodies) -> Result<String, SdfError> {
+    pub fn write_joints(&self, bodies: &mut Bodies<'_>) -> Result<String, SdfError> {
+        let mechanism = bodies.mechanism;
         let mut out = String::new();
         let root = mechanism.root();
         if bodies.forms[root.index()] == Form::Link {
             let name =
                 escape_attribute(&bodies.joint_name(&format!("{}_static", mechanism.link(root).name())));
             let link = escape_attribute(bodies.name(root));
-            append(
-                &mut out,
-                format_args!(
-                    "    <joint name=\"{name}\" type=\"fixed\"><parent>world</parent><child>{link}</child></joint>\n"
-                ),
+            append!(
+                out,
+                "    <joint name=\"{name}\" type=\"fixed\"><parent>world</parent><child>{link}</child></joint>\n"
             );
         }
         for id in mechanism.link_ids() {
             if let Some(chain) = &bodies.chains[id.index()] {
-                self.append_chain(mechanism, bodies, id, chain, &mut out)?;
+                self.append_chain(bodies, id, chain, &mut out)?;
             }
         }
         Ok(out)
@@ -136,12 +136,12 @@ impl Axes {
     /// Appends the `<joint>` of a chain; nothing for a floating joint, which SDFormat expresses by the absence of a joint.
     fn append_chain(
         &self,
-        mechanism: &Mechanism,
-        bodies: &Bodies,
+        bodies: &Bodies<'_>,
         link: LinkId,
         chain: &Chain,
         out: &mut String,
     ) -> Result<(), SdfError> {
+        let mechanism = bodies.mechanism;
         let first = mechanism.joint(chain.joints[0]);
         let moving = if chain.kind == ChainKind::Single { 1 } else { 2 };
         let last = mechanism.joint(chain.joints[moving - 1]);
@@ -168,19 +168,17 @@ impl Axes {
         };
         let name =
             self.names.get(&chain.joints[0]).map(|(name, _)| escape_attribute(name)).unwrap_or_default();
-        append(out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
+        append!(out, "    <joint name=\"{name}\" type=\"{kind}\">\n");
         // Frame of the moving joints in the link.
         let pose = path_pose(mechanism, last.child(), link).inverse();
         if last.child() != link && pose != Transform::identity() {
-            append(out, format_args!("      <pose>{}</pose>\n", pose_text(&pose)));
+            append!(out, "      <pose>{}</pose>\n", pose_text(&pose));
         }
-        append(
+        append!(
             out,
-            format_args!(
-                "      <parent>{}</parent>\n      <child>{}</child>\n",
-                escape_attribute(bodies.name(first.parent())),
-                escape_attribute(bodies.name(link))
-            ),
+            "      <parent>{}</parent>\n      <child>{}</child>\n",
+            escape_attribute(bodies.name(first.parent())),
+            escape_attribute(bodies.name(link))
         );
         match chain.kind {
             ChainKind::Single if first.kind().has_axis() => {
@@ -195,29 +193,22 @@ impl Axes {
             ChainKind::Screw => {
                 let advance = last.mimic().map_or(0.0, |mimic| mimic.multiplier);
                 // Right-handed metres per turn for libsdformat from 13 on; left-handed radians per metre for earlier versions.
-                append(
+                append!(
                     out,
-                    format_args!(
-                        "      <screw_thread_pitch>{}</screw_thread_pitch>\n",
-                        format_number(advance * TAU)
-                    ),
+                    "      <screw_thread_pitch>{}</screw_thread_pitch>\n",
+                    format_number(advance * TAU)
                 );
-                append(
-                    out,
-                    format_args!("      <thread_pitch>{}</thread_pitch>\n", format_number(-1.0 / advance)),
-                );
+                append!(out, "      <thread_pitch>{}</thread_pitch>\n", format_number(-1.0 / advance));
                 let axis = last.origin().inverse_vector(first.axis());
                 self.append_axis("axis", chain.joints[0], first, &axis, out);
             }
         }
         match first.armature() {
             armature if armature.iter().all(|value| *value == 0.0) => {}
-            [value] => append(
+            [value] => append!(
                 out,
-                format_args!(
-                    "      <drake:rotor_inertia>{}</drake:rotor_inertia>\n      <drake:gear_ratio>1</drake:gear_ratio>\n",
-                    format_number(*value)
-                ),
+                "      <drake:rotor_inertia>{}</drake:rotor_inertia>\n      <drake:gear_ratio>1</drake:gear_ratio>\n",
+                format_number(*value)
             ),
             _ => return Err(no_armature(first)),
         }
@@ -227,34 +218,27 @@ impl Axes {
 
     /// Appends the element `tag` of an axis with its limits and its `<mimic>`; `axis` is the direction in the joint's frame.
     fn append_axis(&self, tag: &str, id: JointId, joint: &Joint, axis: &Vector3<f64>, out: &mut String) {
-        append(
-            out,
-            format_args!("      <{tag}>\n        <xyz>{}</xyz>\n", format_vector(&axis.map(|x| x + 0.0))),
-        );
+        append!(out, "      <{tag}>\n        <xyz>{}</xyz>\n", format_vector(&axis.map(|x| x + 0.0)));
         if let Some(limits) = joint.limits() {
-            append(
+            append!(
                 out,
-                format_args!(
-                    "        <limit><lower>{}</lower><upper>{}</upper></limit>\n",
-                    format_number(limits.lower),
-                    format_number(limits.upper)
-                ),
+                "        <limit><lower>{}</lower><upper>{}</upper></limit>\n",
+                format_number(limits.lower),
+                format_number(limits.upper)
             );
         }
         if let Some(Follower { leader, multiplier, offset }) = self.followers.get(&id)
             && let Some((name, axis)) = self.names.get(leader)
         {
-            append(
+            append!(
                 out,
-                format_args!(
-                    "        <mimic joint=\"{}\" axis=\"{axis}\"><multiplier>{}</multiplier><offset>{}</offset><reference>0</reference></mimic>\n",
-                    escape_attribute(name),
-                    format_number(*multiplier),
-                    format_number(*offset)
-                ),
+                "        <mimic joint=\"{}\" axis=\"{axis}\"><multiplier>{}</multiplier><offset>{}</offset><reference>0</reference></mimic>\n",
+                escape_attribute(name),
+                format_number(*multiplier),
+                format_number(*offset)
             );
         }
-        append(out, format_args!("      </{tag}>\n"));
+        append!(out, "      </{tag}>\n");
     }
 }
 

@@ -36,9 +36,9 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
     let parts = model.into();
     let mechanism = parts.mechanism;
     let mut bodies = Bodies::new(mechanism)?;
-    let axes = Axes::new(mechanism, &mut bodies)?;
-    let joints = axes.write_joints(mechanism, &mut bodies)?;
-    let closures = closures::write_closures(mechanism, &mut bodies)?;
+    let axes = Axes::new(&mut bodies)?;
+    let joints = axes.write_joints(&mut bodies)?;
+    let closures = closures::write_closures(&mut bodies)?;
     let mut out = xml_head(heading);
     let shapes = shapes::write_shapes(&parts, &mut bodies);
     let version = match (axes.has_mimics(), shapes.has_capsules) {
@@ -47,12 +47,9 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
         (false, false) => "1.7",
     };
     let drake = if axes.has_rotors() { " xmlns:drake=\"http://drake.mit.edu\"" } else { "" };
-    append(&mut out, format_args!("<sdf version=\"{version}\"{drake}>\n"));
-    append(
-        &mut out,
-        format_args!("  <model name=\"{}\">\n", escape_attribute(&bodies::model_name(mechanism))),
-    );
-    bodies.append_links(mechanism, &shapes.lines, &mut out);
+    append!(out, "<sdf version=\"{version}\"{drake}>\n");
+    append!(out, "  <model name=\"{}\">\n", escape_attribute(&bodies::model_name(mechanism)));
+    bodies.append_links(&shapes.lines, &mut out);
     out.push_str(&joints);
     out.push_str(&closures);
     out.push_str("  </model>\n</sdf>\n");

@@ -6,7 +6,7 @@ use crate::shape::{Shape, Solid};
 use crate::writing::changes::lost_shape;
 use crate::writing::parts::{ModelParts, has_positive_size};
 use crate::writing::xml_text::{escape_attribute, format_number, format_vector, scale_text};
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::LinkId;
 use percuss_spatial::{Transform, Vector3};
 
 /// Visuals and collisions as XML.
@@ -18,14 +18,14 @@ pub(super) struct ShapeLines {
 }
 
 /// Writes the shapes of all links. Shapes of a link that becomes a frame are written in the link to which the frame is attached.
-pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> ShapeLines {
+pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies<'_>) -> ShapeLines {
     let mechanism = parts.mechanism;
     let mut written = ShapeLines { lines: vec![String::new(); mechanism.links().len()], has_capsules: false };
     let mut names: Vec<UniqueNames> = Vec::new();
     names.resize_with(mechanism.links().len(), UniqueNames::default);
     for (link, shapes) in mechanism.link_ids().zip(parts.shapes) {
         for shape in shapes {
-            let line = holder(mechanism, bodies, link).and_then(|holder| {
+            let line = holder(bodies, link).and_then(|holder| {
                 let name = names[holder.index()].take(shape.purpose.name().to_owned());
                 let frame = path_pose(mechanism, holder, link) * shape.frame;
                 Ok((holder, shape_element(parts, shape, &name, &frame)?))
@@ -45,11 +45,11 @@ pub(super) fn write_shapes(parts: &ModelParts<'_>, bodies: &mut Bodies) -> Shape
 }
 
 /// Returns the link that contains the shapes of `link` in the file. The error is the reason why the shapes are lost.
-fn holder(mechanism: &Mechanism, bodies: &Bodies, mut link: LinkId) -> Result<LinkId, String> {
+fn holder(bodies: &Bodies<'_>, mut link: LinkId) -> Result<LinkId, String> {
     loop {
-        match (&bodies.forms[link.index()], mechanism.parent_joint(link)) {
+        match (&bodies.forms[link.index()], bodies.mechanism.parent_joint(link)) {
             (Form::Link, _) => return Ok(link),
-            (Form::Frame, Some(joint)) => link = mechanism.joint(joint).parent(),
+            (Form::Frame, Some(joint)) => link = bodies.mechanism.joint(joint).parent(),
             (Form::Merged, _) => return Err("its link is massless and merged into a joint".to_owned()),
             (Form::World | Form::Frame, _) => {
                 return Err("its link is the world, which has no shapes in SDFormat".to_owned());
