@@ -4,7 +4,7 @@ use crate::meshes::files::MeshFolders;
 use crate::meshes::surface::bounding_box;
 use crate::shape::{Purpose, Shape, Solid};
 use nalgebra::Vector3;
-use percuss_mechanism::{Inertial, Mechanism, Problem, Subject};
+use percuss_mechanism::{Accept, Built, Inertial, Mechanism, MechanismBuilder, Problem, Subject};
 
 /// Factor on the largest half trace, dimensionless: shapes for collisions are simplified, and may be 1.4 times too small.
 const HULL_SLACK: f64 = 2.0;
@@ -18,18 +18,28 @@ const MESH_COM_SLACK: f64 = 1.0;
 /// Number of steps of the search for a separating plane; each brings the point of the hull nearer to the centre of mass.
 const HULL_STEPS: usize = 100;
 
-/// Warnings for inertias and centres of mass that are impossible inside the convex hull of some shapes of a link: with the centre of mass c,
-/// tr(I)/2 = ∫ |x − c|² dm ≤ m·max |x − c|², and c is in the hull. `shapes`: shapes of every link. `hull_of`: the shapes of the hull of a
-/// link; without shapes, or with a mesh among them, the link is left out.
-pub(crate) fn inertias_beyond_shapes<'s>(
-    mechanism: &Mechanism,
+/// Mechanism of a builder, `None` after an error, and all findings. They include implausible inertias, and inertias and centres of mass
+/// that are impossible inside the convex hull of some shapes of a link: with the centre of mass c, tr(I)/2 = ∫ |x − c|² dm ≤ m·max |x − c|²,
+/// and c is in the hull. `shapes`: shapes of every link. `hull_of`: the shapes of the hull of a link; without shapes, or with a mesh among
+/// them, the link is left out.
+pub(crate) fn build_with_shapes<'s>(
+    builder: MechanismBuilder,
+    accept: Accept,
     shapes: &'s [Vec<Shape>],
     hull_of: impl Fn(usize, &'s [Shape]) -> Vec<&'s Shape>,
-) -> Vec<(Subject, Problem)> {
-    beyond_hulls(mechanism, shapes, hull_of, COM_SLACK)
+) -> (Option<Mechanism>, Vec<(Subject, Problem)>) {
+    match builder.accept(accept).build() {
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(accept));
+            findings.extend(beyond_hulls(&mechanism, shapes, hull_of, COM_SLACK));
+            (Some(mechanism), findings)
+        }
+        Err(error) => (None, error.findings),
+    }
 }
 
-/// Same warnings with another accepted distance of the centre of mass outside the hull.
+/// Warnings for links whose inertia or centre of mass is impossible inside the hull. `com_slack`: accepted distance of the centre of mass
+/// outside the hull, relative to its size.
 fn beyond_hulls<'s>(
     mechanism: &Mechanism,
     shapes: &'s [Vec<Shape>],

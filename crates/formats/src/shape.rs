@@ -57,6 +57,19 @@ pub enum Solid {
     },
 }
 
+impl Solid {
+    /// Radius of the sphere about the origin that contains the solid, m; `None` for a mesh.
+    pub(crate) fn radius(&self) -> Option<f64> {
+        Some(match self {
+            Solid::Box { size: [a, b, c] } => a.hypot(*b).hypot(*c) / 2.0,
+            Solid::Sphere { radius } => *radius,
+            Solid::Cylinder { radius, length } => radius.hypot(length / 2.0),
+            Solid::Capsule { radius, length } => radius + length / 2.0,
+            Solid::Mesh { .. } => return None,
+        })
+    }
+}
+
 /// Shape of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {

@@ -1,6 +1,6 @@
 //! Construction of a mechanism from a model in MJCF.
 
-use crate::hull::inertias_beyond_shapes;
+use crate::hull::build_with_shapes;
 use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
@@ -16,23 +16,20 @@ use crate::mjcf::relations::keyframe::{qpos_layout, read_keyframes};
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
-use crate::qpos::QposLayout;
 use crate::reading::document::element_tree::{ElementId, ElementTree};
-use crate::reading::document::files::Files;
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
 use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
-use crate::{LoadError, NamedPose, SharedFiles, Source};
+use crate::{LoadError, SharedFiles, Source};
 use percuss_mechanism::{
-    Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
+    ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
     MechanismBuilder, Problem, RelationDescription, Subject,
 };
 use percuss_spatial::Vector3;
 use std::collections::HashSet;
-use std::path::PathBuf;
 
 /// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes.
 pub(crate) fn load_text(
@@ -51,32 +48,7 @@ pub(crate) fn load_text(
             attach_models(&mut files, &models);
         }
     }
-    let Files { tree, reports, .. } = files;
-    let failed = reports.iter().any(Report::has_errors);
-    let mut findings = Findings::new(&tree, reports);
-    let model = if failed { None } else { read_model(&models, &source.files, options, &mut findings) };
-    let failed = findings.has_errors();
-    let diagnostics = findings.finish();
-    match model {
-        Some(Parts { mechanism, shapes, poses, qpos, opened }) if !failed => {
-            let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
-            let files = included.chain(opened).collect();
-            Ok(Loaded { mechanism, shapes, poses, qpos: Some(qpos), diagnostics, unread: Vec::new(), files })
-        }
-        Some(_) | None => Err(LoadError { diagnostics }),
-    }
-}
-
-/// Contents of a model.
-struct Parts {
-    mechanism: Mechanism,
-    /// Shapes of the links.
-    shapes: Vec<Vec<Shape>>,
-    /// Keyframes.
-    poses: Vec<NamedPose>,
-    qpos: QposLayout,
-    /// Mesh files that were opened.
-    opened: Vec<PathBuf>,
+    Loaded::from_files(files, |findings| read_model(&models, &source.files, options, findings))
 }
 
 /// Contents of a model; `None` after an error.
@@ -85,7 +57,7 @@ fn read_model(
     files: &SharedFiles,
     options: &LoadOptions,
     findings: &mut Findings<'_>,
-) -> Option<Parts> {
+) -> Option<Loaded> {
     let tree = findings.tree;
     let models = Models::read(models, findings);
     let mut bodies = read_bodies(&models, findings);
@@ -141,7 +113,7 @@ fn read_model(
     let mechanism = build_mechanism(&bodies, (&chains, &closures), hulls, options, findings)?;
     let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
     let poses = read_keyframes(&qpos, findings);
-    Some(Parts { mechanism, shapes, poses, qpos, opened: meshes.opened })
+    Some(Loaded { poses, qpos: Some(qpos), files: meshes.opened, ..Loaded::new(mechanism, shapes) })
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements. `is_whole`: true for a link
@@ -155,7 +127,7 @@ fn build_mechanism(
 ) -> Option<Mechanism> {
     let tree = findings.tree;
     let name = cut(tree.attribute(tree.root(), "model").unwrap_or("MuJoCo Model"), LONGEST_NAME);
-    let mut builder = MechanismBuilder::new(name).accept(options.accept);
+    let mut builder = MechanismBuilder::new(name);
     builder = chains.links.iter().cloned().fold(builder, MechanismBuilder::link);
     builder = chains.joints.iter().cloned().fold(builder, MechanismBuilder::joint);
     let mut names = UniqueNames::default();
@@ -184,17 +156,10 @@ fn build_mechanism(
         builder = builder.relation(RelationDescription { name, ..relation.clone() });
     }
     builder = named_contacts(tree, bodies, chains).into_iter().fold(builder, MechanismBuilder::contact);
-    let (mechanism, found) = match builder.build() {
-        Ok(Built { mechanism, mut findings }) => {
-            findings.extend(mechanism.implausible_inertias(options.accept));
-            // A geom without a counterpart among the shapes may contain the mass.
-            findings.extend(inertias_beyond_shapes(&mechanism, shapes, |link, own| {
-                own.iter().filter(|_| is_whole[link]).collect()
-            }));
-            (Some(mechanism), findings)
-        }
-        Err(error) => (None, error.findings),
-    };
+    // A geom without a counterpart among the shapes may contain the mass.
+    let (mechanism, found) = build_with_shapes(builder, options.accept, shapes, |link, own| {
+        own.iter().filter(|_| is_whole[link]).collect()
+    });
     for (subject, problem) in found {
         let is_expected = match (&subject, &problem) {
             // The links within a body are massless, and so is a link without geoms in MJCF.

@@ -122,8 +122,10 @@ pub(crate) fn similar_name<'n>(name: &str, names: impl Iterator<Item = &'n str>)
         return String::new();
     }
     let candidates = names.take(MAX_CANDIDATES).filter(|known| known.len() <= LONGEST_COMPARED_NAME);
-    near_names(name, candidates)
-        .first()
-        .map(|near| format!(" (did you mean \"{near}\"?)"))
-        .unwrap_or_default()
+    did_you_mean(&near_names(name, candidates))
+}
+
+/// ` (did you mean "…"?)` with the first name; empty without names.
+pub(crate) fn did_you_mean(near: &[String]) -> String {
+    near.first().map(|near| format!(" (did you mean \"{near}\"?)")).unwrap_or_default()
 }

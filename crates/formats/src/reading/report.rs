@@ -4,7 +4,7 @@
 
 use crate::Diagnostic;
 use crate::reading::limits::{MAX_COLUMN_OFFSET, MAX_QUOTED_CHARACTERS, MAX_REPEATED_KINDS, MOST_FINDINGS};
-use percuss_mechanism::{Accept, Severity};
+use percuss_mechanism::{Accept, Problem, Severity};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -102,6 +102,11 @@ impl Report {
     pub(crate) fn add_unread(&mut self, place: Place<'_, '_>, kind: impl FnOnce() -> String) {
         let kind = kind();
         self.add_once(Severity::Note, NOT_READ, kind.clone(), place, || kind);
+    }
+
+    /// Adds a problem that the builder of mechanisms would find.
+    pub(crate) fn add_problem(&mut self, place: Place<'_, '_>, problem: &Problem) {
+        self.add(problem.severity(), problem.code(), place, || problem.to_string());
     }
 
     /// Adds an error.

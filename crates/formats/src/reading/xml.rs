@@ -5,6 +5,9 @@ use crate::reading::prescan;
 use crate::reading::report::{Place, Report, cut, shortened};
 use roxmltree::{Document, ParsingOptions};
 
+/// Node of a document whose text lives as long as the document.
+pub(crate) type Node<'a> = roxmltree::Node<'a, 'a>;
+
 /// Parses a text; `None`, with an error in the report, if it exceeds the bounds or is not well-formed.
 pub(crate) fn parse<'t>(text: &'t str, report: &mut Report) -> Option<Document<'t>> {
     if !prescan::check_bounds(text, report) {

@@ -1,8 +1,7 @@
 //! Construction of a mechanism from a model in SDFormat.
 
-use crate::hull::{collision_shapes, inertias_beyond_shapes};
+use crate::hull::{build_with_shapes, collision_shapes};
 use crate::reading::document::element_tree::{ElementId, ElementTree};
-use crate::reading::document::files::Files;
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Report, cut};
@@ -15,8 +14,7 @@ use crate::sdf::tree::parts::Parts;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, Source};
-use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
-use std::path::PathBuf;
+use percuss_mechanism::{Mechanism, MechanismBuilder, Problem, Subject};
 
 /// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes. The name `FILE#MODEL` selects a model of the
 /// file.
@@ -27,36 +25,12 @@ pub(crate) fn load_text(
     report: Report,
 ) -> Result<Loaded, LoadError> {
     let (file, wanted) = (source.file(), source.model());
-    let Files { tree, reports, .. } = read_files(&source.files, (file, wanted), text, report);
-    let failed = reports.iter().any(Report::has_errors);
-    let mut findings = Findings::new(&tree, reports);
-    // After an error of a file the tree may be empty.
-    let model = if failed { None } else { read_model(wanted, options, &mut findings) };
-    let failed = findings.has_errors();
-    let diagnostics = findings.finish();
-    match model {
-        Some((mechanism, shapes)) if !failed => {
-            let files = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name)).collect();
-            Ok(Loaded {
-                mechanism,
-                shapes,
-                poses: Vec::new(),
-                qpos: None,
-                diagnostics,
-                unread: Vec::new(),
-                files,
-            })
-        }
-        Some(_) | None => Err(LoadError { diagnostics }),
-    }
+    let files = read_files(&source.files, (file, wanted), text, report);
+    Loaded::from_files(files, |findings| read_model(wanted, options, findings))
 }
 
 /// Mechanism, and shapes of its links; `None` after an error.
-fn read_model(
-    wanted: Option<&str>,
-    options: &LoadOptions,
-    findings: &mut Findings<'_>,
-) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
+fn read_model(wanted: Option<&str>, options: &LoadOptions, findings: &mut Findings<'_>) -> Option<Loaded> {
     let selected = select_model(wanted, findings)?;
     let mut scopes = collect_scopes(selected.container, selected.model, findings);
     if findings.has_errors() {
@@ -75,7 +49,7 @@ fn read_model(
     let shapes: Vec<Vec<Shape>> = of_links.collect();
     let name = model_name(findings.tree, selected.model);
     let mechanism = build_mechanism(name, &parts, &shapes, options, findings)?;
-    Some((mechanism, shapes))
+    Some(Loaded::new(mechanism, shapes))
 }
 
 /// Builds the mechanism; findings of the builder get the positions of their elements.
@@ -86,7 +60,7 @@ fn build_mechanism(
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<Mechanism> {
-    let mut builder = MechanismBuilder::new(cut(name, LONGEST_NAME)).accept(options.accept);
+    let mut builder = MechanismBuilder::new(cut(name, LONGEST_NAME));
     builder = parts.links.iter().map(|(link, _)| link.clone()).fold(builder, MechanismBuilder::link);
     builder = parts.joints.iter().map(|(joint, _)| joint.clone()).fold(builder, MechanismBuilder::joint);
     builder =
@@ -96,14 +70,8 @@ fn build_mechanism(
         .iter()
         .map(|(coupling, _)| coupling.clone())
         .fold(builder, MechanismBuilder::coupling);
-    let (mechanism, found) = match builder.build() {
-        Ok(Built { mechanism, findings: mut found }) => {
-            found.extend(mechanism.implausible_inertias(options.accept));
-            found.extend(inertias_beyond_shapes(&mechanism, shapes, |_, own| collision_shapes(own)));
-            (Some(mechanism), found)
-        }
-        Err(error) => (None, error.findings),
-    };
+    let (mechanism, found) =
+        build_with_shapes(builder, options.accept, shapes, |_, own| collision_shapes(own));
     for (subject, problem) in found {
         if !is_expected(parts, &subject, &problem) {
             let element = locate(findings.tree, parts, &subject, &problem);

@@ -14,8 +14,8 @@ use std::collections::HashSet;
 
 /// Adds a loop for each pair with axes. Another pair is an error, or a warning if `open_pairs` is set, unless a loop of the file holds
 /// the two links.
-pub(crate) fn close_pairs<'a, 'i: 'a>(
-    nodes: &mut Nodes<'a, 'i>,
+pub(crate) fn close_pairs<'a>(
+    nodes: &mut Nodes<'a>,
     texts: &mut Texts<'a>,
     open_pairs: bool,
     report: &mut Report,

@@ -1,19 +1,19 @@
 //! Checks between elements: transmissions of joints, references by name, loops.
 
 use crate::reading::report::Report;
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint;
 use crate::urdf::elements::joints::{simulator_couplings, transmission};
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::loops::{LoopChecks, find_loop_closing_joints};
 use crate::urdf::references::{self, Suggestions};
 use crate::urdf::texts::Texts;
-use roxmltree::Node;
 
 /// Adds the armatures of transmissions to their joints and checks every reference. If the report has no error
 /// afterwards, every name refers to an existing element.
-pub(crate) fn resolve_references<'a, 'i: 'a>(
-    robot: Node<'a, 'i>,
-    nodes: &Nodes<'a, 'i>,
+pub(crate) fn resolve_references<'a>(
+    robot: Node<'a>,
+    nodes: &Nodes<'a>,
     texts: &mut Texts<'a>,
     report: &mut Report,
 ) {

@@ -1,23 +1,26 @@
 //! Construction of a mechanism from a source in URDF.
 
-use crate::hull::{collision_shapes, inertias_beyond_shapes};
+use crate::hull::{build_with_shapes, collision_shapes};
 use crate::qpos::QposLayout;
+use crate::reading::document::files::Files;
+use crate::reading::findings::Findings;
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::reading::xml;
+use crate::reading::xml::Node;
 use crate::shape::Shape;
 use crate::urdf::closing_pairs::close_pairs;
 use crate::urdf::consistency;
-use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::joints::gazebo_joint::ScrewLoop;
+use crate::urdf::elements::joints::joint::JointText;
+use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;
-use crate::urdf::elements::shapes::shape::link_shapes;
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
 use crate::{Diagnostic, LoadError};
-use percuss_mechanism::{Accept, Built, Joint, JointKind, Mechanism, MechanismBuilder, Severity, Subject};
-use roxmltree::{Document, Node};
+use percuss_mechanism::{Accept, Joint, JointKind, Mechanism, MechanismBuilder, Severity, Subject};
+use roxmltree::Document;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
@@ -50,6 +53,35 @@ pub struct Loaded {
     pub unread: Vec<Diagnostic>,
     /// Further files that were read: included files and meshes.
     pub files: Vec<PathBuf>,
+}
+
+impl Loaded {
+    /// Mechanism without named poses and findings.
+    pub(crate) fn new(mechanism: Mechanism, shapes: Vec<Vec<Shape>>) -> Self {
+        let (poses, qpos, files) = (Vec::new(), None, Vec::new());
+        Self { mechanism, shapes, poses, qpos, diagnostics: Vec::new(), unread: Vec::new(), files }
+    }
+
+    /// Reads a model from its files; the result has their findings and names. After an error of a file the tree may be empty: it is not
+    /// read.
+    pub(crate) fn from_files(
+        Files { tree, reports, .. }: Files,
+        read: impl FnOnce(&mut Findings<'_>) -> Option<Self>,
+    ) -> Result<Self, LoadError> {
+        let failed = reports.iter().any(Report::has_errors);
+        let mut findings = Findings::new(&tree, reports);
+        let model = if failed { None } else { read(&mut findings) };
+        let failed = findings.has_errors();
+        let diagnostics = findings.finish();
+        match model {
+            Some(loaded) if !failed => {
+                let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
+                let files = included.chain(loaded.files).collect();
+                Ok(Self { files, diagnostics, ..loaded })
+            }
+            Some(_) | None => Err(LoadError { diagnostics }),
+        }
+    }
 }
 
 /// Pose of a mechanism with a name.
@@ -97,15 +129,7 @@ pub(crate) fn load_text(
     let failed = report.has_errors();
     let diagnostics = report.finish(name, text);
     match mechanism {
-        Some((mechanism, shapes)) if !failed => Ok(Loaded {
-            mechanism,
-            shapes,
-            poses: Vec::new(),
-            qpos: None,
-            diagnostics,
-            unread: Vec::new(),
-            files: Vec::new(),
-        }),
+        Some((mechanism, shapes)) if !failed => Ok(Loaded { diagnostics, ..Loaded::new(mechanism, shapes) }),
         Some(_) | None => Err(LoadError { diagnostics }),
     }
 }
@@ -140,10 +164,9 @@ fn build_mechanism(
     let name = robot.attribute("name").unwrap_or_default();
     let name =
         if name.len() > limits::LONGEST_NAME { cut(name, limits::LONGEST_NAME) } else { name.to_owned() };
-    let builder = MechanismBuilder::new(name).accept(options.accept);
-    let builder = texts.links.iter().map(descriptions::describe_link).fold(builder, MechanismBuilder::link);
-    let builder =
-        texts.joints.iter().map(descriptions::describe_joint).fold(builder, MechanismBuilder::joint);
+    let builder = MechanismBuilder::new(name);
+    let builder = texts.links.iter().map(LinkText::description).fold(builder, MechanismBuilder::link);
+    let builder = texts.joints.iter().map(JointText::description).fold(builder, MechanismBuilder::joint);
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let builder = texts.relations.into_iter().fold(builder, MechanismBuilder::relation);
@@ -152,16 +175,9 @@ fn build_mechanism(
         let builder = links.into_iter().fold(builder, MechanismBuilder::link);
         joints.into_iter().fold(builder, MechanismBuilder::joint).closure(closure)
     });
-    let mut shapes: Vec<Vec<Shape>> = nodes.links.iter().map(|link| link_shapes(*link)).collect();
-    let (mechanism, findings) = match builder.build() {
-        Ok(Built { mechanism, mut findings }) => {
-            shapes.resize_with(mechanism.links().len(), Vec::new);
-            findings.extend(mechanism.implausible_inertias(options.accept));
-            findings.extend(inertias_beyond_shapes(&mechanism, &shapes, |_, own| collision_shapes(own)));
-            (Some(mechanism), findings)
-        }
-        Err(error) => (None, error.findings),
-    };
+    let mut shapes: Vec<Vec<Shape>> = texts.links.into_iter().map(|link| link.shapes).collect();
+    let (mechanism, findings) =
+        build_with_shapes(builder, options.accept, &shapes, |_, own| collision_shapes(own));
     let known = known_warnings(&document);
     for (subject, problem) in findings {
         let is_known =
@@ -172,7 +188,9 @@ fn build_mechanism(
         };
         report.add(severity, problem.code(), nodes.locate(robot, &subject, &problem), || problem.to_string());
     }
-    mechanism.map(|mechanism| (mechanism, shapes))
+    let mechanism = mechanism?;
+    shapes.resize_with(mechanism.links().len(), Vec::new);
+    Some((mechanism, shapes))
 }
 
 /// Code of the warning that an imported model may mark as known. The importer reports this warning with its position in the
@@ -189,7 +207,7 @@ fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)>
 }
 
 /// True for `<robot>`; otherwise reports the probable kind of the file.
-fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
+fn check_root_tag(root: Node<'_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let remark = match name {
         "robot" => return true,
@@ -209,7 +227,7 @@ fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
 }
 
 /// Reports an absent name and an unknown version.
-fn check_robot_attributes(robot: Node<'_, '_>, report: &mut Report) {
+fn check_robot_attributes(robot: Node<'_>, report: &mut Report) {
     if robot.attribute("name").is_none() {
         report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());
     }

@@ -3,6 +3,7 @@
 
 use crate::reading::limits::MAX_COUPLING_STEPS;
 use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::reading::xml::Node;
 use crate::urdf::elements::closure::link_tags;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::nodes::Nodes;
@@ -10,7 +11,6 @@ use crate::urdf::elements::survey::child;
 use crate::urdf::references::{Suggestions, index_by_name};
 use crate::urdf::texts::Texts;
 use percuss_mechanism::{Problem, Severity};
-use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 
 /// True for each joint whose child is already the child of an earlier joint. The builder turns these joints into
@@ -21,14 +21,14 @@ pub(crate) fn find_loop_closing_joints(joints: &[JointText<'_>]) -> Vec<bool> {
 }
 
 /// Contents of a file with their XML elements, and the flags of joints that close loops.
-pub(crate) struct LoopChecks<'f, 'a, 'i> {
+pub(crate) struct LoopChecks<'f, 'a> {
     pub texts: &'f Texts<'a>,
-    pub nodes: &'f Nodes<'a, 'i>,
+    pub nodes: &'f Nodes<'a>,
     /// Result of [`find_loop_closing_joints`].
     pub closes_loop: &'f [bool],
 }
 
-impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
+impl<'a> LoopChecks<'_, 'a> {
     /// Reports unknown links, repeated names, properties that closures cannot have, and too many couplings.
     pub fn check_all(&self, suggestions: &mut Suggestions, report: &mut Report) {
         let links = index_by_name(self.texts.links.iter().map(|l| l.name));
@@ -61,7 +61,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
     /// Reports unknown links at both ends of a loop or coupling.
     fn check_link_names(
         &self,
-        node: Node<'a, 'i>,
+        node: Node<'a>,
         names: [&str; 2],
         exists: &dyn Fn(&str) -> bool,
         suggestions: &mut Suggestions,
@@ -75,8 +75,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
             {
                 let near = suggestions.similar_names(name, self.texts.links.iter().map(|l| l.name));
                 let problem = Problem::UnknownLink { role, link: shortened(name), near };
-                report
-                    .add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+                report.add_problem(Place::Element(element), &problem);
             }
         }
     }
@@ -88,7 +87,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         let relations = self.texts.relations.iter().map(|r| r.name.as_str()).zip(&self.nodes.relations);
         let joints = self.texts.joints.iter().map(|j| j.name).zip(&self.nodes.joints);
         let joints = joints.zip(self.closes_loop).filter(|(_, closes)| **closes).map(|(named, _)| named);
-        let mut given: HashMap<&str, Node<'a, 'i>> = HashMap::new();
+        let mut given: HashMap<&str, Node<'a>> = HashMap::new();
         for (name, node) in
             closures.chain(couplings).chain(relations).chain(joints).filter(|(name, _)| !name.is_empty())
         {

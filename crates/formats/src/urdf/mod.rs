@@ -2,7 +2,6 @@
 
 pub(crate) mod closing_pairs;
 pub(crate) mod consistency;
-pub(crate) mod descriptions;
 pub(crate) mod elements;
 pub(crate) mod load;
 pub(crate) mod loops;

@@ -3,11 +3,11 @@
 
 use crate::reading::limits::{MAX_CANDIDATES, MAX_MIMIC_CHAIN, MAX_SUGGESTIONS};
 use crate::reading::report::{Place, Report, shortened};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{Problem, near_names};
-use roxmltree::Node;
 use std::collections::HashMap;
 
 /// Index of the first occurrence of each name.
@@ -42,10 +42,10 @@ impl Suggestions {
 }
 
 /// Reports unknown links and joints in joints. A mimic of an unknown joint is dropped, with a warning.
-pub(crate) fn check_joint_references<'a, 'i: 'a>(
+pub(crate) fn check_joint_references<'a>(
     links: &[LinkText<'a>],
     joints: &mut [JointText<'a>],
-    nodes: &[Node<'a, 'i>],
+    nodes: &[Node<'a>],
     joint_index: &HashMap<&'a str, usize>,
     suggestions: &mut Suggestions,
     report: &mut Report,
@@ -60,8 +60,7 @@ pub(crate) fn check_joint_references<'a, 'i: 'a>(
             {
                 let near = suggestions.similar_names(name, links.iter().map(|l| l.name));
                 let problem = Problem::UnknownLink { role, link: shortened(name), near };
-                report
-                    .add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+                report.add_problem(Place::Element(element), &problem);
             }
         }
     }
@@ -72,7 +71,7 @@ pub(crate) fn check_joint_references<'a, 'i: 'a>(
             let near = suggestions.similar_names(mimic.joint, names.iter().copied());
             let problem = Problem::DanglingMimic { master: shortened(mimic.joint), near };
             let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
-            report.add(problem.severity(), problem.code(), place, || problem.to_string());
+            report.add_problem(place, &problem);
             joint.mimic = None;
         }
     }
@@ -80,9 +79,9 @@ pub(crate) fn check_joint_references<'a, 'i: 'a>(
 }
 
 /// Refuses cycles and long chains of mimics, whose cost and messages would grow with their length.
-fn refuse_mimic_cycles<'a, 'i: 'a>(
+fn refuse_mimic_cycles<'a>(
     joints: &[JointText<'a>],
-    nodes: &[Node<'a, 'i>],
+    nodes: &[Node<'a>],
     index: &HashMap<&'a str, usize>,
     report: &mut Report,
 ) {
@@ -109,6 +108,6 @@ fn refuse_mimic_cycles<'a, 'i: 'a>(
         cycle.iter().for_each(|joint| reported[*joint] = true);
         let names = cycle.iter().map(|joint| shortened(joints[*joint].name)).collect();
         let problem = Problem::MimicCycle { joints: names };
-        report.add(problem.severity(), problem.code(), place, || problem.to_string());
+        report.add_problem(place, &problem);
     }
 }

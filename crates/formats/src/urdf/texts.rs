@@ -1,6 +1,7 @@
 //! Contents of all elements of the mechanism, each checked by itself.
 
 use crate::reading::report::Report;
+use crate::reading::xml::Node;
 use crate::urdf::elements::closure;
 use crate::urdf::elements::contact;
 use crate::urdf::elements::joints::gazebo_joint::{GazeboJointReader, ScrewLoop, ZeroPoseFrames};
@@ -13,7 +14,6 @@ use crate::urdf::elements::relation;
 use crate::urdf::elements::survey::is_gazebo_joint;
 use crate::urdf::references::index_by_name;
 use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescription, RelationDescription};
-use roxmltree::Node;
 
 /// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
 /// [`consistency::resolve_references`](crate::urdf::consistency::resolve_references) checks the references by name.
@@ -35,14 +35,14 @@ impl<'a> Texts<'a> {
     }
 
     /// Reads all elements. Relations that cannot be read are removed from `nodes`.
-    pub fn read_elements<'i: 'a>(nodes: &mut Nodes<'a, 'i>, report: &mut Report) -> Self {
+    pub fn read_elements(nodes: &mut Nodes<'a>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
         let has_gazebo_joints = nodes.closures.iter().chain(&nodes.relations).any(|n| is_gazebo_joint(*n));
         let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });
         let link_index = index_by_name(links.iter().map(|l| l.name));
         let reader = GazeboJointReader { zero_pose: &zero_pose, links: &link_index };
-        let closure = |node: &Node<'a, 'i>| {
+        let closure = |node: &Node<'a>| {
             if is_gazebo_joint(*node) {
                 reader.read_closure(*node, report)
             } else {

@@ -1,5 +1,6 @@
 //! Positions and velocities of a mechanism.
 
+use crate::writing::structure::loop_frame;
 use percuss_mechanism::LoopFrame;
 use percuss_spatial::{Transform, Twist, Vector3};
 
@@ -19,8 +20,7 @@ pub struct MechanismState {
 impl MechanismState {
     /// Pose of a loop frame in the world.
     pub(crate) fn frame(&self, end: &LoopFrame) -> Transform<f64> {
-        let link = end.link.map_or_else(Transform::identity, |link| self.link_poses[link.index()]);
-        link * end.frame
+        loop_frame(&self.link_poses, end)
     }
 
     /// Angular velocity of the link of a loop frame, and velocity of a point (m, world) that moves with this link; world axes.

@@ -1,6 +1,6 @@
 //! Properties of links, used by the writers of all formats.
 
-use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_mechanism::{JointKind, LinkId, LoopFrame, Mechanism};
 use percuss_spatial::{Matrix3, Transform};
 
 /// World poses of all links as drawn, in the order of the links; the root link is at the world's origin.
@@ -12,6 +12,11 @@ pub(crate) fn drawn_poses(mechanism: &Mechanism) -> Vec<Transform<f64>> {
         }
     }
     poses
+}
+
+/// Loop frame in the world; `poses`: world poses of all links.
+pub(crate) fn loop_frame(poses: &[Transform<f64>], end: &LoopFrame) -> Transform<f64> {
+    end.link.map_or_else(Transform::identity, |link| poses[link.index()]) * end.frame
 }
 
 /// Per link: true if only fixed joints connect the link to the root. True for the root.

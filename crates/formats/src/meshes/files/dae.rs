@@ -5,8 +5,9 @@ use super::triangles::{Triangles, check_triangle_count};
 use crate::reading::limits::{MAX_MESH_NUMBERS, MAX_SCENE_DEPTH, MAX_SCENE_NODES};
 use crate::reading::prescan;
 use crate::reading::report::{Report, quoted};
+use crate::reading::xml::Node;
 use nalgebra::{Matrix4, Rotation3, Unit, Vector3, Vector4};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, ParsingOptions};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -68,24 +69,24 @@ pub(super) fn read_collada(bytes: &[u8]) -> Result<Triangles, String> {
 }
 
 /// Child elements with this tag, in any namespace.
-fn child_elements<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+fn child_elements<'a>(node: Node<'a>, tag: &'static str) -> impl Iterator<Item = Node<'a>> {
     node.children().filter(move |c| c.is_element() && c.tag_name().name() == tag)
 }
 
 /// Finite numbers in the text of an element.
-fn parse_finite_numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
+fn parse_finite_numbers(node: Node<'_>) -> Result<Vec<f64>, String> {
     let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
     parse_words(node, read, "finite number")
 }
 
 /// Indices or counts in the text of an element.
-fn parse_indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
+fn parse_indices(node: Node<'_>) -> Result<Vec<u32>, String> {
     parse_words(node, |word| word.parse().ok(), "index")
 }
 
 /// Words in the text of an element, converted by `parse_word`. `kind` names the expected words in errors.
 fn parse_words<T>(
-    node: Node<'_, '_>,
+    node: Node<'_>,
     parse_word: impl Fn(&str) -> Option<T>,
     kind: &str,
 ) -> Result<Vec<T>, String> {
@@ -99,19 +100,19 @@ fn parse_words<T>(
     Ok(list)
 }
 
-fn invalid_word_message(node: Node<'_, '_>, word: &str, kind: &str) -> String {
+fn invalid_word_message(node: Node<'_>, word: &str, kind: &str) -> String {
     format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
 }
 
 /// Scene with caches by the offset of an element: an element is read once, even with many references.
-struct Scene<'a, 'i> {
-    elements_by_id: HashMap<&'a str, Node<'a, 'i>>,
+struct Scene<'a> {
+    elements_by_id: HashMap<&'a str, Node<'a>>,
     /// Triangles of geometries, in their own frames.
     geometries: HashMap<usize, Triangles>,
     /// Positions of `source` and `vertices` elements.
     positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     /// Nodes of the scene.
-    scene_nodes: HashMap<usize, Rc<SceneNode<'a, 'i>>>,
+    scene_nodes: HashMap<usize, Rc<SceneNode<'a>>>,
     /// Number of values read so far.
     numbers: usize,
     visits: usize,
@@ -119,28 +120,36 @@ struct Scene<'a, 'i> {
 }
 
 /// Node of the scene: transform, child nodes and instances.
-struct SceneNode<'a, 'i> {
+struct SceneNode<'a> {
     transform: Matrix4<f64>,
-    contents: Vec<Content<'a, 'i>>,
+    contents: Vec<Content<'a>>,
 }
 
 /// Child of a node, or target of an instance.
-enum Content<'a, 'i> {
-    Node(Node<'a, 'i>),
-    Geometry(Node<'a, 'i>),
+enum Content<'a> {
+    Node(Node<'a>),
+    Geometry(Node<'a>),
 }
 
-impl<'a, 'i: 'a> Scene<'a, 'i> {
+impl<'a> Scene<'a> {
     /// Element to which the attribute `url` or `source` refers.
-    fn resolve_reference(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    fn resolve_reference(&self, node: Node<'a>) -> Option<Node<'a>> {
         let url = node.attribute("url").or_else(|| node.attribute("source"))?;
         self.elements_by_id.get(url.strip_prefix('#')?).copied()
+    }
+
+    /// As [`resolve_reference`](Self::resolve_reference); an error for an unknown name.
+    fn referenced(&self, node: Node<'a>) -> Result<Node<'a>, String> {
+        self.resolve_reference(node).ok_or_else(|| {
+            let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
+            format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
+        })
     }
 
     /// Appends the triangles of a node and its descendants. `parent_transform` maps the parent node's frame to the mesh frame, m.
     fn append_node(
         &mut self,
-        node: Node<'a, 'i>,
+        node: Node<'a>,
         parent_transform: &Matrix4<f64>,
         depth: usize,
     ) -> Result<(), String> {
@@ -174,7 +183,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Transform to the parent node, child nodes and geometries of a `node` element; each element is read once.
-    fn read_scene_node(&mut self, node: Node<'a, 'i>) -> Result<Rc<SceneNode<'a, 'i>>, String> {
+    fn read_scene_node(&mut self, node: Node<'a>) -> Result<Rc<SceneNode<'a>>, String> {
         let key = node.range().start;
         if let Some(scene_node) = self.scene_nodes.get(&key) {
             return Ok(scene_node.clone());
@@ -184,14 +193,10 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
             match child.tag_name().name() {
                 "node" => scene_node.contents.push(Content::Node(child)),
                 "instance_node" => {
-                    scene_node.contents.push(Content::Node(
-                        self.resolve_reference(child).ok_or_else(|| unresolved_reference_message(child))?,
-                    ));
+                    scene_node.contents.push(Content::Node(self.referenced(child)?));
                 }
                 "instance_geometry" => {
-                    scene_node.contents.push(Content::Geometry(
-                        self.resolve_reference(child).ok_or_else(|| unresolved_reference_message(child))?,
-                    ));
+                    scene_node.contents.push(Content::Geometry(self.referenced(child)?));
                 }
                 "instance_controller" => {
                     return Err("it has a skin (instance_controller), which is not read; export it without"
@@ -210,7 +215,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Appends the triangles of a `geometry` element; `transform` maps its frame to the mesh frame, m.
-    fn append_geometry(&mut self, geometry: Node<'a, 'i>, transform: &Matrix4<f64>) -> Result<(), String> {
+    fn append_geometry(&mut self, geometry: Node<'a>, transform: &Matrix4<f64>) -> Result<(), String> {
         let key = geometry.range().start;
         if !self.geometries.contains_key(&key) {
             let mut local_triangles = Triangles::new();
@@ -230,7 +235,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Appends the triangles of a `mesh` element to `out`, in the frame and unit of the geometry.
-    fn append_mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
+    fn append_mesh(&mut self, mesh: Node<'a>, out: &mut Triangles) -> Result<(), String> {
         for primitive in mesh.children().filter(Node::is_element) {
             let kind = primitive.tag_name().name();
             match kind {
@@ -251,9 +256,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 };
                 stride = stride.max(offset + 1);
                 if input.attribute("semantic") == Some("VERTEX") {
-                    let vertices =
-                        self.resolve_reference(input).ok_or_else(|| unresolved_reference_message(input))?;
-                    positions = Some((offset, self.vertex_positions(vertices)?));
+                    positions = Some((offset, self.vertex_positions(self.referenced(input)?)?));
                 }
             }
             let Some((offset, positions)) = positions else {
@@ -296,7 +299,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Positions of a `vertices` element, in the frame and unit of the geometry.
-    fn vertex_positions(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+    fn vertex_positions(&mut self, vertices: Node<'a>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = vertices.range().start;
         if let Some(positions) = self.positions.get(&key) {
             return Ok(positions.clone());
@@ -309,7 +312,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Positions of a `source` element, in the frame and unit of the geometry.
-    fn source_positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+    fn source_positions(&mut self, source: Node<'a>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = source.range().start;
         if let Some(positions) = self.positions.get(&key) {
             return Ok(positions.clone());
@@ -372,13 +375,8 @@ fn append_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) 
     Ok(())
 }
 
-fn unresolved_reference_message(node: Node<'_, '_>) -> String {
-    let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
-    format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
-}
-
 /// Transform of a `matrix`, `rotate`, `translate` or `scale` element; `None` for an element of another kind.
-fn transform_of_element(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
+fn transform_of_element(node: Node<'_>) -> Result<Option<Matrix4<f64>>, String> {
     let name = node.tag_name().name();
     let count = match name {
         "matrix" => 16,

@@ -16,22 +16,10 @@ const DEFAULT_DENSITY: f64 = 1000.0;
 pub(crate) enum GeomShape {
     Plane,
     HeightField,
-    Sphere {
-        radius: f64,
-    },
-    Capsule {
-        radius: f64,
-        half_length: f64,
-    },
-    Cylinder {
-        radius: f64,
-        half_length: f64,
-    },
+    /// Sphere, capsule, cylinder or box.
+    Solid(Solid),
     Ellipsoid {
         semi_axes: [f64; 3],
-    },
-    Box {
-        half_sizes: [f64; 3],
     },
     /// Mesh asset with this name.
     Mesh(String),
@@ -188,13 +176,13 @@ fn read_shape(
     }
     sizes.resize(3, 0.0);
     let [a, b, c] = [sizes[0], sizes[1], sizes[2]];
-    Some(match kind {
-        GeomType::Capsule => GeomShape::Capsule { radius: a, half_length: b },
-        GeomType::Cylinder => GeomShape::Cylinder { radius: a, half_length: b },
-        GeomType::Ellipsoid => GeomShape::Ellipsoid { semi_axes: [a, b, c] },
-        GeomType::Box => GeomShape::Box { half_sizes: [a, b, c] },
-        _ => GeomShape::Sphere { radius: a },
-    })
+    Some(GeomShape::Solid(match kind {
+        GeomType::Ellipsoid => return Some(GeomShape::Ellipsoid { semi_axes: [a, b, c] }),
+        GeomType::Capsule => Solid::Capsule { radius: a, length: 2.0 * b },
+        GeomType::Cylinder => Solid::Cylinder { radius: a, length: 2.0 * b },
+        GeomType::Box => Solid::Box { size: [a, b, c].map(|half| 2.0 * half) },
+        _ => Solid::Sphere { radius: a },
+    }))
 }
 
 impl Geom {
@@ -203,14 +191,7 @@ impl Geom {
     pub fn shape(&self, mesh: impl FnOnce(&str) -> Option<(Solid, Transform<f64>)>) -> Option<Shape> {
         let mut frame = self.frame;
         let solid = match &self.shape {
-            GeomShape::Sphere { radius } => Solid::Sphere { radius: *radius },
-            GeomShape::Capsule { radius, half_length } => {
-                Solid::Capsule { radius: *radius, length: 2.0 * half_length }
-            }
-            GeomShape::Cylinder { radius, half_length } => {
-                Solid::Cylinder { radius: *radius, length: 2.0 * half_length }
-            }
-            GeomShape::Box { half_sizes } => Solid::Box { size: half_sizes.map(|half| 2.0 * half) },
+            GeomShape::Solid(solid) => solid.clone(),
             GeomShape::Mesh(name) => {
                 let (solid, in_geom) = mesh(name)?;
                 frame = frame * in_geom;
@@ -228,11 +209,8 @@ impl Geom {
     /// Radius, m, of a sphere about the body's origin around the shape; `None` for a mesh or an infinite shape.
     pub fn radius(&self) -> Option<f64> {
         let own = match &self.shape {
-            GeomShape::Sphere { radius } => *radius,
-            GeomShape::Capsule { radius, half_length } => radius + half_length,
-            GeomShape::Cylinder { radius, half_length } => radius.hypot(*half_length),
+            GeomShape::Solid(solid) => solid.radius()?,
             GeomShape::Ellipsoid { semi_axes: [a, b, c] } => a.max(*b).max(*c),
-            GeomShape::Box { half_sizes: [a, b, c] } => a.hypot(*b).hypot(*c),
             GeomShape::Plane
             | GeomShape::HeightField
             | GeomShape::Mesh(_)

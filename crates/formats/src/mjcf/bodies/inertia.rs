@@ -173,10 +173,7 @@ fn geom_inertia(
         });
     };
     let unit = match &geom.shape {
-        GeomShape::Sphere { radius } => solids::sphere(*radius, geom.is_shell),
-        GeomShape::Capsule { radius, half_length } => solids::capsule(*radius, *half_length, geom.is_shell),
-        GeomShape::Cylinder { radius, half_length } => solids::cylinder(*radius, *half_length, geom.is_shell),
-        GeomShape::Box { half_sizes } => solids::cuboid(*half_sizes, geom.is_shell),
+        GeomShape::Solid(solid) => solids::unit_inertia(solid, geom.is_shell)?,
         GeomShape::Ellipsoid { semi_axes } if !geom.is_shell => solids::ellipsoid(*semi_axes),
         GeomShape::Ellipsoid { .. } => {
             refuse(findings, "the shell of an ellipsoid");

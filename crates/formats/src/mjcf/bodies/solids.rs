@@ -1,5 +1,6 @@
 //! Volumes and inertias of primitive shapes: solid, or a thin shell with the mass spread evenly over the surface.
 
+use crate::shape::Solid;
 use std::f64::consts::PI;
 
 /// Volume (m³; area, m², of a shell) and principal moments for a mass of 1 kg, m², about the centre of the shape.
@@ -7,6 +8,17 @@ use std::f64::consts::PI;
 pub(crate) struct UnitInertia {
     pub volume: f64,
     pub moments: [f64; 3],
+}
+
+/// Unit inertia of a solid; `None` for a mesh.
+pub(crate) fn unit_inertia(solid: &Solid, is_shell: bool) -> Option<UnitInertia> {
+    Some(match solid {
+        Solid::Box { size } => cuboid(size.map(|edge| edge / 2.0), is_shell),
+        Solid::Sphere { radius } => sphere(*radius, is_shell),
+        Solid::Cylinder { radius, length } => cylinder(*radius, length / 2.0, is_shell),
+        Solid::Capsule { radius, length } => capsule(*radius, length / 2.0, is_shell),
+        Solid::Mesh { .. } => return None,
+    })
 }
 
 /// Part of a shape: volume or area, and the moments of a unit mass across and along the z-axis.
@@ -22,7 +34,7 @@ fn revolved(parts: [Part; 2]) -> UnitInertia {
 }
 
 /// Sphere.
-pub(crate) fn sphere(radius: f64, is_shell: bool) -> UnitInertia {
+fn sphere(radius: f64, is_shell: bool) -> UnitInertia {
     let square = radius * radius;
     let (volume, moment) = if is_shell {
         (4.0 * PI * square, 2.0 / 3.0 * square)
@@ -33,7 +45,7 @@ pub(crate) fn sphere(radius: f64, is_shell: bool) -> UnitInertia {
 }
 
 /// Cylinder along z with half-spheres at its ends; `half` is half the length of the cylinder.
-pub(crate) fn capsule(radius: f64, half: f64, is_shell: bool) -> UnitInertia {
+fn capsule(radius: f64, half: f64, is_shell: bool) -> UnitInertia {
     let (r2, h2) = (radius * radius, half * half);
     let ends = sphere(radius, is_shell);
     let [end, ..] = ends.moments;
@@ -47,7 +59,7 @@ pub(crate) fn capsule(radius: f64, half: f64, is_shell: bool) -> UnitInertia {
 }
 
 /// Cylinder along z; the shell includes both ends.
-pub(crate) fn cylinder(radius: f64, half: f64, is_shell: bool) -> UnitInertia {
+fn cylinder(radius: f64, half: f64, is_shell: bool) -> UnitInertia {
     let (r2, h2) = (radius * radius, half * half);
     if is_shell {
         let side = (4.0 * PI * radius * half, r2 / 2.0 + h2 / 3.0, r2);
@@ -67,7 +79,7 @@ pub(crate) fn ellipsoid([a, b, c]: [f64; 3]) -> UnitInertia {
 }
 
 /// Box with half sizes a, b, c.
-pub(crate) fn cuboid([a, b, c]: [f64; 3], is_shell: bool) -> UnitInertia {
+fn cuboid([a, b, c]: [f64; 3], is_shell: bool) -> UnitInertia {
     let squares = [a * a, b * b, c * c];
     if !is_shell {
         let [aa, bb, cc] = squares;

@@ -22,29 +22,21 @@ enum Kind {
     Asset,
 }
 
-/// Attributes that refer to elements.
-const REFERENCES: [(&str, Kind); 20] = [
-    ("body", Kind::Body),
-    ("body1", Kind::Body),
-    ("body2", Kind::Body),
-    ("joint", Kind::Joint),
-    ("joint1", Kind::Joint),
-    ("joint2", Kind::Joint),
-    ("jointinparent", Kind::Joint),
-    ("site", Kind::Site),
-    ("site1", Kind::Site),
-    ("site2", Kind::Site),
-    ("refsite", Kind::Site),
-    ("cranksite", Kind::Site),
-    ("slidersite", Kind::Site),
-    ("sidesite", Kind::Site),
+/// Attributes that refer to elements, separated by blanks, by the kind of these elements.
+const REFERENCES: [(&str, Kind); 6] = [
+    ("body body1 body2", Kind::Body),
+    ("joint joint1 joint2 jointinparent", Kind::Joint),
+    ("site site1 site2 refsite cranksite slidersite sidesite", Kind::Site),
     ("geom", Kind::Geom),
-    ("tendon", Kind::Tendon),
-    ("tendon1", Kind::Tendon),
-    ("tendon2", Kind::Tendon),
-    ("mesh", Kind::Asset),
-    ("hfield", Kind::Asset),
+    ("tendon tendon1 tendon2", Kind::Tendon),
+    ("mesh hfield", Kind::Asset),
 ];
+
+/// Kind of the elements to which an attribute refers; `None` for other attributes.
+fn referred_kind(attribute: &str) -> Option<Kind> {
+    let has_name = |names: &str| names.split(' ').any(|name| name == attribute);
+    REFERENCES.iter().find(|(names, _)| has_name(names)).map(|(_, kind)| *kind)
+}
 
 /// Sections of which elements are copied, in an order in which every section refers to earlier ones only.
 const SECTIONS: [&str; 4] = ["asset", "tendon", "equality", "actuator"];
@@ -389,7 +381,7 @@ impl Attacher<'_> {
         let mut stack = vec![element];
         while let Some(id) = stack.pop() {
             for attribute in &self.tree.element(id).attributes {
-                let kind = REFERENCES.iter().find(|(name, _)| *name == attribute.name).map(|(_, kind)| *kind);
+                let kind = referred_kind(&attribute.name);
                 if let Some(kind) = kind.filter(|kind| *kind != Kind::Asset && attribute.value != "world") {
                     found.push((kind, attribute.value.clone()));
                 }
@@ -402,7 +394,7 @@ impl Attacher<'_> {
 
 /// True if the value of an attribute has the prefix in a copy: names and references.
 fn is_prefixed(attribute: &str, value: &str) -> bool {
-    let is_name = attribute == "name" || REFERENCES.iter().any(|(name, _)| *name == attribute);
+    let is_name = attribute == "name" || referred_kind(attribute).is_some();
     let is_world = value == "world" && ["body", "body1", "body2"].contains(&attribute);
     is_name && !value.is_empty() && !is_world
 }

@@ -1,8 +1,10 @@
 //! Table of MJCF: every element and attribute with its treatment. Source: MuJoCo 3.12, `src/xml/mjcf.schema`, and the reference of
 //! MuJoCo 4.0.
 
-use crate::reading::document::grammar::Treatment::{Read, Refused, Silent, Warned};
-use crate::reading::document::grammar::{Attributes, ElementRule, Treatment, element, tags, unread};
+use crate::reading::document::grammar::Treatment::{Read, Refused, Silent};
+use crate::reading::document::grammar::{
+    Attributes, ElementRule, Treatment, element, refused, tags, unread, warned,
+};
 
 /// Root element.
 pub(crate) const ROOT: ElementRule = element("mujoco", &[("model", Read)], IN_ROOT).open();
@@ -97,14 +99,11 @@ pub(crate) static IN_BODY: [ElementRule; 13] = [
     element("site", SITE, &[]),
     unread("camera light", Silent),
     element("attach", &[("model body frame prefix", Read)], &[]),
-    unread("plugin", Warned("a plugin of a body is taken as a source of finite forces and ignored")),
-    unread(
+    warned("plugin", "a plugin of a body is taken as a source of finite forces and ignored"),
+    refused(
         "composite",
-        Refused(
-            "unsupported",
-            "composite objects are not read, and the answer without them would be wrong; save the compiled model \
+        "composite objects are not read, and the answer without them would be wrong; save the compiled model \
              (mujoco.mj_saveLastXML) and load that file",
-        ),
     ),
     unread("flexcomp", FLEX),
 ];
@@ -174,20 +173,14 @@ const IN_EQUALITY: &[ElementRule] = &[
         &[("name class active", Read), ("solref solimp", Silent), ("tendon1 tendon2 polycoef", Read)],
         &[],
     ),
-    unread(
+    refused(
         "flex flexvert flexstrain",
-        Refused(
-            "unsupported",
-            "constraints of deformable bodies are not read, and the answer without them would be wrong",
-        ),
+        "constraints of deformable bodies are not read, and the answer without them would be wrong",
     ),
-    unread(
+    refused(
         "distance",
-        Refused(
-            "unsupported",
-            "the distance between two geoms is not read (MuJoCo removed this element in version 2.2.2), and the answer without \
+        "the distance between two geoms is not read (MuJoCo removed this element in version 2.2.2), and the answer without \
              it would be wrong; use a <connect>, or a spatial tendon with an equality",
-        ),
     ),
 ];
 

@@ -116,7 +116,7 @@ pub(crate) fn reflected_armatures(
         let joint =
             ["joint", "jointinparent"].into_iter().find_map(|name| Some((name, actuator.text(name)?)));
         if let Some((attribute, name)) = joint {
-            let joint = references.joint(name, element, attribute, findings);
+            let joint = references.joint(name, (element, attribute), findings);
             added.joints.extend(joint.map(|joint| (joint, reflected)));
         } else if let Some(name) = actuator.text("tendon") {
             match tendons.get(name) {

@@ -76,7 +76,9 @@ impl EqualityReader<'_, '_> {
                     let kind = if scale == 0.0 { ClosureKind::Spherical } else { ClosureKind::Fixed };
                     self.add_closure(attributes, kind, ends, &mut constraints, findings);
                 }
-                "joint" => self.add_joint_equality(attributes, &mut constraints.joints, findings),
+                "joint" => {
+                    self.add_joint_equality(attributes, &mut constraints.joints, findings);
+                }
                 "tendon" => self.add_tendon_equality(attributes, &mut constraints, findings),
                 // The grammar reports other elements.
                 _ => {}
@@ -119,7 +121,7 @@ impl EqualityReader<'_, '_> {
         }
         let mut site = |name: Option<&str>, attribute| {
             let site =
-                self.references.site(name.unwrap_or_default(), attributes.element, attribute, findings)?;
+                self.references.site(name.unwrap_or_default(), (attributes.element, attribute), findings)?;
             Some((site.body, site.frame))
         };
         let sites = (site(names[0], "site1"), site(names[1], "site2"));
@@ -147,9 +149,9 @@ impl EqualityReader<'_, '_> {
             });
             return None;
         };
-        let first = self.references.body(first, element, "body1", findings)?;
+        let first = self.references.body(first, (element, "body1"), findings)?;
         let second = match attributes.text("body2") {
-            Some(name) => self.references.body(name, element, "body2", findings)?,
+            Some(name) => self.references.body(name, (element, "body2"), findings)?,
             None => 0,
         };
         Some([first, second])
@@ -213,27 +215,23 @@ impl EqualityReader<'_, '_> {
         attributes: Attributes<'_>,
         relations: &mut JointRelations,
         findings: &mut Findings<'_>,
-    ) {
+    ) -> Option<()> {
         let element = attributes.element;
         let Some(name) = attributes.text("joint1") else {
             findings.error("missing-attribute", element, || "<joint> has no attribute \"joint1\"".to_owned());
-            return;
+            return None;
         };
-        let Some(dependent) = self.references.scalar_joint(name, element, "joint1", findings) else { return };
+        let dependent = self.references.scalar_joint(name, (element, "joint1"), findings)?;
         let coefficients = self.coefficients(attributes, findings);
         let driver = match attributes.text("joint2") {
-            Some(name) => {
-                let Some(joint) = self.references.scalar_joint(name, element, "joint2", findings) else {
-                    return;
-                };
-                Some(joint)
-            }
+            Some(name) => Some(self.references.scalar_joint(name, (element, "joint2"), findings)?),
             None => None,
         };
-        let Some(coefficients) = coefficients else { return };
+        let coefficients = coefficients?;
         let driver = driver.map(|joint| vec![(joint, 1.0)]);
         let sum = joint_sum(vec![(dependent, 1.0)], driver.as_deref(), coefficients);
         self.add_relation(element, sum, relations, findings);
+        Some(())
     }
 
     /// Adds a relation of joint positions, with an error if it contradicts an earlier one.

@@ -93,7 +93,7 @@ fn fixed_path(element: ElementId, references: &References<'_>, findings: &mut Fi
             continue;
         };
         let name = attributes.text("joint").unwrap_or_default();
-        if let Some(joint) = references.scalar_joint(name, child, "joint", findings) {
+        if let Some(joint) = references.scalar_joint(name, (child, "joint"), findings) {
             terms.push((joint, coefficient));
         }
     }
@@ -109,7 +109,7 @@ fn spatial_path(element: ElementId, references: &References<'_>, findings: &mut 
     };
     let mut site = |child| {
         let name = tree.attribute(child, "site").unwrap_or_default();
-        references.site(name, child, "site", findings).cloned()
+        references.site(name, (child, "site"), findings).cloned()
     };
     match (site(first), site(second)) {
         (Some(first), Some(second)) => TendonPath::Line([first, second]),

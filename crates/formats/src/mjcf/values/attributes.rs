@@ -44,23 +44,29 @@ impl<'t> Attributes<'t> {
         self.tree.attribute(self.source(&[name])?, name)
     }
 
+    /// Value of an attribute; `None` if absent, or, with an error, if `parse` returns a defect.
+    fn read<T>(
+        &self,
+        name: &'static str,
+        parse: impl FnOnce(&str) -> Result<T, String>,
+        findings: &mut Findings<'_>,
+    ) -> Option<T> {
+        let source = self.source(&[name])?;
+        let text = self.tree.attribute(source, name)?;
+        let report = |defect| {
+            let message = || format!("{name}={}: {defect}", quoted(text));
+            findings.attribute_error("bad-number", source, name, message);
+        };
+        parse(text).map_err(report).ok()
+    }
+
     /// N finite numbers; `None` if absent, or, with an error, if invalid.
     pub fn numbers<const N: usize>(
         &self,
         name: &'static str,
         findings: &mut Findings<'_>,
     ) -> Option<[f64; N]> {
-        let source = self.source(&[name])?;
-        let text = self.tree.attribute(source, name)?;
-        match parse_numbers::<N>(text) {
-            Ok(values) => Some(values),
-            Err(defect) => {
-                findings.attribute_error("bad-number", source, name, || {
-                    format!("{name}={}: {defect}", quoted(text))
-                });
-                None
-            }
-        }
+        self.read(name, parse_numbers::<N>, findings)
     }
 
     /// One finite number.
@@ -70,26 +76,16 @@ impl<'t> Attributes<'t> {
 
     /// From 1 to `most` finite numbers; `None` if absent, or, with an error, if invalid.
     pub fn list(&self, name: &'static str, most: usize, findings: &mut Findings<'_>) -> Option<Vec<f64>> {
-        let source = self.source(&[name])?;
-        let text = self.tree.attribute(source, name)?;
-        let parsed: Result<Vec<f64>, String> =
-            text.split_ascii_whitespace().map(|word| parse_numbers::<1>(word).map(|[value]| value)).collect();
-        let count = |values: Vec<f64>| {
+        let number = |word: &str| parse_numbers::<1>(word).map(|[value]| value);
+        let parse = |text: &str| {
+            let values = text.split_ascii_whitespace().map(number).collect::<Result<Vec<f64>, String>>()?;
             if (1..=most).contains(&values.len()) {
                 Ok(values)
             } else {
                 Err(format!("got {} numbers; 1 to {most} are expected", values.len()))
             }
         };
-        match parsed.and_then(count) {
-            Ok(values) => Some(values),
-            Err(defect) => {
-                findings.attribute_error("bad-number", source, name, || {
-                    format!("{name}={}: {defect}", quoted(text))
-                });
-                None
-            }
-        }
+        self.read(name, parse, findings)
     }
 
     /// One of the given words; `None` if absent, or, with an error, if it is another word.

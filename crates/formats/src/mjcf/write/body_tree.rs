@@ -34,6 +34,9 @@ pub(super) struct BodyTree<'m> {
     pub contents: Vec<String>,
     /// Further lines within the world.
     pub world_contents: String,
+    /// Lines of the sections of constraints.
+    pub tendons: String,
+    pub equalities: String,
     /// Form of each link that is a rotor.
     pub rotors: Vec<Option<Rotor>>,
     pub changes: Vec<Change>,
@@ -106,6 +109,8 @@ impl<'m> BodyTree<'m> {
             chains,
             contents: vec![String::new(); count],
             world_contents: String::new(),
+            tendons: String::new(),
+            equalities: String::new(),
             rotors,
             changes: Vec::new(),
             halves: Vec::new(),

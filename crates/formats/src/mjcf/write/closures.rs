@@ -3,6 +3,7 @@
 use super::body_tree::{BodyTree, inertial_element, pose_attributes};
 use super::error::MjcfError;
 use crate::writing::changes::Change;
+use crate::writing::structure::loop_frame;
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, LoopFrame, Mechanism};
 use percuss_spatial::{Transform, Vector3, plane_basis};
@@ -11,17 +12,9 @@ use percuss_spatial::{Transform, Vector3, plane_basis};
 /// the mechanism.
 pub(crate) const DRAWING_TOLERANCE: f64 = 1e-9;
 
-/// Lines of the sections of constraints.
-#[derive(Debug, Default)]
-pub(super) struct Sections {
-    pub tendons: String,
-    pub equalities: String,
-}
-
 /// Writes all closures; adds sites and second halves of links to the bodies.
-pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<Sections, MjcfError> {
+pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<(), MjcfError> {
     let mechanism = tree.mechanism;
-    let mut sections = Sections::default();
     // Links are split first, since every half takes a part of the inertia.
     let mut halves = vec![0usize; mechanism.links().len()];
     for closure in mechanism.closures().iter().filter(|closure| needs_half(closure.kind())) {
@@ -39,15 +32,15 @@ pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<Sections, MjcfEr
             ClosureKind::Fixed => {
                 add_sites(tree, closure, &name, &Vector3::zeros());
                 append!(
-                    sections.equalities,
+                    tree.equalities,
                     "    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"
                 );
             }
-            ClosureKind::Spherical => add_connect(tree, closure, &name, &Vector3::zeros(), &mut sections),
+            ClosureKind::Spherical => add_connect(tree, closure, &name, &Vector3::zeros()),
             ClosureKind::Revolute => {
-                add_connect(tree, closure, &name, &Vector3::zeros(), &mut sections);
+                add_connect(tree, closure, &name, &Vector3::zeros());
                 let along = closure.axis() * mechanism.characteristic_length();
-                add_connect(tree, closure, &format!("{name}/axis"), &along, &mut sections);
+                add_connect(tree, closure, &format!("{name}/axis"), &along);
                 tree.changes.push(Change::changed(
                     "loop",
                     closure.name(),
@@ -56,7 +49,7 @@ pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<Sections, MjcfEr
                 ));
             }
             ClosureKind::Distance => {
-                add_rod(tree, closure, &name, &mut sections);
+                add_rod(tree, closure, &name);
                 tree.changes.push(Change::changed(
                     "loop",
                     closure.name(),
@@ -68,11 +61,11 @@ pub(super) fn write_closures(tree: &mut BodyTree<'_>) -> Result<Sections, MjcfEr
             | ClosureKind::Cylindrical
             | ClosureKind::Planar
             | ClosureKind::Universal => {
-                add_half(tree, closure, &name, &mut sections)?;
+                add_half(tree, closure, &name)?;
             }
         }
     }
-    Ok(sections)
+    Ok(())
 }
 
 /// True for kinds without an equality constraint in MJCF: one of the two links is split, and its second half has the joints of the
@@ -96,39 +89,27 @@ fn add_sites(tree: &mut BodyTree<'_>, closure: &Closure, name: &str, along: &Vec
 }
 
 /// Adds a `<connect>` of the points at `along` in the two loop frames, m.
-fn add_connect(
-    tree: &mut BodyTree<'_>,
-    closure: &Closure,
-    name: &str,
-    along: &Vector3<f64>,
-    sections: &mut Sections,
-) {
+fn add_connect(tree: &mut BodyTree<'_>, closure: &Closure, name: &str, along: &Vector3<f64>) {
     add_sites(tree, closure, name, along);
-    append!(sections.equalities, "    <connect name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
+    append!(tree.equalities, "    <connect name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
 }
 
 /// Adds a distance closure as a tendon of constant length between two sites. MuJoCo's constraint is relative to the length as drawn.
-fn add_rod(tree: &mut BodyTree<'_>, closure: &Closure, name: &str, sections: &mut Sections) {
+fn add_rod(tree: &mut BodyTree<'_>, closure: &Closure, name: &str) {
     add_sites(tree, closure, name, &Vector3::zeros());
-    let [first, second] =
-        [closure.predecessor(), closure.successor()].map(|end| world_frame(tree, end).translation);
+    let [first, second] = [closure.predecessor(), closure.successor()]
+        .map(|end| loop_frame(&tree.world_poses, end).translation);
     let drawn = (second - first).norm();
     let excess = closure.distance().map_or(0.0, |distance| distance - drawn);
     append!(
-        sections.tendons,
+        tree.tendons,
         "    <spatial name=\"{name}\">\n      <site site=\"{name}/1\"/>\n      <site site=\"{name}/2\"/>\n    </spatial>\n"
     );
     append!(
-        sections.equalities,
+        tree.equalities,
         "    <tendon name=\"{name}\" tendon1=\"{name}\" polycoef=\"{} 1 0 0 0\"/>\n",
         format_number(excess)
     );
-}
-
-/// Loop frame in the world with all joints at 0.
-fn world_frame(tree: &BodyTree<'_>, end: &LoopFrame) -> Transform<f64> {
-    let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
-    link * end.frame
 }
 
 /// Link that is split for a closure, its loop frame, and the other end; true if the link is the successor.
@@ -199,20 +180,15 @@ pub(super) struct Half<'c> {
 /// Second half that the writer adds for a closure.
 pub(super) fn half_of<'c>(tree: &BodyTree<'_>, closure: &'c Closure) -> Result<Half<'c>, MjcfError> {
     let (_, own, base, is_successor) = split_end(tree.mechanism, closure)?;
-    let drawn = world_frame(tree, base).inverse() * world_frame(tree, own);
+    let drawn = loop_frame(&tree.world_poses, base).inverse() * loop_frame(&tree.world_poses, own);
     Ok(Half { own, base, drawn, joints: half_joints(closure, &drawn, is_successor) })
 }
 
 /// Second half of a link, jointed to the other link of the closure and welded to the first half.
-fn add_half(
-    tree: &mut BodyTree<'_>,
-    closure: &Closure,
-    name: &str,
-    sections: &mut Sections,
-) -> Result<(), MjcfError> {
+fn add_half(tree: &mut BodyTree<'_>, closure: &Closure, name: &str) -> Result<(), MjcfError> {
     let mechanism = tree.mechanism;
     let (link, own, base, is_successor) = split_end(mechanism, closure)?;
-    let (x_wb, x_wo) = (world_frame(tree, base), world_frame(tree, own));
+    let (x_wb, x_wo) = (loop_frame(&tree.world_poses, base), loop_frame(&tree.world_poses, own));
     // The split link's loop frame in the loop frame of the other link, as drawn.
     let drawn = x_wb.inverse() * x_wo;
     check_drawing(mechanism, closure, &drawn, is_successor)?;
@@ -240,7 +216,7 @@ fn add_half(
     tree.append_half(base.link, closure, &lines);
     let site = format!("<site name=\"{name}/2\"{}/>\n", pose_attributes(&own.frame));
     tree.append_content(Some(link), &site);
-    append!(sections.equalities, "    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
+    append!(tree.equalities, "    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n");
     let split = mechanism.link(link).name();
     tree.changes.push(Change::changed(
         "loop",
@@ -281,10 +257,7 @@ fn check_drawing(
 /// Reports a closure that is open as drawn: programs close such a loop at different poses.
 fn report_open_drawing(tree: &mut BodyTree<'_>, closure: &Closure) {
     let mechanism = tree.mechanism;
-    let frame = |end: &LoopFrame| {
-        let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
-        link * end.frame
-    };
+    let frame = |end| loop_frame(&tree.world_poses, end);
     let drawn = frame(closure.predecessor()).inverse() * frame(closure.successor());
     let error = drawing_error(closure, &drawn, mechanism.characteristic_length());
     if error > DRAWING_TOLERANCE {

@@ -73,8 +73,8 @@ fn write_file(
     let mut tree = BodyTree::new(mechanism, parts.balances_inertia)?;
     let forms = form_changes(&tree);
     tree.changes.extend(forms);
-    let closures = closures::write_closures(&mut tree)?;
-    let relations = relations::write_relations(&mut tree);
+    closures::write_closures(&mut tree)?;
+    relations::write_relations(&mut tree);
     contacts::add_contacts(&mut tree);
     let shapes = shapes::add_shapes(parts, &mut tree, impact.is_none());
     impact.map_or(Ok(()), |impact| impact.add_contact(&mut tree))?;
@@ -90,8 +90,8 @@ fn write_file(
     let coordinates = tree.append_bodies(&mut out)?;
     out.push_str("  </worldbody>\n");
     append_section(&mut out, "contact", &shapes.excludes);
-    append_section(&mut out, "tendon", &[closures.tendons, relations.tendons].concat());
-    append_section(&mut out, "equality", &[closures.equalities, relations.equalities].concat());
+    append_section(&mut out, "tendon", &tree.tendons);
+    append_section(&mut out, "equality", &tree.equalities);
     let key = |state| Keyframe::new(&tree, &coordinates, state);
     let mut keys = String::new();
     for (name, state) in parts.poses {

@@ -1,16 +1,14 @@
 //! Mimics and couplings as equality constraints of joints.
 
 use super::body_tree::BodyTree;
-use super::closures::Sections;
 use super::rotors::{Rotor, armature, tendon_name, tendon_terms};
 use crate::writing::changes::Change;
 use crate::writing::xml_text::{append, escape_attribute, format_number};
-use percuss_mechanism::{JointId, Mechanism};
+use percuss_mechanism::JointId;
 
 /// Writes all mimics and couplings.
-pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
+pub(super) fn write_relations(tree: &mut BodyTree<'_>) {
     let mechanism = tree.mechanism;
-    let mut sections = Sections::default();
     let name = |id| escape_attribute(mechanism.joint(id).name());
     for joint in mechanism.joints() {
         let Some(mimic) = joint.mimic() else { continue };
@@ -18,7 +16,7 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
             continue;
         }
         append!(
-            sections.equalities,
+            tree.equalities,
             "    <joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
             escape_attribute(joint.name()),
             name(mimic.master),
@@ -26,9 +24,11 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
             format_number(mimic.multiplier)
         );
     }
-    let is_tendon = |number| tree.rotors.contains(&Some(Rotor::Tendon(number)));
-    write_rotors(&mut sections, tree);
-    for (_, coupling) in mechanism.couplings().iter().enumerate().filter(|(number, _)| !is_tendon(*number)) {
+    write_rotors(tree);
+    for (number, coupling) in mechanism.couplings().iter().enumerate() {
+        if tree.rotors.contains(&Some(Rotor::Tendon(number))) {
+            continue;
+        }
         let own = escape_attribute(coupling.name());
         let constant = coupling.constant();
         let form = match (coupling.terms(), coupling.curve()) {
@@ -43,7 +43,7 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
         tree.changes.push(Change::changed("coupling", coupling.name(), form, reason));
         if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
             append!(
-                sections.equalities,
+                tree.equalities,
                 "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
                 name(*first),
                 name(*second),
@@ -52,30 +52,29 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) -> Sections {
             );
             continue;
         }
-        write_tendon(&mut sections, mechanism, &own, "", coupling.terms());
+        write_tendon(tree, &own, "", coupling.terms());
         let Some(curve) = coupling.curve() else {
             append!(
-                sections.equalities,
+                tree.equalities,
                 "    <tendon name=\"{own}\" tendon1=\"{own}\" polycoef=\"{} 0 0 0 0\"/>\n",
                 format_number(constant)
             );
             continue;
         };
         let argument = format!("{own}/argument");
-        write_tendon(&mut sections, mechanism, &argument, "", curve.terms());
+        write_tendon(tree, &argument, "", curve.terms());
         let shifted = shifted_coefficients(curve.offset(), curve.coefficients());
         let coefficients = [constant + shifted[0], shifted[1], shifted[2], shifted[3], shifted[4]];
         append!(
-            sections.equalities,
+            tree.equalities,
             "    <tendon name=\"{own}\" tendon1=\"{own}\" tendon2=\"{argument}\" polycoef=\"{}\"/>\n",
             coefficients.map(format_number).join(" ")
         );
     }
-    sections
 }
 
 /// Writes the tendons whose armatures are rotors.
-fn write_rotors(sections: &mut Sections, tree: &BodyTree<'_>) {
+fn write_rotors(tree: &mut BodyTree<'_>) {
     let mechanism = tree.mechanism;
     for link in mechanism.link_ids() {
         let (Some(rotor), Some(joint)) = (tree.rotors[link.index()], mechanism.parent_joint(link)) else {
@@ -91,24 +90,18 @@ fn write_rotors(sections: &mut Sections, tree: &BodyTree<'_>) {
             (Rotor::Follower | Rotor::Body, _) => continue,
         };
         let armature = format!(" armature=\"{}\"", format_number(armature(own)));
-        write_tendon(sections, mechanism, &escape_attribute(name), &armature, &terms);
+        write_tendon(tree, &escape_attribute(name), &armature, &terms);
     }
 }
 
 /// Writes a fixed tendon with the length Σ factor · q.
-fn write_tendon(
-    sections: &mut Sections,
-    mechanism: &Mechanism,
-    name: &str,
-    attributes: &str,
-    terms: &[(JointId, f64)],
-) {
-    append!(sections.tendons, "    <fixed name=\"{name}\"{attributes}>\n");
+fn write_tendon(tree: &mut BodyTree<'_>, name: &str, attributes: &str, terms: &[(JointId, f64)]) {
+    append!(tree.tendons, "    <fixed name=\"{name}\"{attributes}>\n");
     for (joint, factor) in terms.iter().filter(|(_, factor)| *factor != 0.0) {
-        let (joint, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
-        append!(sections.tendons, "      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n");
+        let (joint, factor) = (escape_attribute(tree.mechanism.joint(*joint).name()), format_number(*factor));
+        append!(tree.tendons, "      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n");
     }
-    sections.tendons.push_str("    </fixed>\n");
+    tree.tendons.push_str("    </fixed>\n");
 }
 
 /// Coefficients b₀ … b₄ of a₂ s² + a₃ s³ + a₄ s⁴ as a polynomial in x, with s = offset + x.

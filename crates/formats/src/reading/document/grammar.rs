@@ -83,6 +83,16 @@ pub(crate) const fn unread(tags: &'static str, treatment: Treatment) -> ElementR
     ElementRule { treatment, open: true, children: None, ..element(tags, &[], &[]) }
 }
 
+/// Element without which the result would be wrong: an error; the text gives the reason and a remedy.
+pub(crate) const fn refused(tags: &'static str, reason: &'static str) -> ElementRule {
+    unread(tags, Treatment::Refused("unsupported", reason))
+}
+
+/// Element that is ignored with a warning; the text gives the reason.
+pub(crate) const fn warned(tags: &'static str, reason: &'static str) -> ElementRule {
+    unread(tags, Treatment::Warned(reason))
+}
+
 impl ElementRule {
     /// The rule for an element of which a parent may have one.
     pub const fn single(self) -> Self {

@@ -1,16 +1,16 @@
 //! Table of SDFormat: every element with its treatment. Source: SDFormat 1.12 and 1.4 (`sdf/1.12/*.sdf`), and Drake's documentation of
 //! its own elements.
 
-use crate::reading::document::grammar::Treatment::{Read, Refused, Silent, Unexamined, Warned};
-use crate::reading::document::grammar::{COMPLIANT, ElementRule, element, unread};
+use crate::reading::document::grammar::Treatment::{Read, Silent, Unexamined};
+use crate::reading::document::grammar::{COMPLIANT, ElementRule, element, refused, unread, warned};
 
 /// Elements in `<sdf>` and `<world>`. Models and includes are examined where they are used.
 pub(crate) const IN_WORLD: &[ElementRule] = &[
     unread("world model include", Unexamined),
     JOINT,
     FRAME,
-    unread("population", Warned("<population> makes copies of a model; they are not read")),
-    unread("state", Warned("the state of a world is not read: all models are as drawn")),
+    warned("population", "<population> makes copies of a model; they are not read"),
+    warned("state", "the state of a world is not read: all models are as drawn"),
     unread(
         "plugin audio wind gravity magnetic_field atmosphere gui physics scene light actor road spherical_coordinates",
         Silent,
@@ -27,20 +27,14 @@ pub(crate) const IN_MODEL: &[ElementRule] = &[
     unread("model include", Unexamined),
     // `walk.rs` warns about plugins that join links.
     unread("plugin self_collide allow_auto_disable enable_wind gripper", Silent),
-    unread(
+    refused(
         "drake:joint",
-        Refused(
-            "unsupported",
-            "joints of Drake's own are not read, and the answer without this one would be wrong",
-        ),
+        "joints of Drake's own are not read, and the answer without this one would be wrong",
     ),
-    unread(
+    refused(
         "drake:ball_constraint",
-        Refused(
-            "unsupported",
-            "constraints of Drake are not read, and the answer without this one would be wrong: write a <joint> (ball, \
+        "constraints of Drake are not read, and the answer without this one would be wrong: write a <joint> (ball, \
              fixed) that closes the loop instead",
-        ),
     ),
     unread("drake:distance_constraint drake:tendon_constraint drake:linear_bushing_rpy", COMPLIANT),
     unread("drake:linear_spring_damper", Silent),
@@ -83,9 +77,9 @@ const IN_LINK: &[ElementRule] = &[
             ),
         ],
     ),
-    unread(
+    warned(
         "kinematic",
-        Warned("a kinematic link is moved by script; here it moves with its joints. Lock a joint to hold it"),
+        "a kinematic link is moved by script; here it moves with its joints. Lock a joint to hold it",
     ),
     unread(
         "gravity enable_wind self_collide must_be_base_link velocity_decay sensor projector audio_sink audio_source \
@@ -98,13 +92,10 @@ const IN_INERTIAL: &[ElementRule] = &[
     value("mass density"),
     POSE,
     element("inertia", &[], &[value("ixx ixy ixz iyy iyz izz")]).single(),
-    unread(
+    refused(
         "fluid_added_mass",
-        Refused(
-            "unsupported",
-            "the added mass of a fluid is not read, and the answer without it would be wrong; remove the element to get the \
+        "the added mass of a fluid is not read, and the answer without it would be wrong; remove the element to get the \
                  effective mass in air",
-        ),
     ),
     unread("auto_inertia_params frame", Silent),
 ];

@@ -83,28 +83,17 @@ impl SdfShape {
     /// Radius of the sphere about the origin of the shape that contains the shape, m; `None` for meshes and infinite shapes.
     pub fn radius(&self) -> Option<f64> {
         Some(match self {
-            SdfShape::Solid(Solid::Box { size: [a, b, c] }) => a.hypot(*b).hypot(*c) / 2.0,
-            SdfShape::Solid(Solid::Sphere { radius }) => *radius,
-            SdfShape::Solid(Solid::Cylinder { radius, length }) | SdfShape::Cone { radius, length } => {
-                radius.hypot(length / 2.0)
-            }
-            SdfShape::Solid(Solid::Capsule { radius, length }) => radius + length / 2.0,
+            SdfShape::Solid(solid) => solid.radius()?,
+            SdfShape::Cone { radius, length } => radius.hypot(length / 2.0),
             SdfShape::Ellipsoid { radii: [a, b, c] } => a.max(*b).max(*c),
-            SdfShape::Solid(Solid::Mesh { .. }) | SdfShape::Other(_) => return None,
+            SdfShape::Other(_) => return None,
         })
     }
 
     /// Volume and moments of the solid shape, and the position of its centroid along z, m; `None` for meshes and infinite shapes.
     pub fn unit_inertia(&self) -> Option<(UnitInertia, f64)> {
         let centred = match self {
-            SdfShape::Solid(Solid::Box { size }) => solids::cuboid(size.map(|edge| edge / 2.0), false),
-            SdfShape::Solid(Solid::Sphere { radius }) => solids::sphere(*radius, false),
-            SdfShape::Solid(Solid::Cylinder { radius, length }) => {
-                solids::cylinder(*radius, length / 2.0, false)
-            }
-            SdfShape::Solid(Solid::Capsule { radius, length }) => {
-                solids::capsule(*radius, length / 2.0, false)
-            }
+            SdfShape::Solid(solid) => solids::unit_inertia(solid, false)?,
             SdfShape::Ellipsoid { radii } => solids::ellipsoid(*radii),
             SdfShape::Cone { radius, length } => {
                 let (r2, h2) = (radius * radius, length * length);
@@ -113,7 +102,7 @@ impl SdfShape {
                 // The centroid of a cone is a quarter of its height above the base.
                 return Some((UnitInertia { volume: PI * r2 * length / 3.0, moments }, -length / 4.0));
             }
-            SdfShape::Solid(Solid::Mesh { .. }) | SdfShape::Other(_) => return None,
+            SdfShape::Other(_) => return None,
         };
         Some((centred, 0.0))
     }

@@ -4,6 +4,7 @@ use super::bodies::{Bodies, Form, pose_text};
 use super::error::SdfError;
 use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
 use crate::writing::changes::Change;
+use crate::writing::structure::loop_frame;
 use crate::writing::xml_text::{append, escape_attribute, format_vector};
 use percuss_mechanism::{Closure, ClosureKind, JointKind, LoopFrame};
 use percuss_spatial::{Transform, Vector3};
@@ -31,10 +32,7 @@ pub(super) fn write_closures(bodies: &mut Bodies<'_>) -> Result<String, SdfError
                 )));
             }
         };
-        let frame = |end: &LoopFrame| {
-            let link = end.link.map_or_else(Transform::identity, |link| bodies.world_poses[link.index()]);
-            link * end.frame
-        };
+        let frame = |end| loop_frame(&bodies.world_poses, end);
         let (x_wp, x_ws) = (frame(closure.predecessor()), frame(closure.successor()));
         let drawn = x_wp.inverse() * x_ws;
         let error = drawing_error(closure, &drawn, mechanism.characteristic_length());

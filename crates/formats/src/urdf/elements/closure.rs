@@ -1,27 +1,28 @@
 //! Parser of `<loop>` and `<loop_joint>` (joints outside the tree) and of `<coupling>` (a ratio between rates).
 
+use crate::reading::findings::did_you_mean;
 use crate::reading::limits::MIN_AXIS_COMPONENT;
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::read_link_name;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::{required_number, required_numbers};
-use crate::urdf::elements::origin::{self, Origin};
+use crate::urdf::elements::origin;
 use crate::urdf::elements::survey::{child, is_gazebo_joint, is_named};
 use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Problem, near_names};
 use percuss_spatial::{Transform, Vector3};
-use roxmltree::Node;
 
 /// Default axis, and default second axis (the successor's pin of a universal joint).
-const DEFAULT_AXIS: &str = "1 0 0";
-const DEFAULT_AXIS2: &str = "0 1 0";
+const DEFAULT_AXIS: [f64; 3] = [1.0, 0.0, 0.0];
+const DEFAULT_AXIS2: [f64; 3] = [0.0, 1.0, 0.0];
 
 /// True for `<loop>` and `<loop_joint>`.
-pub(crate) fn is_loop_element(node: Node<'_, '_>) -> bool {
+pub(crate) fn is_loop_element(node: Node<'_>) -> bool {
     is_named(node, "loop") || is_named(node, "loop_joint")
 }
 
 /// Tags of the elements that name the two links: predecessor first, successor second.
-pub(crate) fn link_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
+pub(crate) fn link_tags(node: Node<'_>) -> &'static [&'static str; 2] {
     if is_gazebo_joint(node) {
         &["parent", "child"]
     } else if is_named(node, "loop_joint") {
@@ -32,7 +33,7 @@ pub(crate) fn link_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
 }
 
 /// Description of a `<loop>` or `<loop_joint>`, with finite numbers.
-pub(crate) fn read_loop<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+pub(crate) fn read_loop(node: Node<'_>, report: &mut Report) -> ClosureDescription {
     let name = read_name(node, report);
     let kind = read_loop_type(node, report);
     let [predecessor, successor] = link_tags(node).map(|tag| read_link_name(node, tag, report));
@@ -55,7 +56,7 @@ pub(crate) fn read_loop<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> 
 }
 
 /// Description of a `<coupling>`.
-pub(crate) fn read_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
+pub(crate) fn read_coupling(node: Node<'_>, report: &mut Report) -> CouplingDescription {
     let name = read_name(node, report);
     // "rolling" is the only type in use.
     if let Some(other) = node.attribute("type").filter(|t| *t != "rolling") {
@@ -79,7 +80,7 @@ pub(crate) fn read_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report)
 }
 
 /// Kind of closure from the attribute `type`; `None` if invalid.
-fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+fn read_loop_type(node: Node<'_>, report: &mut Report) -> Option<ClosureKind> {
     // URDF has two names for a hinge joint: "revolute" and "continuous".
     let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
     let listed = || names().collect::<Vec<_>>().join(", ");
@@ -102,10 +103,7 @@ fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind
         });
     } else if kind.is_none() {
         report.error("unknown-loop-type", place, || {
-            let guess = near_names(text, names())
-                .first()
-                .map(|n| format!(" (did you mean \"{n}\"?)"))
-                .unwrap_or_default();
+            let guess = did_you_mean(&near_names(text, names()));
             format!("the loop type {} is unknown{guess}; it is one of {}", quoted(text), listed())
         });
     }
@@ -113,49 +111,45 @@ fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind
 }
 
 /// Loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
-fn read_loop_frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
-    let origin = match child(node, tag) {
-        Some(end) if is_named(node, "loop_joint") => origin::read_origin_attributes(end, report),
-        Some(end) => origin::read_origin(end, report),
-        None => Origin::IDENTITY,
-    };
-    origin.transform()
+fn read_loop_frame(node: Node<'_>, tag: &'static str, report: &mut Report) -> Transform<f64> {
+    match child(node, tag) {
+        Some(end) if is_named(node, "loop_joint") => origin::read_origin_attributes(end, report).transform,
+        Some(end) => origin::read_origin(end, report).transform,
+        None => Transform::identity(),
+    }
 }
 
 /// Axis in the loop frame. `kind` is `Some` if the loop needs this axis; then a zero axis is an error.
-fn read_axis<'a, 'i: 'a>(
-    node: Node<'a, 'i>,
+fn read_axis(
+    node: Node<'_>,
     tag: &'static str,
-    default: &'static str,
+    default: [f64; 3],
     kind: Option<ClosureKind>,
     report: &mut Report,
 ) -> Vector3<f64> {
-    let text = match child(node, tag) {
-        Some(axis) => required_numbers::<3>(axis, "xyz", default, report),
+    let axis = match child(node, tag) {
+        Some(axis) => required_numbers(axis, "xyz", default, report),
         None => {
             if let Some(kind) = kind {
                 report.note("default-axis", Place::Element(node), || {
-                    format!("the {} loop has no <{tag}>: {default} is taken", kind.name())
+                    let [x, y, z] = default;
+                    format!("the {} loop has no <{tag}>: {x} {y} {z} is taken", kind.name())
                 });
             }
             default
         }
     };
-    let axis = Vector3::from(crate::urdf::elements::numbers::parse_numbers::<3>(text).unwrap_or_default());
+    let axis = Vector3::from(axis);
     // The builder does not distinguish `<axis>` from `<axis2>`; the check here names the element.
     if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT) {
         let problem = Problem::ZeroAxis;
-        report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+        report.add_problem(Place::Element(element), &problem);
     }
     axis
 }
 
 /// Distance, m; `None` without the element.
-fn read_distance<'a, 'i: 'a>(
-    node: Node<'a, 'i>,
-    kind: Option<ClosureKind>,
-    report: &mut Report,
-) -> Option<f64> {
+fn read_distance(node: Node<'_>, kind: Option<ClosureKind>, report: &mut Report) -> Option<f64> {
     let element = child(node, "distance");
     if element.is_none() && kind == Some(ClosureKind::Distance) {
         report.note("default-distance", Place::Element(node), || {
@@ -168,7 +162,7 @@ fn read_distance<'a, 'i: 'a>(
 
 /// Reports elements that the kind of loop does not use. A superfluous axis is common (a note); a superfluous second
 /// axis or distance is a likely mistake (a warning).
-fn report_unused_elements<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
+fn report_unused_elements(node: Node<'_>, kind: ClosureKind, report: &mut Report) {
     let message = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
     if let Some(axis) = child(node, "axis").filter(|_| !kind.has_axis()) {
         report.note("unused-element", Place::Element(axis), || message("axis"));

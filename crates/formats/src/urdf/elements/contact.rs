@@ -10,26 +10,26 @@
 //! </contact>
 //! ```
 
+use crate::reading::findings::did_you_mean;
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::read_link_name;
 use crate::urdf::elements::link::read_name;
-use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, required_number, required_numbers};
+use crate::urdf::elements::numbers::{optional_numbers, required_number, required_numbers};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{ContactDescription, ContactKind, ContactNormal, near_names};
 use percuss_spatial::Vector3;
-use roxmltree::Node;
 
 /// Reads a `<contact>` of the robot. Each number of the result is finite; defects are reported.
-pub(crate) fn read_contact<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactDescription {
+pub(crate) fn read_contact(node: Node<'_>, report: &mut Report) -> ContactDescription {
     let name = read_name(node, report);
     let [link, against] = ["body", "other"].map(|tag| read_link_name(node, tag, report));
-    let point =
-        child(node, "body").map_or("0 0 0", |body| optional_numbers::<3>(body, "xyz", "0 0 0", report));
+    let point = child(node, "body").map_or([0.0; 3], |body| optional_numbers(body, "xyz", [0.0; 3], report));
     ContactDescription {
         name: name.to_owned(),
         kind: read_kind(node, report),
         link: link.to_owned(),
-        point: vector(point),
+        point: point.into(),
         against: against.to_owned(),
         normal: read_normal(node, report),
         gap: child(node, "gap").and_then(|gap| required_number(gap, "value", report)),
@@ -37,22 +37,21 @@ pub(crate) fn read_contact<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) 
 }
 
 /// Reads the kind; [`ContactKind::Other`] without the attribute or after an error.
-fn read_kind(node: Node<'_, '_>, report: &mut Report) -> ContactKind {
+fn read_kind(node: Node<'_>, report: &mut Report) -> ContactKind {
     let Some(text) = node.attribute("type") else { return ContactKind::Other };
     let names = ContactKind::ALL.map(ContactKind::name);
     if let Some(kind) = ContactKind::ALL.into_iter().find(|kind| kind.name() == text) {
         return kind;
     }
     report.error("unknown-contact-type", Place::Attribute(node, "type"), || {
-        let guess =
-            near_names(text, names).first().map(|n| format!(" (did you mean \"{n}\"?)")).unwrap_or_default();
+        let guess = did_you_mean(&near_names(text, names));
         format!("the contact type {} is unknown{guess}; it is one of {}", quoted(text), names.join(", "))
     });
     ContactKind::Other
 }
 
 /// Reads `<normal>`, `<toward>` or `<away>`; exactly one of the three is expected.
-fn read_normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNormal {
+fn read_normal(node: Node<'_>, report: &mut Report) -> ContactNormal {
     let default = ContactNormal::Fixed(Vector3::z());
     let mut given = ["normal", "toward", "away"].into_iter().filter_map(|tag| Some((tag, child(node, tag)?)));
     let Some((tag, element)) = given.next() else {
@@ -69,15 +68,10 @@ fn read_normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNo
         });
         return default;
     }
-    let xyz = vector(required_numbers::<3>(element, "xyz", "0 0 1", report));
+    let xyz = required_numbers(element, "xyz", [0.0, 0.0, 1.0], report).into();
     match tag {
         "normal" => ContactNormal::Fixed(xyz),
         "toward" => ContactNormal::Toward(xyz),
         _ => ContactNormal::Away(xyz),
     }
-}
-
-/// Vector of a text that is already checked.
-fn vector(text: &str) -> Vector3<f64> {
-    parse_numbers::<3>(text).unwrap_or_default().into()
 }

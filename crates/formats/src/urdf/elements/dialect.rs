@@ -2,9 +2,11 @@
 //! in a namespace are ignored.
 
 use crate::reading::document::grammar::Treatment::{
-    Noted, Read, Refused, Silent, Unexamined, Unlisted, Warned, WarnedUnless,
+    Noted, Read, Refused, Silent, Unexamined, Unlisted, WarnedUnless,
 };
-use crate::reading::document::grammar::{Attributes, COMPLIANT, ElementRule, Treatment, element, unread};
+use crate::reading::document::grammar::{
+    Attributes, COMPLIANT, ElementRule, Treatment, element, refused, unread, warned,
+};
 
 /// Treatment of an origin at a position that belongs to the other notation of loops.
 const MISPLACED: Treatment = Refused(
@@ -46,12 +48,9 @@ const IN_ROBOT: &[ElementRule] = &[
     element("relation", &[("name", Read)], IN_RELATION),
     element("contact", &[("name type", Read)], IN_CONTACT),
     unread("constraint", write_instead!("a <loop> or a <coupling>")),
-    unread(
+    refused(
         "drake:joint",
-        Refused(
-            "unsupported",
-            "joints of Drake's own are not read, and the answer without this one would be wrong",
-        ),
+        "joints of Drake's own are not read, and the answer without this one would be wrong",
     ),
     unread("drake:ball_constraint", write_instead!("<loop type=\"spherical\">")),
     // Springs and bushings are finite forces: no work in an instantaneous impact.
@@ -116,10 +115,7 @@ const IN_LINK: &[ElementRule] = &[
     element("inertial", &[], IN_INERTIAL).single(),
     // `geometry.rs` and `shape.rs` read the shapes; `survey.rs` lists the other children.
     unread("visual collision", Silent),
-    unread(
-        "origin",
-        Warned("a link has no origin of its own in URDF (its joint and its <inertial> have); ignored"),
-    ),
+    warned("origin", "a link has no origin of its own in URDF (its joint and its <inertial> have); ignored"),
     unread(
         "sensor gazebo material contact surface gravity self_filter collision_checking self_collision_checking \
          collision_bullet verbose",
@@ -268,12 +264,10 @@ const IN_MUJOCO: &[ElementRule] = &[
              (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)",
         ),
     ),
-    unread(
+    warned(
         "tendon actuator default worldbody deformable",
-        Warned(
-            "it is not read in a URDF, neither here nor by MuJoCo; bodies, couplings and armatures belong in <link>, <joint>, \
+        "it is not read in a URDF, neither here nor by MuJoCo; bodies, couplings and armatures belong in <link>, <joint>, \
              <mimic> and <dynamics armature>, or load an MJCF",
-        ),
     ),
     unread("option size visual statistic asset contact sensor keyframe custom extension", Unlisted),
 ];
@@ -282,17 +276,13 @@ const IN_MUJOCO: &[ElementRule] = &[
 const IN_GAZEBO: &[ElementRule] = &[
     // `check_gazebo_joints` examines the joints, `simulator_couplings.rs` plugins and mimics, `transmission.rs` armatures.
     unread("joint mimic axis armature", Unexamined),
-    unread(
+    warned(
         "link model include",
-        Warned(
-            "links and models inside <gazebo>, and joints to them, are not read: write them as <link> and <joint> of the robot",
-        ),
+        "links and models inside <gazebo>, and joints to them, are not read: write them as <link> and <joint> of the robot",
     ),
-    unread(
+    warned(
         "inertial inertia mass",
-        Warned(
-            "masses and inertias inside <gazebo> are not read: write them into the <inertial> of the link",
-        ),
+        "masses and inertias inside <gazebo> are not read: write them into the <inertial> of the link",
     ),
     unread(
         "static",

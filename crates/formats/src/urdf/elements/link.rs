@@ -2,43 +2,43 @@
 
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Place, Report, shortened};
+use crate::reading::xml::Node;
+use crate::shape::Shape;
 use crate::urdf::elements::numbers::{optional_numbers, required_numbers};
-use crate::urdf::elements::origin::{self, Origin};
-use crate::urdf::elements::shapes::geometry;
+use crate::urdf::elements::origin::read_origin;
+use crate::urdf::elements::shapes::read_shapes;
 use crate::urdf::elements::survey::child;
-use percuss_mechanism::{Geometry, Problem};
-use roxmltree::Node;
+use percuss_mechanism::{Geometry, Inertial, LinkDescription, Problem};
+use percuss_spatial::{Matrix3, Transform};
 
 /// Checked `<link>`: every number is valid.
 pub(crate) struct LinkText<'a> {
     pub name: &'a str,
-    pub inertial: Option<InertialText<'a>>,
+    pub inertial: Option<Inertial>,
     pub geometry: Geometry,
+    pub shapes: Vec<Shape>,
 }
 
-/// Checked `<inertial>`.
-pub(crate) struct InertialText<'a> {
-    pub origin: Origin<'a>,
-    /// One valid number, kg.
-    pub mass: &'a str,
-    /// Moments ixx, ixy, ixz, iyy, iyz, izz: one valid number each, kg·m².
-    pub moments: [&'a str; 6],
+impl LinkText<'_> {
+    /// Description for the builder.
+    pub fn description(&self) -> LinkDescription {
+        LinkDescription { name: self.name.to_owned(), inertial: self.inertial, geometry: self.geometry }
+    }
 }
 
 /// Attributes of `<inertia>`; `true` marks the optional ones.
 const MOMENTS: [(&str, bool); 6] =
     [("ixx", false), ("ixy", true), ("ixz", true), ("iyy", false), ("iyz", true), ("izz", false)];
 
-pub(crate) fn read_link<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> LinkText<'a> {
-    LinkText {
-        name: read_name(node, report),
-        inertial: child(node, "inertial").map(|n| read_inertial(n, report)),
-        geometry: geometry::enclosing_sphere(node, report),
-    }
+pub(crate) fn read_link<'a>(node: Node<'a>, report: &mut Report) -> LinkText<'a> {
+    let name = read_name(node, report);
+    let inertial = child(node, "inertial").map(|n| read_inertial(n, report));
+    let (shapes, geometry) = read_shapes(node, report);
+    LinkText { name, inertial, geometry, shapes }
 }
 
 /// Attribute `name`; an absent, empty or too long name is an error.
-pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
+pub(crate) fn read_name<'a>(node: Node<'a>, report: &mut Report) -> &'a str {
     let name = node.attribute("name");
     let Some(name) = name else {
         crate::urdf::elements::numbers::report_missing_attribute(node, "name", report);
@@ -46,7 +46,7 @@ pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str 
     };
     if name.is_empty() {
         let problem = Problem::EmptyName;
-        report.add(problem.severity(), problem.code(), Place::Element(node), || problem.to_string());
+        report.add_problem(Place::Element(node), &problem);
     } else if name.len() > LONGEST_NAME {
         report.error("long-name", Place::Element(node), || {
             format!("the name is {} bytes long; at most {LONGEST_NAME} are read", name.len())
@@ -59,8 +59,8 @@ pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str 
     name
 }
 
-/// An absent mass or inertia is 0, with a note.
-fn read_inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText<'a> {
+/// Mass, centre of mass and inertia about the centre, in the axes of the link. An absent mass or inertia is 0, with a note.
+fn read_inertial(node: Node<'_>, report: &mut Report) -> Inertial {
     let mass = child(node, "mass");
     let inertia = child(node, "inertia");
     let absent = match (mass, inertia) {
@@ -72,15 +72,16 @@ fn read_inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Inertia
     if let Some(absent) = absent {
         report.note("partial-inertial", Place::Element(node), || absent.to_owned());
     }
-    InertialText {
-        origin: origin::read_origin(node, report),
-        mass: mass.map_or("0", |n| required_numbers::<1>(n, "value", "0", report)),
-        moments: inertia.map_or(["0"; 6], |n| read_moments(n, report)),
-    }
+    let Transform { rotation, translation: com } = read_origin(node, report).transform;
+    let [mass] = mass.map_or([0.0], |n| required_numbers(n, "value", [0.0], report));
+    let [ixx, ixy, ixz, iyy, iyz, izz] = inertia.map_or([0.0; 6], |n| read_moments(n, report));
+    let turned = rotation * Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz) * rotation.transpose();
+    // Makes the tensor exactly symmetric. Halving first avoids overflow.
+    Inertial { mass, com, about_com: turned * 0.5 + turned.transpose() * 0.5 }
 }
 
 /// Six entries of `<inertia>`, kg·m²; absent products are 0, with a warning.
-fn read_moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
+fn read_moments(node: Node<'_>, report: &mut Report) -> [f64; 6] {
     let absent: Vec<&str> = MOMENTS
         .iter()
         .filter(|(name, is_optional)| *is_optional && node.attribute(*name).is_none())
@@ -92,10 +93,8 @@ fn read_moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
         });
     }
     MOMENTS.map(|(name, is_optional)| {
-        if is_optional {
-            optional_numbers::<1>(node, name, "0", report)
-        } else {
-            required_numbers::<1>(node, name, "0", report)
-        }
+        let read = if is_optional { optional_numbers::<1> } else { required_numbers::<1> };
+        let [value] = read(node, name, [0.0], report);
+        value
     })
 }

@@ -2,29 +2,29 @@
 
 use crate::reading::limits::MAX_ELEMENTS_PER_KIND;
 use crate::reading::report::{Place, Report};
+use crate::reading::xml::Node;
 use crate::urdf::elements::closure;
 use crate::urdf::elements::joints::gazebo_joint::{fixes_root_to_world, is_relation, joins_any};
 use crate::urdf::elements::survey::{child, children, is_gazebo_joint, is_named};
 use percuss_mechanism::{Problem, Subject};
-use roxmltree::Node;
 use std::collections::HashSet;
 
 /// Elements of links, joints, loops, couplings, relations and contacts, in the order of the file.
-pub(crate) struct Nodes<'a, 'i> {
-    pub links: Vec<Node<'a, 'i>>,
-    pub joints: Vec<Node<'a, 'i>>,
-    pub closures: Vec<Node<'a, 'i>>,
-    pub couplings: Vec<Node<'a, 'i>>,
-    pub relations: Vec<Node<'a, 'i>>,
-    pub contacts: Vec<Node<'a, 'i>>,
+pub(crate) struct Nodes<'a> {
+    pub links: Vec<Node<'a>>,
+    pub joints: Vec<Node<'a>>,
+    pub closures: Vec<Node<'a>>,
+    pub couplings: Vec<Node<'a>>,
+    pub relations: Vec<Node<'a>>,
+    pub contacts: Vec<Node<'a>>,
 }
 
-impl<'a, 'i: 'a> Nodes<'a, 'i> {
+impl<'a> Nodes<'a> {
     /// Collects the elements of a robot. Joints that fix the root link to the world are left out.
-    pub fn collect(robot: Node<'a, 'i>, report: &mut Report) -> Self {
+    pub fn collect(robot: Node<'a>, report: &mut Report) -> Self {
         let names: HashSet<&str> =
             children(robot, "link").filter_map(|link| link.attribute("name")).collect();
-        let link = |joint: Node<'a, 'i>| child(joint, "child").and_then(|child| child.attribute("link"));
+        let link = |joint: Node<'a>| child(joint, "child").and_then(|child| child.attribute("link"));
         let child_links: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
         let is_root =
             |link: &str| names.contains(link) && !child_links.contains(link) && !names.contains("world");
@@ -53,7 +53,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .filter(Node::is_element)
                 .flat_map(|node| {
                     let relation = is_named(node, "relation").then_some(node);
-                    let is_read = |n: &Node<'a, 'i>| is_relation(*n) && !joins_any(*n, &in_gazebo);
+                    let is_read = |n: &Node<'a>| is_relation(*n) && !joins_any(*n, &in_gazebo);
                     let joints = node.children().filter(|n| is_gazebo_joint(*n)).filter(is_read);
                     relation.into_iter().chain(joints)
                 })
@@ -63,7 +63,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
     }
 
     /// True if the number of elements of each kind is within the limit; otherwise reports an error.
-    pub fn check_counts(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
+    pub fn check_counts(&self, robot: Node<'a>, report: &mut Report) -> bool {
         let counts = [
             ("links", self.links.len()),
             ("joints", self.joints.len()),
@@ -82,7 +82,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
     }
 
     /// Position in the file of a problem that the builder found.
-    pub fn locate(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
+    pub fn locate(&self, robot: Node<'a>, subject: &Subject, problem: &Problem) -> Place<'a, 'a> {
         let node = match subject {
             Subject::Mechanism => Some(robot),
             Subject::Link { index, .. } => self.links.get(*index).copied(),

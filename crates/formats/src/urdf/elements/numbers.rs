@@ -1,8 +1,8 @@
 //! Strict parser of numbers in attributes: the right count, finite, and no other text.
 
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::survey::has_xacro_substitution;
-use roxmltree::Node;
 
 /// Parses exactly N finite numbers separated by white space. The error text names the defect.
 pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
@@ -31,68 +31,47 @@ pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], Stri
     }
 }
 
-/// Number of a text that was checked before; 0 if invalid.
-pub(crate) fn parse_checked_number(text: &str) -> f64 {
-    let [value] = parse_numbers(text).unwrap_or_default();
-    value
-}
-
 fn expected_numbers_text(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
-/// Text of an attribute that holds N finite numbers; `default` if absent or invalid (an error).
-pub(crate) fn optional_numbers<'a, const N: usize>(
-    node: Node<'a, '_>,
+/// N finite numbers of an attribute; `default` if absent or invalid (an error).
+pub(crate) fn optional_numbers<const N: usize>(
+    node: Node<'_>,
     attribute: &'static str,
-    default: &'a str,
+    default: [f64; N],
     report: &mut Report,
-) -> &'a str {
+) -> [f64; N] {
     let Some(text) = node.attribute(attribute) else { return default };
-    match parse_numbers::<N>(text) {
-        Ok(_) => text,
-        Err(defect) => {
-            report_bad_number(node, attribute, text, &defect, report);
-            default
-        }
-    }
+    parse_numbers(text).unwrap_or_else(|defect| {
+        report_bad_number(node, attribute, text, &defect, report);
+        default
+    })
 }
 
 /// As [`optional_numbers`], but an absent attribute is an error.
-pub(crate) fn required_numbers<'a, const N: usize>(
-    node: Node<'a, '_>,
+pub(crate) fn required_numbers<const N: usize>(
+    node: Node<'_>,
     attribute: &'static str,
-    default: &'a str,
+    default: [f64; N],
     report: &mut Report,
-) -> &'a str {
+) -> [f64; N] {
     if node.attribute(attribute).is_none() {
         report_missing_attribute(node, attribute, report);
     }
-    optional_numbers::<N>(node, attribute, default, report)
+    optional_numbers(node, attribute, default, report)
 }
 
 /// Number in a mandatory attribute; `None` if absent or invalid.
-pub(crate) fn required_number(
-    node: Node<'_, '_>,
-    attribute: &'static str,
-    report: &mut Report,
-) -> Option<f64> {
-    let Some(text) = node.attribute(attribute) else {
-        report_missing_attribute(node, attribute, report);
-        return None;
-    };
-    match parse_numbers::<1>(text) {
-        Ok([value]) => Some(value),
-        Err(defect) => {
-            report_bad_number(node, attribute, text, &defect, report);
-            None
-        }
-    }
+pub(crate) fn required_number(node: Node<'_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
+    // Numbers of a file are finite.
+    let [value] = required_numbers(node, attribute, [f64::NAN], report);
+    Some(value).filter(|value| !value.is_nan())
 }
 
 /// Reports an invalid number; `defect` is the error text of [`parse_numbers`].
 pub(crate) fn report_bad_number(
-    node: Node<'_, '_>,
+    node: Node<'_>,
     attribute: &'static str,
     text: &str,
     defect: &str,
@@ -107,7 +86,7 @@ pub(crate) fn report_bad_number(
 }
 
 /// Reports an absent mandatory attribute.
-pub(crate) fn report_missing_attribute(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) {
+pub(crate) fn report_missing_attribute(node: Node<'_>, attribute: &'static str, report: &mut Report) {
     report.error("missing-attribute", Place::Element(node), || {
         format!("<{}> has no attribute \"{attribute}\"", node.tag_name().name())
     });

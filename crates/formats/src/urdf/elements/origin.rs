@@ -2,46 +2,18 @@
 
 use crate::reading::limits::QUATERNION_NORM_TOLERANCE;
 use crate::reading::report::{Place, Report};
+use crate::reading::xml::Node;
 use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, report_bad_number};
 use crate::urdf::elements::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
-use roxmltree::Node;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Checked `<origin>`.
+/// Checked `<origin>`: transform from the frame of the element to the frame of its parent.
 #[derive(Clone, Copy)]
-pub(crate) struct Origin<'a> {
-    /// Three valid numbers, m.
-    pub xyz: &'a str,
-    /// Three valid numbers, rad.
-    pub rpy: &'a str,
-    /// Rotation matrix of `quat_xyzw`, in files of any version; `quat_xyzw` takes precedence over `rpy`. The
-    /// quaternion is not converted to angles, whose error is milliradians near ±90° pitch.
-    pub quaternion: Option<Matrix3<f64>>,
-}
-
-impl Origin<'_> {
-    pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
-
-    /// Transform from the frame of the element to the frame of its parent.
-    pub fn transform(&self) -> Transform<f64> {
-        // The texts are already checked.
-        let rotation = || rotation_from_rpy(parse_numbers(self.rpy).unwrap_or_default());
-        let translation = parse_numbers::<3>(self.xyz).unwrap_or_default();
-        Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
-    }
-
+pub(crate) struct Origin {
+    pub transform: Transform<f64>,
     /// The transform as the author meant it: angles such as 1.5708 are multiples of π/12.
-    pub fn unrounded_transform(&self) -> Transform<f64> {
-        let transform = self.transform();
-        let mut angles = self.rpy.split_ascii_whitespace().map(unrounded);
-        match [(); 3].map(|()| angles.next()) {
-            [Some(roll), Some(pitch), Some(yaw)] if self.quaternion.is_none() => {
-                Transform::new(rotation_from_rpy([roll, pitch, yaw]), transform.translation)
-            }
-            _ => transform,
-        }
-    }
+    pub unrounded: Transform<f64>,
 }
 
 /// The multiple of π/2, or of π/12 in a text with four decimals or more, that an angle (rad) in decimal notation rounds; otherwise the angle.
@@ -57,15 +29,16 @@ fn unrounded(text: &str) -> f64 {
     exact.unwrap_or(angle)
 }
 
-const ZERO: &str = "0 0 0";
-
 /// The `<origin>` of `parent`; identity if absent.
-pub(crate) fn read_origin<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
-    child(parent, "origin").map_or(Origin::IDENTITY, |node| read_origin_attributes(node, report))
+pub(crate) fn read_origin(parent: Node<'_>, report: &mut Report) -> Origin {
+    let identity = Transform::identity();
+    let absent = Origin { transform: identity, unrounded: identity };
+    child(parent, "origin").map_or(absent, |node| read_origin_attributes(node, report))
 }
 
-/// Origin from the attributes of an `<origin>` or of another element.
-pub(crate) fn read_origin_attributes<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
+/// Origin from the attributes of an `<origin>` or of another element. `quat_xyzw`, in files of any version, takes precedence over `rpy`;
+/// it is not converted to angles, whose error is milliradians near ±90° pitch.
+pub(crate) fn read_origin_attributes(node: Node<'_>, report: &mut Report) -> Origin {
     let quaternion =
         node.attribute("quat_xyzw").and_then(|text| parse_quaternion_rotation(node, text, report));
     if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
@@ -73,15 +46,19 @@ pub(crate) fn read_origin_attributes<'a>(node: Node<'a, '_>, report: &mut Report
             "both rpy and quat_xyzw are given; quat_xyzw is taken".to_owned()
         });
     }
-    Origin {
-        xyz: optional_numbers::<3>(node, "xyz", ZERO, report),
-        rpy: optional_numbers::<3>(node, "rpy", ZERO, report),
-        quaternion,
-    }
+    let translation = optional_numbers::<3>(node, "xyz", [0.0; 3], report).into();
+    let rpy = optional_numbers::<3>(node, "rpy", [0.0; 3], report);
+    let mut angles = node.attribute("rpy").unwrap_or_default().split_ascii_whitespace().map(unrounded);
+    let exact = match [(); 3].map(|()| angles.next()) {
+        [Some(roll), Some(pitch), Some(yaw)] => [roll, pitch, yaw],
+        _ => rpy,
+    };
+    let frame = |rpy| Transform::new(quaternion.unwrap_or_else(|| rotation_from_rpy(rpy)), translation);
+    Origin { transform: frame(rpy), unrounded: frame(exact) }
 }
 
 /// Rotation matrix of `quat_xyzw`, normalised; `None` if invalid.
-fn parse_quaternion_rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
+fn parse_quaternion_rotation(node: Node<'_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
     let [x, y, z, w] = match parse_numbers::<4>(text) {
         Ok(values) => values,
         Err(defect) => {

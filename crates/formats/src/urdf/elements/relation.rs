@@ -1,23 +1,20 @@
 //! Parser of `<relation>`: a relation between joint positions.
 
 use crate::reading::report::Report;
+use crate::reading::xml::Node;
 use crate::urdf::elements::link::read_name;
-use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, required_number, required_numbers};
+use crate::urdf::elements::numbers::{optional_numbers, required_number, required_numbers};
 use crate::urdf::elements::survey::{child, children};
 use percuss_mechanism::{CurveDescription, RelationDescription};
-use roxmltree::Node;
 
 /// Description of a `<relation>`: Σ factor · q = constant + curve.
-pub(crate) fn read_relation<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> RelationDescription {
+pub(crate) fn read_relation(node: Node<'_>, report: &mut Report) -> RelationDescription {
     let constant = child(node, "constant").and_then(|element| required_number(element, "value", report));
     let curve = child(node, "curve").map(|curve| {
-        let number = |text: &str| parse_numbers::<1>(text).map_or(0.0, |[value]| value);
-        let coefficients = required_numbers::<3>(curve, "coefficients", "0 0 0", report);
-        CurveDescription {
-            terms: read_terms(curve, report),
-            offset: number(optional_numbers::<1>(curve, "offset", "0", report)),
-            coefficients: parse_numbers::<3>(coefficients).unwrap_or_default(),
-        }
+        let coefficients = required_numbers(curve, "coefficients", [0.0; 3], report);
+        let terms = read_terms(curve, report);
+        let [offset] = optional_numbers(curve, "offset", [0.0], report);
+        CurveDescription { terms, offset, coefficients }
     });
     RelationDescription {
         name: read_name(node, report).to_owned(),
@@ -28,7 +25,7 @@ pub(crate) fn read_relation<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report)
 }
 
 /// Joints with their factors.
-fn read_terms<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<(String, f64)> {
+fn read_terms(node: Node<'_>, report: &mut Report) -> Vec<(String, f64)> {
     let mut terms = Vec::new();
     for joint in children(node, "joint") {
         let factor = required_number(joint, "factor", report);

@@ -2,9 +2,9 @@
 
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::report::{Place, Report, shortened};
+use crate::reading::xml::Node;
 use crate::urdf::elements::dialect::GAZEBO_JOINT;
 use percuss_mechanism::{Severity, near_names};
-use roxmltree::Node;
 
 /// Namespaces of xacro macros.
 const XACRO: [&str; 4] = [
@@ -26,7 +26,7 @@ pub(crate) enum Language {
 }
 
 /// Language of a tag, from its namespace.
-pub(crate) fn tag_language(node: Node<'_, '_>) -> Language {
+pub(crate) fn tag_language(node: Node<'_>) -> Language {
     match node.tag_name().namespace() {
         None => Language::Urdf,
         Some(uri)
@@ -44,7 +44,7 @@ pub(crate) fn tag_language(node: Node<'_, '_>) -> Language {
 }
 
 /// True if the element has this tag of the table; `drake:` is the prefix of Drake's namespace.
-pub(crate) fn is_named(node: Node<'_, '_>, tag: &str) -> bool {
+pub(crate) fn is_named(node: Node<'_>, tag: &str) -> bool {
     let local_name = node.tag_name().name();
     match tag.strip_prefix("drake:") {
         Some(name) => local_name == name && tag_language(node) == Language::Drake,
@@ -53,15 +53,12 @@ pub(crate) fn is_named(node: Node<'_, '_>, tag: &str) -> bool {
 }
 
 /// Child elements with this tag.
-pub(crate) fn children<'a, 'i: 'a>(
-    node: Node<'a, 'i>,
-    tag: &'static str,
-) -> impl Iterator<Item = Node<'a, 'i>> {
+pub(crate) fn children<'a>(node: Node<'a>, tag: &'static str) -> impl Iterator<Item = Node<'a>> {
     node.children().filter(move |c| c.is_element() && is_named(*c, tag))
 }
 
 /// First child element with this tag.
-pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option<Node<'a, 'i>> {
+pub(crate) fn child<'a>(node: Node<'a>, tag: &'static str) -> Option<Node<'a>> {
     children(node, tag).next()
 }
 
@@ -71,12 +68,11 @@ pub(crate) fn has_xacro_substitution(value: &str) -> bool {
 }
 
 /// Reports the first unexpanded xacro element; in a `<visual>` or `<collision>`, where it has no effect, as a warning.
-pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
-    let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
-    let in_shape =
-        |n: &Node<'_, '_>| n.ancestors().any(|n| is_named(n, "visual") || is_named(n, "collision"));
+pub(crate) fn report_xacro_elements(root: Node<'_>, report: &mut Report) {
+    let is_macro = |n: &Node<'_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
+    let in_shape = |n: &Node<'_>| n.ancestors().any(|n| is_named(n, "visual") || is_named(n, "collision"));
     let macros = || root.descendants().filter(|n| n.is_element() && is_macro(n));
-    let tag = |node: Node<'_, '_>| format!("<xacro:{}>", shortened(node.tag_name().name()));
+    let tag = |node: Node<'_>| format!("<xacro:{}>", shortened(node.tag_name().name()));
     if let Some(node) = macros().find(|n| !in_shape(n)) {
         report.add_xacro_error(Place::Element(node), &tag(node));
     } else if let Some(node) = macros().next() {
@@ -88,11 +84,7 @@ pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
 
 /// Applies the table to an element, its attributes and its descendants. The depth of recursion is the depth of the table. `tag`: tag of
 /// the element in the table.
-pub(crate) fn check_element(
-    node: Node<'_, '_>,
-    (tag, rule): (&'static str, &ElementRule),
-    report: &mut Report,
-) {
+pub(crate) fn check_element(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     check_attributes(node, (tag, rule), report);
     let children = rule.children.unwrap_or_default();
     let mut seen = Vec::new();
@@ -119,7 +111,7 @@ pub(crate) fn check_element(
 }
 
 /// Reports a second element where only one is allowed; a warning if it has no effect, or is accepted.
-fn report_duplicate(parent: Node<'_, '_>, second: Node<'_, '_>, report: &mut Report) {
+fn report_duplicate(parent: Node<'_>, second: Node<'_>, report: &mut Report) {
     let tag = second.tag_name().name();
     let is_inertial = tag == "inertial";
     let (severity, remedy) = if is_inertial && report.accepted().second_inertial {
@@ -137,12 +129,12 @@ fn report_duplicate(parent: Node<'_, '_>, second: Node<'_, '_>, report: &mut Rep
 }
 
 /// True for a `<joint>` without motion.
-pub(crate) fn is_fixed_joint(node: Node<'_, '_>) -> bool {
+pub(crate) fn is_fixed_joint(node: Node<'_>) -> bool {
     is_named(node, "joint") && node.attribute("type") == Some("fixed")
 }
 
 /// Applies the treatment of the table to an element.
-fn apply_treatment(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
+fn apply_treatment(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     let place = Place::Element(node);
     match (rule.treatment.finding(node.text().unwrap_or_default()), rule.treatment) {
         (Some((Severity::Error, code, reason)), _) => report.error(code, place, || reason.to_owned()),
@@ -170,7 +162,7 @@ fn apply_treatment(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule)
 const SOLIDS: [&str; 5] = ["box", "sphere", "cylinder", "capsule", "mesh"];
 
 /// Adds the children of a `<visual>` or `<collision>` that are not read, such as `<material>`, to the list of unread parts.
-fn list_unread_children(holder: Node<'_, '_>, report: &mut Report) {
+fn list_unread_children(holder: Node<'_>, report: &mut Report) {
     for part in holder.children().filter(Node::is_element) {
         let tag = part.tag_name().name();
         let unread = match tag {
@@ -189,12 +181,12 @@ fn list_unread_children(holder: Node<'_, '_>, report: &mut Report) {
 }
 
 /// Tag of the parent of an element.
-fn parent_tag<'a>(node: Node<'a, '_>) -> &'a str {
+fn parent_tag<'a>(node: Node<'a>) -> &'a str {
     node.parent_element().map_or("", |parent| parent.tag_name().name())
 }
 
 /// Applies the treatments of the table to the attributes of an element.
-fn check_attributes(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
+fn check_attributes(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
         let (name, value) = (attribute.name(), attribute.value());
         let place = Place::Attribute(node, name);
@@ -229,11 +221,7 @@ fn check_attributes(node: Node<'_, '_>, (tag, rule): (&'static str, &ElementRule
 }
 
 /// Warns about an element that the table does not contain, with a similar name.
-fn warn_unknown_element(
-    node: Node<'_, '_>,
-    (parent, rule): (&'static str, &ElementRule),
-    report: &mut Report,
-) {
+fn warn_unknown_element(node: Node<'_>, (parent, rule): (&'static str, &ElementRule), report: &mut Report) {
     let name = node.tag_name().name();
     let shown = shortened(name);
     let kind = format!("{parent} {shown}");
@@ -246,7 +234,7 @@ fn warn_unknown_element(
 }
 
 /// Warns about text between elements. URDF gives values in attributes; `<mass>5</mass>` belongs to other formats.
-fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
+fn warn_stray_text(parent: Node<'_>, text: Node<'_>, report: &mut Report) {
     let words = text.text().unwrap_or_default().trim_ascii();
     if !words.is_empty() {
         let kind = parent.tag_name().name().to_owned();
@@ -257,7 +245,7 @@ fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report
 }
 
 /// Checks the joints in a `<gazebo>`, which close loops. Other settings of simulators have no effect here.
-fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
+fn check_gazebo_joints(gazebo: Node<'_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
             check_element(joint, ("joint", &GAZEBO_JOINT), report);
@@ -270,8 +258,8 @@ fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
 }
 
 /// True for a `<joint>` in a `<gazebo>` of the whole robot. Only such joints are read.
-pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
-    let of_robot = |gazebo: Node<'_, '_>| {
+pub(crate) fn is_gazebo_joint(node: Node<'_>) -> bool {
+    let of_robot = |gazebo: Node<'_>| {
         is_named(gazebo, "gazebo")
             && !gazebo.has_attribute("reference")
             && gazebo.parent().is_some_and(|robot| robot.parent().is_some_and(|root| root.is_root()))
@@ -280,7 +268,7 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
 }
 
 /// Reports an unreadable joint as an error: without the joint, the mechanism would be a different one.
-pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reason: impl FnOnce() -> String) {
+pub(crate) fn refuse_gazebo_joint(node: Node<'_>, report: &mut Report, reason: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
             "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop \

@@ -6,13 +6,13 @@
 
 use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report};
+use crate::reading::xml::Node;
 use crate::urdf::elements::numbers::{parse_numbers, report_bad_number, required_number};
 use crate::urdf::elements::survey::{child, children};
 use percuss_mechanism::Severity;
-use roxmltree::Node;
 
 /// Armature given inside a `<joint>`, kg·m² or kg: empty, one value, or one value per velocity.
-pub(crate) fn read_joint_armature<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
+pub(crate) fn read_joint_armature(node: Node<'_>, report: &mut Report) -> Vec<f64> {
     let mut armature = child(node, "dynamics").map(|n| armature_attribute(n, report)).unwrap_or_default();
     for holder in std::iter::once(node).chain(children(node, "actuator")) {
         if let Some(value) = reflected_inertia(holder, report) {
@@ -23,7 +23,7 @@ pub(crate) fn read_joint_armature<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut R
 }
 
 /// Values of the attribute `armature`, kg·m² or kg; empty if absent or invalid.
-fn armature_attribute(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
+fn armature_attribute(node: Node<'_>, report: &mut Report) -> Vec<f64> {
     let Some(text) = node.attribute("armature") else { return Vec::new() };
     let parsed = match text.split_ascii_whitespace().take(7).count() {
         3 => parse_numbers::<3>(text).map(Vec::from),
@@ -37,7 +37,7 @@ fn armature_attribute(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
 }
 
 /// Reflected inertia I r² (kg·m² or kg) from Drake's elements in `parent`. The ratio defaults to 1, with a note.
-pub(crate) fn reflected_inertia<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
+pub(crate) fn reflected_inertia(parent: Node<'_>, report: &mut Report) -> Option<f64> {
     let inertia = required_number(child(parent, "drake:rotor_inertia")?, "value", report)?;
     let ratio = match child(parent, "drake:gear_ratio") {
         Some(node) => required_number(node, "value", report)?,
@@ -52,7 +52,7 @@ pub(crate) fn reflected_inertia<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut R
 }
 
 /// Sets the armature, or compares a second value with the first. A difference beyond the tolerance is an error.
-pub(crate) fn merge_armature(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn merge_armature(armature: &mut Vec<f64>, value: f64, place: Node<'_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),
         [given] if (given - value).abs() <= ARMATURE_TOLERANCE * given.abs().max(value.abs()) => {}

@@ -6,6 +6,7 @@
 
 use crate::reading::limits::{MAX_RELATION_PATH, MIN_AXIS_COMPONENT, OBLIQUE_PINS};
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::parse_numbers;
@@ -16,7 +17,6 @@ use percuss_mechanism::{
     RelationDescription, Severity,
 };
 use percuss_spatial::{Transform, Vector3};
-use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 
 /// SDF name of the model frame, which coincides with the root link's frame.
@@ -29,7 +29,7 @@ const SCREW_AXIS_OFFSET: f64 = 1e-6;
 /// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop. A joint
 /// of this kind that is not fixed is an error, because the root would move.
 pub(crate) fn fixes_root_to_world(
-    node: Node<'_, '_>,
+    node: Node<'_>,
     is_root: impl Fn(&str) -> bool,
     report: &mut Report,
 ) -> bool {
@@ -59,7 +59,7 @@ pub(crate) fn fixes_root_to_world(
 }
 
 /// True for a joint to one of the links or models that a `<gazebo>` adds.
-pub(crate) fn joins_any(node: Node<'_, '_>, added: &HashSet<&str>) -> bool {
+pub(crate) fn joins_any(node: Node<'_>, added: &HashSet<&str>) -> bool {
     ["parent", "child"].iter().any(|tag| {
         let name = child(node, tag).map(element_text).unwrap_or_default();
         added.contains(name.trim_ascii().split("::").next().unwrap_or_default())
@@ -67,7 +67,7 @@ pub(crate) fn joins_any(node: Node<'_, '_>, added: &HashSet<&str>) -> bool {
 }
 
 /// True for a screw or a gearbox: a relation between joints of the tree, or a screw that closes a loop.
-pub(crate) fn is_relation(node: Node<'_, '_>) -> bool {
+pub(crate) fn is_relation(node: Node<'_>) -> bool {
     matches!(node.attribute("type"), Some("screw" | "gearbox"))
 }
 
@@ -108,7 +108,7 @@ impl<'j, 'a> ZeroPoseFrames<'j, 'a> {
             }
             let mut frame = links.get(current).copied().unwrap_or_else(Transform::identity);
             for joint in path.into_iter().rev() {
-                frame = frame * joint.origin.unrounded_transform();
+                frame = frame * joint.origin.unrounded;
                 links.insert(joint.child, frame);
             }
         }
@@ -175,7 +175,7 @@ pub(crate) struct GazeboJointReader<'f, 'a> {
 
 impl<'a> GazeboJointReader<'_, 'a> {
     /// Description of the closure, with finite numbers.
-    pub fn read_closure<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+    pub fn read_closure(&self, node: Node<'a>, report: &mut Report) -> ClosureDescription {
         let name = read_name(node, report).to_owned();
         let kind = read_joint_type(node, report);
         let [predecessor, successor] = ["parent", "child"].map(|tag| read_link_name(node, tag, report));
@@ -215,9 +215,9 @@ impl<'a> GazeboJointReader<'_, 'a> {
 
     /// Relation between the joints that a screw or a gearbox couples. If the path between its links holds other joints, which the relation
     /// would leave free, a screw is added to `screws`, and a gearbox is warned about.
-    pub fn read_relation<'i: 'a>(
+    pub fn read_relation(
         &self,
-        node: Node<'a, 'i>,
+        node: Node<'a>,
         screws: &mut Vec<ScrewLoop>,
         report: &mut Report,
     ) -> Option<RelationDescription> {
@@ -273,8 +273,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
 
     /// Sign of a joint's motion about or along a direction in the root frame; `None` if the two are not parallel.
     fn sign_along(&self, joint: &JointText<'_>, direction: &Vector3<f64>) -> Option<f64> {
-        let own: Vector3<f64> = parse_numbers::<3>(joint.axis).unwrap_or_default().into();
-        let own = self.zero_pose.link_frame(joint.child).vector(&own).try_normalize(0.0)?;
+        let own = self.zero_pose.link_frame(joint.child).vector(&joint.axis).try_normalize(0.0)?;
         let cosine = own.dot(direction);
         ((cosine.abs() - 1.0).abs() <= sdf_values::PARALLEL_AXES).then(|| cosine.signum())
     }
@@ -340,12 +339,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
     }
 
     /// X_rj. The pose is relative to the child link (X_rc) unless another frame is named.
-    fn read_joint_frame<'i: 'a>(
-        &self,
-        node: Node<'a, 'i>,
-        x_rc: &Transform<f64>,
-        report: &mut Report,
-    ) -> Transform<f64> {
+    fn read_joint_frame(&self, node: Node<'a>, x_rc: &Transform<f64>, report: &mut Report) -> Transform<f64> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
         let base = self.frame_or_default(pose, base, x_rc, report);
@@ -361,7 +355,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
     /// X_rf, named frame to root link; `default` if there is no name or the name is unknown.
     fn frame_or_default(
         &self,
-        node: Node<'_, '_>,
+        node: Node<'_>,
         named: Option<&str>,
         default: &Transform<f64>,
         report: &mut Report,
@@ -382,9 +376,9 @@ impl<'a> GazeboJointReader<'_, 'a> {
     }
 
     /// Axis in the joint frame. The default of SDF is 0 0 1.
-    fn read_axis<'i: 'a>(
+    fn read_axis(
         &self,
-        node: Node<'a, 'i>,
+        node: Node<'a>,
         tag: &'static str,
         x_rj: &Transform<f64>,
         kind: Option<ClosureKind>,
@@ -415,14 +409,14 @@ impl<'a> GazeboJointReader<'_, 'a> {
         let axis: Vector3<f64> = axis.map_or_else(Vector3::z, Into::into);
         if kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT {
             let problem = Problem::ZeroAxis;
-            report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+            report.add_problem(Place::Element(element), &problem);
         }
         x_rj.inverse_vector(&x_rf.vector(&axis))
     }
 }
 
 /// Kind of closure for the SDF joint type; `None` if invalid.
-fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+fn read_joint_type(node: Node<'_>, report: &mut Report) -> Option<ClosureKind> {
     let read = [
         ("revolute", ClosureKind::Revolute),
         ("continuous", ClosureKind::Revolute),
@@ -444,7 +438,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKin
 }
 
 /// Link name in the text of a child element; empty if absent.
-fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
+fn read_link_name(node: Node<'_>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
     let name = element.map(element_text).unwrap_or_default();
     let name = name.trim_ascii();
@@ -462,17 +456,17 @@ fn is_hinge(joint: &JointText<'_>) -> bool {
 }
 
 /// Number in the text of a child element; `None` if the element is absent or holds no number.
-fn child_number<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option<f64> {
+fn child_number(node: Node<'_>, tag: &'static str) -> Option<f64> {
     parse_numbers::<1>(&element_text(child(node, tag)?)).ok().map(|[value]| value)
 }
 
 /// Text of an element, without comments.
-fn element_text(node: Node<'_, '_>) -> String {
+fn element_text(node: Node<'_>) -> String {
     node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
 }
 
 /// Boolean value in SDF notation; false, with an error, for another text.
-fn read_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
+fn read_boolean(node: Node<'_>, text: &str, report: &mut Report) -> bool {
     let value = sdf_values::parse_boolean(text);
     if value.is_none() {
         refuse(node, report, || format!("{} is neither true nor false", quoted(text.trim_ascii())));
@@ -482,7 +476,7 @@ fn read_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
 
 /// Parses the N numbers in the text of an element; `None` if invalid.
 fn parse_element_numbers<const N: usize>(
-    node: Node<'_, '_>,
+    node: Node<'_>,
     text: &str,
     report: &mut Report,
 ) -> Option<[f64; N]> {

@@ -1,16 +1,18 @@
 //! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic.
 
+use crate::reading::findings::did_you_mean;
 use crate::reading::limits::UNLIMITED;
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::{
-    optional_numbers, parse_checked_number, parse_numbers, report_missing_attribute, required_numbers,
+    optional_numbers, parse_numbers, report_missing_attribute, required_numbers,
 };
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
-use percuss_mechanism::{JointKind, Severity, near_names};
-use roxmltree::Node;
+use percuss_mechanism::{JointDescription, JointKind, Limits, MimicDescription, Severity, near_names};
+use percuss_spatial::Vector3;
 
 /// Checked `<joint>`: every number is valid.
 pub(crate) struct JointText<'a> {
@@ -18,11 +20,10 @@ pub(crate) struct JointText<'a> {
     pub kind: JointKind,
     pub parent: &'a str,
     pub child: &'a str,
-    pub origin: Origin<'a>,
-    /// Three valid numbers.
-    pub axis: &'a str,
-    /// Lower and upper limit: one valid number each, rad or m.
-    pub limits: Option<[&'a str; 2]>,
+    pub origin: Origin,
+    pub axis: Vector3<f64>,
+    /// rad or m.
+    pub limits: Option<Limits>,
     /// Largest rate, rad/s or m/s. `None` if missing, not positive, or not a finite number; rate limits do not affect effective masses.
     pub rate_limit: Option<f64>,
     /// Empty, one value, or one value per velocity; kg·m² or kg.
@@ -30,6 +31,30 @@ pub(crate) struct JointText<'a> {
     pub mimic: Option<MimicText<'a>>,
     /// Recommended role: `true` to drive the mechanism, `false` to follow; `None` without a recommendation.
     pub independent: Option<bool>,
+}
+
+impl JointText<'_> {
+    /// Description for the builder.
+    pub fn description(&self) -> JointDescription {
+        let mimic = self.mimic.as_ref().map(|text| MimicDescription {
+            joint: text.joint.to_owned(),
+            multiplier: text.multiplier,
+            offset: text.offset,
+        });
+        JointDescription {
+            name: self.name.to_owned(),
+            kind: self.kind,
+            parent: self.parent.to_owned(),
+            child: self.child.to_owned(),
+            origin: self.origin.transform,
+            axis: self.axis,
+            limits: self.limits,
+            rate_limit: self.rate_limit,
+            armature: self.armature.clone(),
+            mimic,
+            independent: self.independent,
+        }
+    }
 }
 
 /// Checked `<mimic>`.
@@ -41,9 +66,9 @@ pub(crate) struct MimicText<'a> {
 }
 
 /// Default axis of URDF.
-const DEFAULT_AXIS: &str = "1 0 0";
+const DEFAULT_AXIS: [f64; 3] = [1.0, 0.0, 0.0];
 
-pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
+pub(crate) fn read_joint<'a>(node: Node<'a>, report: &mut Report) -> JointText<'a> {
     let name = read_name(node, report);
     let kind = read_joint_type(node, report);
     JointText {
@@ -52,7 +77,7 @@ pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) ->
         parent: read_link_name(node, "parent", report),
         child: read_link_name(node, "child", report),
         origin: origin::read_origin(node, report),
-        axis: read_axis(node, kind, report),
+        axis: read_axis(node, kind, report).into(),
         limits: read_limits(node, kind, report),
         rate_limit: child(node, "limit")
             .and_then(|limit| limit.attribute("velocity")?.trim_ascii().parse().ok())
@@ -64,7 +89,7 @@ pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) ->
 }
 
 /// Kind of a joint; `None` if invalid.
-fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
+fn read_joint_type(node: Node<'_>, report: &mut Report) -> Option<JointKind> {
     let names = || JointKind::ALL.map(JointKind::name);
     let Some(text) = node.attribute("type") else {
         report.error("missing-attribute", Place::Element(node), || {
@@ -75,10 +100,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind>
     let kind = JointKind::ALL.into_iter().find(|k| k.name() == text);
     if kind.is_none() {
         report.error("unknown-joint-type", Place::Attribute(node, "type"), || {
-            let guess = near_names(text, names())
-                .first()
-                .map(|n| format!(" (did you mean \"{n}\"?)"))
-                .unwrap_or_default();
+            let guess = did_you_mean(&near_names(text, names()));
             format!("the joint type {} is unknown{guess}; it is one of {}", quoted(text), names().join(", "))
         });
     }
@@ -86,7 +108,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind>
 }
 
 /// True for a recommended driving joint. Upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
-fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
+fn read_independent(node: Node<'_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
     let value = [true, false].into_iter().find(|value| word.eq_ignore_ascii_case(&value.to_string()));
@@ -101,11 +123,7 @@ fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
 /// Warns about a joint that is declared dependent in a file without loops and couplings: the joint moves freely here.
 /// The caller excludes files with loops or couplings, in which the dependence follows from the mobility of the
 /// mechanism.
-pub(crate) fn warn_if_dependence_is_ignored<'a, 'i: 'a>(
-    joint: &JointText<'a>,
-    node: Node<'a, 'i>,
-    report: &mut Report,
-) {
+pub(crate) fn warn_if_dependence_is_ignored<'a>(joint: &JointText<'a>, node: Node<'a>, report: &mut Report) {
     let moves = joint.kind.dofs() > 0;
     if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
         let place = Place::Attribute(node, "independent");
@@ -116,11 +134,7 @@ pub(crate) fn warn_if_dependence_is_ignored<'a, 'i: 'a>(
 }
 
 /// Attribute `link` of a child element; empty if absent.
-pub(crate) fn read_link_name<'a, 'i: 'a>(
-    node: Node<'a, 'i>,
-    tag: &'static str,
-    report: &mut Report,
-) -> &'a str {
+pub(crate) fn read_link_name<'a>(node: Node<'a>, tag: &'static str, report: &mut Report) -> &'a str {
     let Some(element) = child(node, tag) else {
         report.error("missing-element", Place::Element(node), || {
             let parent = node.tag_name().name();
@@ -134,8 +148,8 @@ pub(crate) fn read_link_name<'a, 'i: 'a>(
     })
 }
 
-/// Text of the axis, in the joint frame; the default of URDF if `<axis>` is absent.
-fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
+/// Axis in the joint frame; the default of URDF if `<axis>` is absent.
+fn read_axis(node: Node<'_>, kind: Option<JointKind>, report: &mut Report) -> [f64; 3] {
     match child(node, "axis") {
         Some(axis) if kind == Some(JointKind::Fixed) => {
             let is_valid = axis.attribute("xyz").is_some_and(|text| parse_numbers::<3>(text).is_ok());
@@ -146,11 +160,11 @@ fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &m
             }
             DEFAULT_AXIS
         }
-        Some(axis) => required_numbers::<3>(axis, "xyz", DEFAULT_AXIS, report),
+        Some(axis) => required_numbers(axis, "xyz", DEFAULT_AXIS, report),
         None => {
             if let Some(kind) = kind.filter(|k| k.has_axis()) {
                 report.note("default-axis", Place::Element(node), || {
-                    format!("the {} joint has no <axis>: {DEFAULT_AXIS} is taken, as URDF says", kind.name())
+                    format!("the {} joint has no <axis>: 1 0 0 is taken, as URDF says", kind.name())
                 });
             }
             DEFAULT_AXIS
@@ -158,13 +172,9 @@ fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &m
     }
 }
 
-/// Texts of the lower and upper position limit; a missing one is "0", as in URDF. `None` if both are missing, so that a `<limit>` with only
+/// Lower and upper position limit; a missing one is 0, as in URDF. `None` if both are missing, so that a `<limit>` with only
 /// effort and speed does not fix the joint at zero, or if one is infinite.
-fn read_limits<'a, 'i: 'a>(
-    node: Node<'a, 'i>,
-    kind: Option<JointKind>,
-    report: &mut Report,
-) -> Option<[&'a str; 2]> {
+fn read_limits(node: Node<'_>, kind: Option<JointKind>, report: &mut Report) -> Option<Limits> {
     if kind == Some(JointKind::Fixed) {
         return None;
     }
@@ -187,11 +197,12 @@ fn read_limits<'a, 'i: 'a>(
         });
         return None;
     }
-    Some(["lower", "upper"].map(|name| optional_numbers::<1>(limit, name, "0", report)))
+    let [[lower], [upper]] = ["lower", "upper"].map(|name| optional_numbers(limit, name, [0.0], report));
+    Some(Limits { lower, upper })
 }
 
 /// `None`, with a warning, for a fixed joint.
-fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
+fn read_mimic<'a>(node: Node<'a>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
     if kind == Some(JointKind::Fixed) {
         // Reduced robot models often fix a joint and keep its other elements.
         report.warning("fixed-mimic", Place::Element(node), || {
@@ -203,7 +214,7 @@ fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Repo
         report_missing_attribute(node, "joint", report);
         ""
     });
-    let multiplier = parse_checked_number(optional_numbers::<1>(node, "multiplier", "1", report));
-    let offset = parse_checked_number(optional_numbers::<1>(node, "offset", "0", report));
+    let [multiplier] = optional_numbers(node, "multiplier", [1.0], report);
+    let [offset] = optional_numbers(node, "offset", [0.0], report);
     Some(MimicText { joint, multiplier, offset })
 }

@@ -6,19 +6,19 @@
 use crate::reading::limits::{MAX_COUPLING_SEARCHES, MAX_MIMIC_CHAIN, MIMIC_TOLERANCE};
 use crate::reading::plugins::{joins_links, named_parts, plain_word};
 use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::MimicText;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::survey::{child, children, is_named};
 use crate::urdf::texts::Texts;
 use percuss_mechanism::Severity;
-use roxmltree::Node;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 /// Reads mimics outside the joints, and warns about other loops and couplings. `index`: joints by name; `has_loops`: loops or second
 /// parents hold the links.
-pub(crate) fn read_couplings<'a, 'i: 'a>(
-    robot: Node<'a, 'i>,
+pub(crate) fn read_couplings<'a>(
+    robot: Node<'a>,
     texts: &mut Texts<'a>,
     index: &HashMap<&'a str, usize>,
     has_loops: bool,
@@ -40,8 +40,8 @@ pub(crate) fn read_couplings<'a, 'i: 'a>(
             );
         }
     }
-    let in_gazebo = |plugin: &Node<'a, 'i>| {
-        let holder = |node: &Node<'a, 'i>| is_named(*node, "sensor") || is_named(*node, "gazebo");
+    let in_gazebo = |plugin: &Node<'a>| {
+        let holder = |node: &Node<'a>| is_named(*node, "sensor") || is_named(*node, "gazebo");
         is_named(*plugin, "plugin")
             && plugin.ancestors().find(holder).is_some_and(|holder| is_named(holder, "gazebo"))
     };
@@ -67,9 +67,9 @@ struct CouplingReader<'t, 'a> {
 
 impl<'a> CouplingReader<'_, 'a> {
     /// Reads a mimic plugin, or warns about a plugin that joins links.
-    fn read_plugin<'i: 'a>(
+    fn read_plugin(
         &mut self,
-        plugin: Node<'a, 'i>,
+        plugin: Node<'a>,
         is_known: impl Fn(&str) -> [bool; 2] + Copy,
         report: &mut Report,
     ) {
@@ -121,7 +121,7 @@ impl<'a> CouplingReader<'_, 'a> {
     }
 
     /// Reads the parameters of a mimic in the `<joint>` of a `<ros2_control>`.
-    fn read_controlled_joint<'i: 'a>(&mut self, joint: Node<'a, 'i>, report: &mut Report) {
+    fn read_controlled_joint(&mut self, joint: Node<'a>, report: &mut Report) {
         let name = joint.attribute("name");
         let parameter = |wanted: &str| {
             let mut found = children(joint, "param").filter(|p| p.attribute("name") == Some(wanted));
@@ -151,9 +151,9 @@ impl<'a> CouplingReader<'_, 'a> {
     }
 
     /// Adds a mimic to its joint. Silent if the file states the same relation elsewhere; a warning if it cannot be added.
-    fn add<'i: 'a>(
+    fn add(
         &mut self,
-        place: Node<'a, 'i>,
+        place: Node<'a>,
         follower: Option<&'a str>,
         leader: Option<&'a str>,
         numbers: Numbers,
@@ -242,17 +242,17 @@ impl<'a> CouplingReader<'_, 'a> {
 }
 
 /// Adds a warning about a coupling.
-fn warn(place: Node<'_, '_>, report: &mut Report, message: impl FnOnce() -> String) {
+fn warn(place: Node<'_>, report: &mut Report, message: impl FnOnce() -> String) {
     report.warning("plugin", Place::Element(place), message);
 }
 
 /// Joint that a `<mimic>` follows: an attribute or an element.
-fn leader_of_mimic<'a, 'i: 'a>(mimic: Node<'a, 'i>) -> Option<&'a str> {
+fn leader_of_mimic<'a>(mimic: Node<'a>) -> Option<&'a str> {
     mimic.attribute("joint").or_else(|| child(mimic, "joint")?.text())
 }
 
 /// Multiplier and offset of an SDF `<mimic>`: elements or attributes. SDF: q = multiplier·(leader − reference) + offset.
-fn numbers_of_mimic<'a, 'i: 'a>(mimic: Node<'a, 'i>) -> Numbers {
+fn numbers_of_mimic(mimic: Node<'_>) -> Numbers {
     let value = |name: &'static str, default| {
         mimic.attribute(name).or_else(|| child(mimic, name)?.text()).unwrap_or(default)
     };

@@ -1,14 +1,15 @@
 //! Armatures of joints in a `<transmission>`, in the `<actuator>` of a joint and in a `<gazebo>`; removal of armatures from fixed joints.
 
+use crate::reading::findings::did_you_mean;
 use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report, quoted};
+use crate::reading::xml::Node;
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::survey::{child, children};
 use crate::urdf::references::Suggestions;
 use percuss_mechanism::{JointKind, Severity};
-use roxmltree::Node;
 use std::collections::HashMap;
 
 /// Elements and attributes with the inertia of a rotor, kg·m².
@@ -22,10 +23,10 @@ const REMEDY: &str =
     "give the reflected inertia I·N² as <dynamics armature=\"...\"/> of the joint, or by --armature";
 
 /// Adds the armatures given outside the `<dynamics>` to their joints.
-pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
-    robot: Node<'a, 'i>,
+pub(crate) fn add_transmission_armatures<'a>(
+    robot: Node<'a>,
     joints: &mut [JointText<'a>],
-    nodes: &[Node<'a, 'i>],
+    nodes: &[Node<'a>],
     index: &HashMap<&'a str, usize>,
     suggestions: &mut Suggestions,
     report: &mut Report,
@@ -64,9 +65,9 @@ struct Rotors<'t, 'a> {
 }
 
 impl<'a> Rotors<'_, 'a> {
-    fn read_transmission<'i: 'a>(&mut self, transmission: Node<'a, 'i>, report: &mut Report) {
-        let driven: Vec<Node<'a, 'i>> = children(transmission, "joint").collect();
-        let actuators: Vec<Node<'a, 'i>> = children(transmission, "actuator").collect();
+    fn read_transmission(&mut self, transmission: Node<'a>, report: &mut Report) {
+        let driven: Vec<Node<'a>> = children(transmission, "joint").collect();
+        let actuators: Vec<Node<'a>> = children(transmission, "actuator").collect();
         let mut found = Vec::new();
         for joint in &driven {
             let name = joint.attribute("name").unwrap_or_default();
@@ -74,8 +75,7 @@ impl<'a> Rotors<'_, 'a> {
                 Some(i) => found.push(*i),
                 None => {
                     let near = self.suggestions.similar_names(name, self.joints.iter().map(|j| j.name));
-                    let guess =
-                        near.first().map(|near| format!(" (did you mean \"{near}\"?)")).unwrap_or_default();
+                    let guess = did_you_mean(&near);
                     report.add_once(
                         Severity::Warning,
                         "dangling-armature",
@@ -126,13 +126,7 @@ impl<'a> Rotors<'_, 'a> {
     }
 
     /// Reads the inertia and the ratio of the rotor that drives a joint, from one of the elements.
-    fn read_rotor<'i: 'a>(
-        &mut self,
-        place: Node<'a, 'i>,
-        holders: &[Node<'a, 'i>],
-        joint: usize,
-        report: &mut Report,
-    ) {
+    fn read_rotor(&mut self, place: Node<'a>, holders: &[Node<'a>], joint: usize, report: &mut Report) {
         let read = |tags: &[&'static str]| -> Vec<&'a str> {
             holders.iter().flat_map(|holder| tags.iter().flat_map(|tag| values(*holder, tag))).collect()
         };
@@ -205,7 +199,7 @@ impl<'a> Rotors<'_, 'a> {
     }
 
     /// Sets the armature of a joint without one; a different value of a joint that has one is ignored with a warning.
-    fn set(&mut self, joint: usize, value: f64, place: Node<'_, '_>, report: &mut Report) {
+    fn set(&mut self, joint: usize, value: f64, place: Node<'_>, report: &mut Report) {
         let joint = &mut self.joints[joint];
         match joint.armature[..] {
             [] if joint.kind.dofs() == 1 => {
@@ -229,12 +223,12 @@ impl<'a> Rotors<'_, 'a> {
 }
 
 /// True for an element with a rotor inertia of Drake, which `armature.rs` reads.
-fn has_drake_rotor<'a, 'i: 'a>(actuator: Node<'a, 'i>) -> bool {
+fn has_drake_rotor(actuator: Node<'_>) -> bool {
     child(actuator, "drake:rotor_inertia").is_some()
 }
 
 /// Texts of the child elements and of the attribute with a name: the text of an element, or its attribute `value`.
-fn values<'a, 'i: 'a>(holder: Node<'a, 'i>, tag: &'static str) -> Vec<&'a str> {
+fn values<'a>(holder: Node<'a>, tag: &'static str) -> Vec<&'a str> {
     let elements =
         children(holder, tag).map(|n| n.attribute("value").or_else(|| n.text()).unwrap_or_default());
     elements.chain(holder.attribute(tag)).map(str::trim_ascii).collect()
@@ -250,7 +244,7 @@ fn single_number(texts: &[&str], default: f64) -> Option<f64> {
 }
 
 /// Drops the armature of a fixed joint, which has no velocity.
-pub(crate) fn drop_fixed_joint_armature(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn drop_fixed_joint_armature(joint: &mut JointText<'_>, node: Node<'_>, report: &mut Report) {
     if joint.kind == JointKind::Fixed && !joint.armature.is_empty() {
         if joint.armature.iter().any(|a| *a != 0.0) {
             report.warning("fixed-armature", Place::Element(node), || {

@@ -1,4 +1,0 @@
-//! Shapes of links, and their extent.
-
-pub(crate) mod geometry;
-pub(crate) mod shape;
