@@ -35,6 +35,7 @@ mod hull;
 mod load;
 mod meshes;
 mod mjcf;
+mod parts;
 mod qpos;
 mod sdf;
 mod shape;

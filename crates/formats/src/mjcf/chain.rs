@@ -5,6 +5,7 @@ use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType};
 use crate::mjcf::relations::actuator::TendonRotor;
 use crate::mjcf::relations::joint_relations::{JointRelations, JointSum, Relation};
 use crate::mjcf::relations::references::JointKey;
+use crate::parts::{LinkOrigin, Parts};
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::unique_names::UniqueNames;
 use percuss_mechanism::{
@@ -17,18 +18,11 @@ use std::collections::HashMap;
 /// Links and joints of a model with their elements.
 #[derive(Debug, Default)]
 pub(crate) struct Chains {
-    pub links: Vec<LinkDescription>,
-    pub link_elements: Vec<ElementId>,
-    /// True for a massless link within a body.
-    pub is_auxiliary: Vec<bool>,
-    pub joints: Vec<JointDescription>,
-    pub joint_elements: Vec<ElementId>,
+    pub parts: Parts,
     /// Name of the link of every body.
     pub link_names: Vec<String>,
     /// Name of every joint of a body.
     pub joint_names: HashMap<JointKey, String>,
-    /// Relations of joint positions, with their elements.
-    pub relations: Vec<(ElementId, RelationDescription)>,
 }
 
 /// Converts the bodies to links and joints. `inertias` and `extents`: inertia and extent of each body.
@@ -45,8 +39,7 @@ pub(crate) fn build_chains(
     let named = bodies.bodies.iter().map(|body| body.name.as_str()).filter(|name| !name.is_empty());
     link_names.reserve(named);
     joint_names.reserve(bodies.joint_by_name.keys().map(String::as_str));
-    let mut builder =
-        ChainBuilder { chains: Chains::default(), link_names, joint_names, joints: HashMap::new() };
+    let mut builder = ChainBuilder { chains: Chains::default(), link_names, joint_names };
     for (index, body) in bodies.bodies.iter().enumerate() {
         let name = match body.name.as_str() {
             "" => builder.link_names.take(format!("body{index}")),
@@ -60,14 +53,14 @@ pub(crate) fn build_chains(
         if index > 0 {
             builder.add_joints(index, body, relations);
         }
-        builder.add_link(link, body.element, false);
+        let origin = LinkOrigin { element: body.element, link: Some(index), has_default_inertia: false };
+        builder.chains.parts.links.push((link, origin));
     }
     rotors.iter().for_each(|rotor| builder.add_rotor(rotor, relations));
     for (element, sum) in sums {
         let described = builder.describe_sum(sum);
-        builder.chains.relations.push((element, described));
+        builder.chains.parts.relations.push((described, element));
     }
-    builder.chains.joint_names = builder.joints;
     builder.chains
 }
 
@@ -75,8 +68,6 @@ struct ChainBuilder {
     chains: Chains,
     link_names: UniqueNames,
     joint_names: UniqueNames,
-    /// Name of every joint.
-    joints: HashMap<JointKey, String>,
 }
 
 impl ChainBuilder {
@@ -88,20 +79,9 @@ impl ChainBuilder {
                     "" => self.joint_names.take(format!("{}_joint", self.chains.link_names[index])),
                     name => name.to_owned(),
                 };
-                self.joints.insert((index, position), name);
+                self.chains.joint_names.insert((index, position), name);
             }
         }
-    }
-
-    fn add_link(&mut self, link: LinkDescription, element: ElementId, is_auxiliary: bool) {
-        self.chains.links.push(link);
-        self.chains.link_elements.push(element);
-        self.chains.is_auxiliary.push(is_auxiliary);
-    }
-
-    fn add_joint(&mut self, joint: JointDescription, element: ElementId) {
-        self.chains.joints.push(joint);
-        self.chains.joint_elements.push(element);
     }
 
     /// Adds the joints of a body, from the parent to the body, with massless links between them.
@@ -117,7 +97,7 @@ impl ChainBuilder {
             let own_anchor = needed_anchor(joint);
             origin = origin * Transform::from_translation(own_anchor - anchor);
             anchor = own_anchor;
-            let joint_name = self.joints[&(index, position)].clone();
+            let joint_name = self.chains.joint_names[&(index, position)].clone();
             let is_last = position + 1 == body.joints.len() && anchor == Vector3::zeros();
             let child = if is_last {
                 body_name.clone()
@@ -127,17 +107,18 @@ impl ChainBuilder {
             let relation = relations.get((index, position));
             let joint_element = joint.element;
             let described = self.describe(joint, &joint_name, relation, (&parent, &child), origin);
-            self.add_joint(described, joint_element);
+            self.chains.parts.joints.push((described, joint_element));
             if is_last {
                 return;
             }
-            self.add_link(LinkDescription::massless(child.clone()), joint_element, true);
+            self.chains.parts.add_auxiliary(child.clone(), joint_element);
             parent = child;
             origin = Transform::identity();
         }
         let name = self.joint_names.take(format!("{body_name}_fixed"));
         let fixed = JointDescription::new(name, JointKind::Fixed, parent, body_name);
-        self.add_joint(fixed.origin(origin * Transform::from_translation(-anchor)), body.element);
+        let fixed = fixed.origin(origin * Transform::from_translation(-anchor));
+        self.chains.parts.joints.push((fixed, body.element));
     }
 
     /// Adds the rotor of a tendon: a massless link on a slide with the armature, which follows the sum of the tendon's joints.
@@ -148,8 +129,8 @@ impl ChainBuilder {
         let world = self.chains.link_names[0].clone();
         let slide = JointDescription::new(joint.clone(), JointKind::Prismatic, world, link.clone());
         let slide = JointDescription { independent: Some(false), ..slide.armature(rotor.armature) };
-        self.add_joint(slide, rotor.element);
-        self.add_link(LinkDescription::massless(link), rotor.element, true);
+        self.chains.parts.joints.push((slide, rotor.element));
+        self.chains.parts.add_auxiliary(link, rotor.element);
         let mut sum = JointSum { terms: rotor.terms.clone(), ..JointSum::default() };
         relations.take_locked(&mut sum.terms);
         // The length is 0 as drawn; there the mimics are at their offsets.
@@ -166,15 +147,14 @@ impl ChainBuilder {
         described.terms.iter_mut().for_each(|(_, factor)| *factor = -*factor);
         described.terms.insert(0, (joint, 1.0));
         // The length counts from the drawing: a constant has no effect on rates.
-        self.chains
-            .relations
-            .push((rotor.element, RelationDescription { name: format!("{tendon}/length"), ..described }));
+        described.name = format!("{tendon}/length");
+        self.chains.parts.relations.push((described, rotor.element));
     }
 
     /// Relation with the names of the joints; its own name is empty.
     fn describe_sum(&self, sum: JointSum) -> RelationDescription {
         let named = |terms: Vec<(JointKey, f64)>| {
-            terms.into_iter().map(|(key, factor)| (self.joints[&key].clone(), factor)).collect()
+            terms.into_iter().map(|(key, factor)| (self.chains.joint_names[&key].clone(), factor)).collect()
         };
         RelationDescription {
             name: String::new(),
@@ -216,7 +196,7 @@ impl ChainBuilder {
         }
         let mimic = match relation {
             Some(Relation::Mimic { master, multiplier, offset }) => {
-                Some(MimicDescription { joint: self.joints[&master].clone(), multiplier, offset })
+                Some(MimicDescription { joint: self.chains.joint_names[&master].clone(), multiplier, offset })
             }
             _ => None,
         };

@@ -1,6 +1,5 @@
 //! Construction of a mechanism from a model in MJCF.
 
-use crate::hull::build_with_shapes;
 use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
@@ -8,15 +7,16 @@ use crate::mjcf::bodies::mesh::Meshes;
 use crate::mjcf::bodies::walk::read_bodies;
 use crate::mjcf::chain::{Chains, build_chains};
 use crate::mjcf::document::attach::attach_models;
-use crate::mjcf::document::check::check_grammar;
+use crate::mjcf::document::check::check_element;
 use crate::mjcf::document::files::{AttachedModel, read_files};
+use crate::mjcf::document::grammar::ROOT;
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
 use crate::mjcf::relations::keyframe::{qpos_layout, read_keyframes};
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementTree;
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
 use crate::reading::report::{Report, cut};
@@ -25,8 +25,7 @@ use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, SharedFiles, Source};
 use percuss_mechanism::{
-    ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
-    MechanismBuilder, Problem, RelationDescription, Subject,
+    ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Problem, Subject,
 };
 use percuss_spatial::Vector3;
 use std::collections::HashSet;
@@ -42,7 +41,7 @@ pub(crate) fn load_text(
     // After an error of a file the tree may be empty.
     if !files.reports.iter().any(Report::has_errors) {
         let mut findings = Findings::new(&files.tree, files.reports);
-        models.iter().for_each(|model| check_grammar(model.root, &mut findings));
+        models.iter().for_each(|model| check_element(model.root, &ROOT, &mut findings));
         files.reports = findings.into_reports();
         if !files.reports.iter().any(Report::has_errors) {
             attach_models(&mut files, &models);
@@ -101,81 +100,63 @@ fn read_model(
             return None;
         }
     };
-    let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
+    let mut chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
+    name_relations(closures, &mut chains, tree);
+    chains.parts.contacts = named_contacts(tree, &bodies, &chains);
+    let parts = &chains.parts;
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
-    let of_links = chains
-        .is_auxiliary
-        .iter()
-        .map(|is_auxiliary| if *is_auxiliary { None } else { of_bodies.next() }.unwrap_or_default());
-    let (shapes, is_whole): (Vec<Vec<Shape>>, Vec<bool>) = of_links.unzip();
-    let hulls = (&shapes[..], &is_whole[..]);
-    let mechanism = build_mechanism(&bodies, (&chains, &closures), hulls, options, findings)?;
+    let of_links = parts.links.iter().map(|(_, origin)| origin.link.and_then(|_| of_bodies.next()));
+    let (shapes, is_whole): (Vec<Vec<Shape>>, Vec<bool>) = of_links.map(Option::unwrap_or_default).unzip();
+    let name = cut(tree.attribute(tree.root(), "model").unwrap_or("MuJoCo Model"), LONGEST_NAME);
+    // A geom without a counterpart among the shapes may contain the mass.
+    let whole = |link: usize, own| Vec::from_iter(<[Shape]>::iter(own).filter(|_| is_whole[link]));
+    let is_auxiliary = |link: usize| parts.links.get(link).is_some_and(|(_, origin)| origin.link.is_none());
+    let place = |element, subject: &Subject, problem: &Problem| match (subject, problem) {
+        // The links within a body are massless, and so is a link without geoms in MJCF.
+        (Subject::Link { index, .. }, Problem::Massless) if is_auxiliary(*index) => None,
+        // MJCF normalises every axis.
+        (_, Problem::AxisNotUnit { .. }) => None,
+        (
+            Subject::Link { name, .. },
+            Problem::NegativeMass { .. }
+            | Problem::IndefiniteInertia { .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. }
+            | Problem::InertiaBeyondShape { .. }
+            | Problem::ComBeyondShape { .. }
+            | Problem::InertiaWithoutMass { .. },
+        ) => {
+            let body = bodies.body_by_name.get(name).map(|body| &bodies.bodies[*body]);
+            Some(body.map_or(element, inertia_element))
+        }
+        _ => Some(element),
+    };
+    let mechanism = parts.build(name, options.accept, (&shapes, whole), place, findings)?;
     let qpos = qpos_layout(tree, &bodies, &chains, &mechanism);
     let poses = read_keyframes(&qpos, findings);
     Some(Loaded { poses, qpos: Some(qpos), files: meshes.opened, ..Loaded::new(mechanism, shapes) })
 }
 
-/// Builds the mechanism; findings of the builder get the positions of their elements. `is_whole`: true for a link
-/// all of whose geoms are among its shapes.
-fn build_mechanism(
-    bodies: &Bodies,
-    (chains, closures): (&Chains, &[BodyClosure]),
-    (shapes, is_whole): (&[Vec<Shape>], &[bool]),
-    options: &LoadOptions,
-    findings: &mut Findings<'_>,
-) -> Option<Mechanism> {
-    let tree = findings.tree;
-    let name = cut(tree.attribute(tree.root(), "model").unwrap_or("MuJoCo Model"), LONGEST_NAME);
-    let mut builder = MechanismBuilder::new(name);
-    builder = chains.links.iter().cloned().fold(builder, MechanismBuilder::link);
-    builder = chains.joints.iter().cloned().fold(builder, MechanismBuilder::joint);
+/// Adds the closures to the parts, and gives all closures and relations a name.
+fn name_relations(closures: Vec<BodyClosure>, chains: &mut Chains, tree: &ElementTree) {
     let mut names = UniqueNames::default();
     names.reserve(closures.iter().map(|closure| closure.name.as_str()).filter(|name| !name.is_empty()));
-    for closure in closures {
-        let name = match closure.name.as_str() {
-            "" => names.take(tree.tag(closure.element).to_owned()),
-            name => name.to_owned(),
-        };
-        let [(first, first_frame), (second, second_frame)] = closure.ends;
-        let (first, second) = (&chains.link_names[first], &chains.link_names[second]);
-        builder = builder.closure(ClosureDescription {
-            predecessor_frame: first_frame,
-            successor_frame: second_frame,
-            distance: closure.distance,
-            ..ClosureDescription::new(name, closure.kind, first, second)
-        });
+    for BodyClosure { element, name, kind, ends, distance } in closures {
+        let name = if name.is_empty() { names.take(tree.tag(element).to_owned()) } else { name };
+        let [(first, predecessor_frame), (second, successor_frame)] = ends;
+        let [first, second] = [first, second].map(|body| &chains.link_names[body]);
+        let description = ClosureDescription::new(name, kind, first, second);
+        let description = ClosureDescription { predecessor_frame, successor_frame, distance, ..description };
+        chains.parts.closures.push((description, element));
     }
-    for (element, relation) in &chains.relations {
+    for (relation, element) in &mut chains.parts.relations {
         let own = tree.attribute(*element, "name").unwrap_or_default();
-        let name = match (relation.name.as_str(), own) {
-            ("", "") => names.take(tree.tag(*element).to_owned()),
-            ("", own) => names.take(own.to_owned()),
-            (name, _) => names.take(name.to_owned()),
-        };
-        builder = builder.relation(RelationDescription { name, ..relation.clone() });
+        let given = [relation.name.as_str(), own, tree.tag(*element)];
+        let name = given.into_iter().find(|name| !name.is_empty()).unwrap_or_default();
+        relation.name = names.take(name.to_owned());
     }
-    builder = named_contacts(tree, bodies, chains).into_iter().fold(builder, MechanismBuilder::contact);
-    // A geom without a counterpart among the shapes may contain the mass.
-    let (mechanism, found) = build_with_shapes(builder, options.accept, shapes, |link, own| {
-        own.iter().filter(|_| is_whole[link]).collect()
-    });
-    for (subject, problem) in found {
-        let is_expected = match (&subject, &problem) {
-            // The links within a body are massless, and so is a link without geoms in MJCF.
-            (Subject::Link { index, .. }, Problem::Massless) => {
-                chains.is_auxiliary.get(*index) == Some(&true)
-            }
-            // MJCF normalises every axis.
-            (_, Problem::AxisNotUnit { .. }) => true,
-            _ => false,
-        };
-        if !is_expected {
-            let element = locate(tree, bodies, chains, closures, &subject, &problem);
-            findings.add(problem.severity(), problem.code(), element, || problem.to_string());
-        }
-    }
-    mechanism
 }
 
 /// Sites of moving bodies as contacts with the world, without those of constraints and tendons. The normal is the z-axis of the site
@@ -207,40 +188,6 @@ fn named_contacts(tree: &ElementTree, bodies: &Bodies, chains: &Chains) -> Vec<C
     contacts.sort_by(|a, b| a.name.cmp(&b.name));
     contacts.truncate(MAX_ELEMENTS_PER_KIND);
     contacts
-}
-
-/// Element of a finding of the builder.
-fn locate(
-    tree: &ElementTree,
-    bodies: &Bodies,
-    chains: &Chains,
-    closures: &[BodyClosure],
-    subject: &Subject,
-    problem: &Problem,
-) -> ElementId {
-    let of_inertia = matches!(
-        problem,
-        Problem::NegativeMass { .. }
-            | Problem::IndefiniteInertia { .. }
-            | Problem::TriangleInequality { .. }
-            | Problem::WideInertia { .. }
-            | Problem::DenseInertia { .. }
-            | Problem::InertiaBeyondShape { .. }
-            | Problem::ComBeyondShape { .. }
-            | Problem::InertiaWithoutMass { .. }
-    );
-    let found = match subject {
-        Subject::Link { index, name } if of_inertia => {
-            let body = bodies.body_by_name.get(name).map(|body| inertia_element(&bodies.bodies[*body]));
-            body.or_else(|| chains.link_elements.get(*index).copied())
-        }
-        Subject::Link { index, .. } => chains.link_elements.get(*index).copied(),
-        Subject::Joint { index, .. } => chains.joint_elements.get(*index).copied(),
-        Subject::Closure { index, .. } => closures.get(*index).map(|closure| closure.element),
-        Subject::Coupling { index, .. } => chains.relations.get(*index).map(|(element, _)| *element),
-        Subject::Mechanism | Subject::Contact { .. } => None,
-    };
-    found.unwrap_or_else(|| tree.root())
 }
 
 /// Shapes of a body: collision shapes first, then visual shapes.

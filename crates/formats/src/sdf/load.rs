@@ -1,6 +1,7 @@
 //! Construction of a mechanism from a model in SDFormat.
 
-use crate::hull::{build_with_shapes, collision_shapes};
+use crate::hull::collision_shapes;
+use crate::parts::Parts;
 use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::LONGEST_NAME;
@@ -10,11 +11,10 @@ use crate::sdf::elements::selection::select_model;
 use crate::sdf::frames::poses::resolve_poses;
 use crate::sdf::frames::walk::{collect_scopes, model_name};
 use crate::sdf::tree::assembly::assemble;
-use crate::sdf::tree::parts::Parts;
 use crate::shape::Shape;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, Source};
-use percuss_mechanism::{Mechanism, MechanismBuilder, Problem, Subject};
+use percuss_mechanism::{Problem, Subject};
 
 /// Reads a model. `text`: the decoded text of `source`; `report`: findings about its bytes. The name `FILE#MODEL` selects a model of the
 /// file.
@@ -47,75 +47,49 @@ fn read_model(wanted: Option<&str>, options: &LoadOptions, findings: &mut Findin
         None => Vec::new(),
     });
     let shapes: Vec<Vec<Shape>> = of_links.collect();
-    let name = model_name(findings.tree, selected.model);
-    let mechanism = build_mechanism(name, &parts, &shapes, options, findings)?;
+    let tree = findings.tree;
+    let name = model_name(tree, selected.model);
+    let mechanism = parts.build(
+        cut(name, LONGEST_NAME),
+        options.accept,
+        (&shapes, |_, own| collision_shapes(own)),
+        |element, subject, problem| locate(tree, &parts, element, subject, problem),
+        findings,
+    )?;
     Some(Loaded::new(mechanism, shapes))
 }
 
-/// Builds the mechanism; findings of the builder get the positions of their elements.
-fn build_mechanism(
-    name: &str,
+/// Element of a finding of the builder, given the element of its part; `None` for a finding that has another message, or that SDFormat
+/// does not have.
+fn locate(
+    tree: &ElementTree,
     parts: &Parts,
-    shapes: &[Vec<Shape>],
-    options: &LoadOptions,
-    findings: &mut Findings<'_>,
-) -> Option<Mechanism> {
-    let mut builder = MechanismBuilder::new(cut(name, LONGEST_NAME));
-    builder = parts.links.iter().map(|(link, _)| link.clone()).fold(builder, MechanismBuilder::link);
-    builder = parts.joints.iter().map(|(joint, _)| joint.clone()).fold(builder, MechanismBuilder::joint);
-    builder =
-        parts.closures.iter().map(|(closure, _)| closure.clone()).fold(builder, MechanismBuilder::closure);
-    builder = parts
-        .couplings
-        .iter()
-        .map(|(coupling, _)| coupling.clone())
-        .fold(builder, MechanismBuilder::coupling);
-    let (mechanism, found) =
-        build_with_shapes(builder, options.accept, shapes, |_, own| collision_shapes(own));
-    for (subject, problem) in found {
-        if !is_expected(parts, &subject, &problem) {
-            let element = locate(findings.tree, parts, &subject, &problem);
-            findings.add(problem.severity(), problem.code(), element, || problem.to_string());
-        }
-    }
-    mechanism
-}
-
-/// True for a finding of the builder that has another message, or that SDFormat does not have.
-fn is_expected(parts: &Parts, subject: &Subject, problem: &Problem) -> bool {
-    match (subject, problem) {
+    element: ElementId,
+    subject: &Subject,
+    problem: &Problem,
+) -> Option<ElementId> {
+    let origin = match subject {
+        Subject::Link { index, .. } => parts.links.get(*index).map(|(_, origin)| origin),
+        _ => None,
+    };
+    let has_default_inertia = origin.is_some_and(|origin| origin.has_default_inertia);
+    let within: &[&str] = match problem {
         // Frames, the ground and the links of chains have no mass.
-        (Subject::Link { index, .. }, Problem::Massless) => {
-            parts.links.get(*index).is_some_and(|(_, origin)| origin.link.is_none())
-        }
+        Problem::Massless if origin.is_some_and(|origin| origin.link.is_none()) => return None,
         // The missing inertia is reported.
-        (
-            Subject::Link { index, .. },
-            Problem::WideInertia { .. }
-            | Problem::DenseInertia { .. }
-            | Problem::InertiaBeyondShape { .. }
-            | Problem::ComBeyondShape { .. },
-        ) => parts.links.get(*index).is_some_and(|(_, origin)| origin.has_default_inertia),
-        (Subject::Mechanism, Problem::EqualInertias { .. }) => {
-            parts.links.iter().any(|(_, origin)| origin.has_default_inertia)
+        Problem::WideInertia { .. }
+        | Problem::DenseInertia { .. }
+        | Problem::InertiaBeyondShape { .. }
+        | Problem::ComBeyondShape { .. }
+            if has_default_inertia =>
+        {
+            return None;
+        }
+        Problem::EqualInertias { .. } if parts.links.iter().any(|(_, origin)| origin.has_default_inertia) => {
+            return None;
         }
         // SDFormat normalises every axis.
-        (_, Problem::AxisNotUnit { .. }) => true,
-        _ => false,
-    }
-}
-
-/// Element of a finding of the builder.
-fn locate(tree: &ElementTree, parts: &Parts, subject: &Subject, problem: &Problem) -> ElementId {
-    let element = match subject {
-        Subject::Link { index, .. } => parts.links.get(*index).map(|(_, origin)| origin.element),
-        Subject::Joint { index, .. } => parts.joints.get(*index).map(|(_, element)| *element),
-        Subject::Closure { index, .. } => parts.closures.get(*index).map(|(_, element)| *element),
-        Subject::Coupling { index, .. } => parts.couplings.get(*index).map(|(_, element)| *element),
-        Subject::Mechanism | Subject::Contact { .. } => None,
-    };
-    let element = element.unwrap_or_else(|| tree.root());
-    let within: &[&str] = match problem {
+        Problem::AxisNotUnit { .. } => return None,
         Problem::NegativeMass { .. } | Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
         Problem::IndefiniteInertia { .. }
         | Problem::TriangleInequality { .. }
@@ -126,5 +100,5 @@ fn locate(tree: &ElementTree, parts: &Parts, subject: &Subject, problem: &Proble
         Problem::LimitsReversed { .. } => &["axis", "limit"],
         _ => &[],
     };
-    within.iter().try_fold(element, |element, tag| tree.child(element, tag)).unwrap_or(element)
+    within.iter().try_fold(element, |element, tag| tree.child(element, tag)).or(Some(element))
 }

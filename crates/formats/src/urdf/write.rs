@@ -4,7 +4,7 @@ use crate::shape::{Shape, Solid};
 use crate::writing::changes::{Change, ModelText, changed_names, lost_poses, lost_shape};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{
-    append, escape_attribute, escape_comment, format_number, format_vector, scale_text,
+    append, escape_attribute, escape_comment, format_number, format_numbers, format_vector, scale_text,
 };
 use percuss_mechanism::{
     Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio,
@@ -200,8 +200,8 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     }
     if has_armature(joint) {
         // urdfdom refuses the element without damping and friction.
-        let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();
-        append!(out, "    <dynamics damping=\"0\" friction=\"0\" armature=\"{}\"/>\n", values.join(" "));
+        let values = format_numbers(joint.armature());
+        append!(out, "    <dynamics damping=\"0\" friction=\"0\" armature=\"{values}\"/>\n");
     }
     if let Some(mimic) = joint.mimic() {
         let master = escape_attribute(mechanism.joint(mimic.master).name());

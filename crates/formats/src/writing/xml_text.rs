@@ -24,7 +24,12 @@ pub(crate) use append;
 
 /// Three numbers with spaces between.
 pub(crate) fn format_vector(v: &Vector3<f64>) -> String {
-    format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
+    format_numbers(v.as_slice())
+}
+
+/// Numbers with spaces between.
+pub(crate) fn format_numbers(values: &[f64]) -> String {
+    values.iter().map(|x| format_number(*x)).collect::<Vec<_>>().join(" ")
 }
 
 /// The scale factors of a mesh in `before` and `after`; nothing if all are 1.

@@ -272,15 +272,8 @@ impl Attacher<'_> {
                 },
                 offset: attribute.offset,
             });
-            let copied = Element {
-                tag: element.tag.clone(),
-                attributes: attributes.collect(),
-                children: Vec::new(),
-                text: String::new(),
-                parent: Some(parent),
-                file: element.file,
-                offset: element.offset,
-            };
+            let copied = Element::empty(element.tag.clone(), Some(parent), element.file, element.offset);
+            let copied = Element { attributes: attributes.collect(), ..copied };
             let children = element.children.clone();
             let id = self.tree.append(copied);
             if self.expanded.contains(&source) {
@@ -332,16 +325,7 @@ impl Attacher<'_> {
                 continue;
             }
             let (file, offset) = (self.tree.element(cause).file, self.tree.element(cause).offset);
-            let holder = Element {
-                tag: section.to_owned(),
-                attributes: Vec::new(),
-                children: Vec::new(),
-                text: String::new(),
-                parent: Some(target),
-                file,
-                offset,
-            };
-            let holder = self.tree.append(holder);
+            let holder = self.tree.append(Element::empty(section.to_owned(), Some(target), file, offset));
             for element in chosen {
                 let copy = self.copy(element, holder, prefix, cause)?;
                 if section == "asset" {

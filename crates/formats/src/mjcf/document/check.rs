@@ -1,19 +1,13 @@
 //! Comparison of a model with the grammar.
 
-use crate::mjcf::document::grammar::ROOT;
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
-/// Applies the treatments of the grammar to all elements of a model.
-pub(crate) fn check_grammar(root: ElementId, findings: &mut Findings<'_>) {
-    check_element(root, &ROOT, findings);
-}
-
 /// Applies the treatments to an element, its attributes and its descendants.
-fn check_element(id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
+pub(crate) fn check_element(id: ElementId, rule: &'static ElementRule, findings: &mut Findings<'_>) {
     let tree = findings.tree;
     let tag = tree.tag(id);
     match rule.treatment.finding("") {
@@ -67,7 +61,7 @@ fn check_attributes(id: ElementId, rule: &'static ElementRule, findings: &mut Fi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mjcf::document::grammar::IN_BODY;
+    use crate::mjcf::document::grammar::{IN_BODY, ROOT};
 
     /// Rule of an element by its path below the root; `None` if it is unknown, and `Some(None)` below an element whose children are not
     /// examined.

@@ -88,7 +88,7 @@ pub(crate) fn qpos_layout(
         .map(|joint| (joint.name.as_str(), (joint.qpos.start, joint.reference)))
         .collect();
     let mut lengths = Vec::new();
-    for (_, relation) in &chains.relations {
+    for (relation, _) in &chains.parts.relations {
         if let [(length, factor), terms @ ..] = &relation.terms[..]
             && relation.curve.is_none()
             && !single.contains_key(length.as_str())

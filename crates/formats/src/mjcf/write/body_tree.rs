@@ -5,7 +5,7 @@ use super::moments::{LEAST_INERTIA, balance_moments, check_moments, raise_moment
 use super::rotors::{Rotor, rotor_inertial};
 use crate::writing::changes::Change;
 use crate::writing::structure::{drawn_poses, held_links, immovable_links, is_massless};
-use crate::writing::xml_text::{append, escape_attribute, format_number, format_vector};
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_numbers, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, Limits, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
@@ -43,7 +43,7 @@ pub(super) struct BodyTree<'m> {
     /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
     halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
-    root_is_world: bool,
+    pub root_is_world: bool,
     /// The only joint whose limits are written, with their attributes; `None` for the limits of all joints.
     only_limit: Option<(JointId, String)>,
 }
@@ -214,11 +214,6 @@ impl<'m> BodyTree<'m> {
         let number = self.mechanism.closures().iter().position(|other| other.name() == closure.name());
         let holder = link.filter(|link| !self.is_world(*link));
         self.halves.extend(number.map(|number| (holder, number)));
-    }
-
-    /// True if the root link is the world of MuJoCo.
-    pub fn has_world_root(&self) -> bool {
-        self.root_is_world
     }
 
     /// True if the link is the world of MuJoCo.
@@ -432,8 +427,8 @@ pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
     );
     let principal = i.symmetric_eigen();
     if principal.eigenvalues.min() > LEAST_DECOMPOSED.max(THIN_ROD * principal.eigenvalues.max()) {
-        let moments = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| format_number(i[at]));
-        return format!("{head} fullinertia=\"{}\"/>", moments.join(" "));
+        let moments = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| i[at]);
+        return format!("{head} fullinertia=\"{}\"/>", format_numbers(&moments));
     }
     let mut axes = principal.eigenvectors;
     if axes.determinant() < 0.0 {
@@ -451,8 +446,7 @@ pub(super) fn pose_attributes(pose: &Transform<f64>) -> String {
     }
     if pose.rotation != Matrix3::identity() {
         let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
-        let parts = [q.w, q.i, q.j, q.k].map(format_number);
-        append!(text, " quat=\"{}\"", parts.join(" "));
+        append!(text, " quat=\"{}\"", format_numbers(&[q.w, q.i, q.j, q.k]));
     }
     text
 }

@@ -10,7 +10,7 @@ pub(super) fn form_changes(tree: &BodyTree<'_>) -> Vec<Change> {
     let mechanism = tree.mechanism;
     let mut changes = Vec::new();
     let root = mechanism.link(mechanism.root()).name();
-    if !tree.has_world_root() {
+    if !tree.root_is_world {
         let what = "a body fixed to the world";
         changes.push(Change::changed("link", root, what, "the root of MJCF is the world"));
     }

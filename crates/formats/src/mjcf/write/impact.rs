@@ -4,7 +4,7 @@ use super::body_tree::{BodyTree, pose_attributes};
 use super::error::MjcfError;
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::writing::state::MechanismState;
-use crate::writing::xml_text::{append, format_number, format_vector};
+use crate::writing::xml_text::{append, format_number, format_numbers, format_vector};
 use percuss_mechanism::{JointId, JointKind, LinkId};
 use percuss_spatial::{Transform, Vector3};
 
@@ -78,8 +78,8 @@ impl MjcfImpact {
                     " range=\"{} {}\" solreflimit=\"{}\" solimplimit=\"{}\"",
                     format_number(*lower),
                     format_number(*upper),
-                    list(&self.solref),
-                    list(&self.solimp)
+                    format_numbers(&self.solref),
+                    format_numbers(&self.solimp)
                 );
                 tree.limit_only(*joint, attributes);
                 Ok(())
@@ -123,8 +123,7 @@ impl MjcfImpact {
         // The face is the side of the box towards the contact link.
         let face = Transform::new(rotation, centre + surfaces.normal * (surfaces.radius + depth));
         let holder = other.map_or_else(Transform::identity, |link| poses[link.index()]);
-        let extent = format_number(surfaces.extent);
-        let size = [&extent, &extent, &format_number(surfaces.radius)].map(String::as_str).join(" ");
+        let size = format_numbers(&[surfaces.extent, surfaces.extent, surfaces.radius]);
         let line = format!(
             "<geom name=\"{NAME}/face\" type=\"{kind}\" size=\"{size}\"{} {attributes}/>\n",
             pose_attributes(&(holder.inverse() * face))
@@ -147,8 +146,8 @@ impl MjcfImpact {
             append!(
                 out,
                 "  <default>\n    <equality solref=\"{}\" solimp=\"{}\"/>\n  </default>\n",
-                list(solref),
-                list(solimp)
+                format_numbers(solref),
+                format_numbers(solimp)
             );
         }
         append!(
@@ -165,8 +164,8 @@ impl MjcfImpact {
             ImpactContact::Surfaces(_) => format!(
                 "  <contact>\n    <pair name=\"{NAME}\" geom1=\"{NAME}/point\" geom2=\"{NAME}/face\" condim=\"1\" solref=\"{}\" \
                  solimp=\"{}\"/>\n  </contact>\n",
-                list(&self.solref),
-                list(&self.solimp)
+                format_numbers(&self.solref),
+                format_numbers(&self.solimp)
             ),
             ImpactContact::Limit { .. } => String::new(),
         }
@@ -184,9 +183,4 @@ fn moving_link(tree: &BodyTree<'_>, mut link: LinkId) -> LinkId {
         link = joint.parent();
     }
     link
-}
-
-/// Numbers separated by spaces.
-fn list(values: &[f64]) -> String {
-    values.iter().map(|x| format_number(*x)).collect::<Vec<_>>().join(" ")
 }

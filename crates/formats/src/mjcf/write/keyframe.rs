@@ -4,7 +4,7 @@ use super::body_tree::{BodyTree, Coordinates};
 use super::closures::{Half, half_of};
 use super::error::MjcfError;
 use crate::writing::state::MechanismState;
-use crate::writing::xml_text::format_number;
+use crate::writing::xml_text::format_numbers;
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Matrix3, Vector3, plane_basis};
@@ -117,8 +117,8 @@ impl Keyframe {
 
     /// Element `<key>`.
     pub fn element(&self, name: &str) -> String {
-        let list = |values: &[f64]| values.iter().map(|x| format_number(*x)).collect::<Vec<_>>().join(" ");
-        format!("<key name=\"{name}\" qpos=\"{}\" qvel=\"{}\"/>", list(&self.qpos), list(&self.qvel))
+        let [qpos, qvel] = [&self.qpos, &self.qvel].map(|values| format_numbers(values));
+        format!("<key name=\"{name}\" qpos=\"{qpos}\" qvel=\"{qvel}\"/>")
     }
 }
 

@@ -3,7 +3,7 @@
 use super::body_tree::BodyTree;
 use super::rotors::{Rotor, armature, tendon_name, tendon_terms};
 use crate::writing::changes::Change;
-use crate::writing::xml_text::{append, escape_attribute, format_number};
+use crate::writing::xml_text::{append, escape_attribute, format_number, format_numbers};
 use percuss_mechanism::JointId;
 
 /// Writes all mimics and couplings.
@@ -68,7 +68,7 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) {
         append!(
             tree.equalities,
             "    <tendon name=\"{own}\" tendon1=\"{own}\" tendon2=\"{argument}\" polycoef=\"{}\"/>\n",
-            coefficients.map(format_number).join(" ")
+            format_numbers(&coefficients)
         );
     }
 }

@@ -7,7 +7,7 @@ use crate::shape::{Purpose, Shape, Solid};
 use crate::writing::changes::{Change, lost_shape};
 use crate::writing::parts::{ModelParts, has_positive_size};
 use crate::writing::structure::immovable_links;
-use crate::writing::xml_text::{append, escape_attribute, format_number, scale_text};
+use crate::writing::xml_text::{append, escape_attribute, format_numbers, scale_text};
 use percuss_mechanism::{JointKind, LinkId};
 use std::collections::{BTreeSet, HashMap};
 
@@ -84,10 +84,7 @@ fn geom(
     if !has_positive_size(&shape.solid) {
         return Err("MuJoCo refuses a dimension or a scale factor of 0".to_owned());
     }
-    let sizes = |kind: &str, sizes: &[f64]| {
-        let sizes: Vec<String> = sizes.iter().map(|size| format_number(*size)).collect();
-        format!("type=\"{kind}\" size=\"{}\"", sizes.join(" "))
-    };
+    let sizes = |kind: &str, sizes: &[f64]| format!("type=\"{kind}\" size=\"{}\"", format_numbers(sizes));
     let form = match &shape.solid {
         Solid::Box { size } => sizes("box", &size.map(|edge| edge / 2.0)),
         Solid::Sphere { radius } => sizes("sphere", &[*radius]),

@@ -22,6 +22,12 @@ pub(crate) struct Element {
 }
 
 impl Element {
+    /// Element without attributes, children and text.
+    pub fn empty(tag: String, parent: Option<ElementId>, file: usize, offset: usize) -> Self {
+        let (attributes, children, text) = (Vec::new(), Vec::new(), String::new());
+        Self { tag, attributes, children, text, parent, file, offset }
+    }
+
     /// Element of a file, without children and text; `is_read`: true for the attributes that are kept.
     pub fn new(
         node: Node<'_, '_>,
@@ -34,15 +40,8 @@ impl Element {
             value: attribute.value().to_owned(),
             offset: attribute.range().start,
         });
-        Self {
-            tag: node.tag_name().name().to_owned(),
-            attributes: attributes.collect(),
-            children: Vec::new(),
-            text: String::new(),
-            parent,
-            file,
-            offset: node.range().start,
-        }
+        let tag = node.tag_name().name().to_owned();
+        Self { attributes: attributes.collect(), ..Self::empty(tag, parent, file, node.range().start) }
     }
 }
 

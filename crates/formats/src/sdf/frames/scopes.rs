@@ -68,17 +68,9 @@ pub(crate) struct Scope {
     pub depth: usize,
 }
 
-/// Link of a model.
+/// Link of a model, or joint of a model or of the world.
 #[derive(Clone, Debug)]
-pub(crate) struct SdfLink {
-    pub element: ElementId,
-    pub frame: FrameId,
-    pub scope: ScopeId,
-}
-
-/// Joint of a model or of the world.
-#[derive(Clone, Debug)]
-pub(crate) struct SdfJoint {
+pub(crate) struct SdfPart {
     pub element: ElementId,
     pub frame: FrameId,
     pub scope: ScopeId,
@@ -103,8 +95,8 @@ enum Attachment {
 pub(crate) struct Scopes {
     pub scopes: Vec<Scope>,
     pub frames: Vec<Frame>,
-    pub links: Vec<SdfLink>,
-    pub joints: Vec<SdfJoint>,
+    pub links: Vec<SdfPart>,
+    pub joints: Vec<SdfPart>,
     /// Body of each frame; empty before [`resolve_attachments`](Self::resolve_attachments).
     attachments: Vec<Option<Attached>>,
 }

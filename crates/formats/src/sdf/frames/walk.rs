@@ -8,7 +8,7 @@ use crate::reading::report::quoted;
 use crate::sdf::document::check::check_children;
 use crate::sdf::document::grammar::{IN_MODEL, IN_WORLD};
 use crate::sdf::document::version::Version;
-use crate::sdf::frames::scopes::{Frame, FrameId, FrameKind, Scope, ScopeId, Scopes, SdfJoint, SdfLink};
+use crate::sdf::frames::scopes::{Frame, FrameId, FrameKind, Scope, ScopeId, Scopes, SdfPart};
 use crate::sdf::values::{read_boolean_attribute, read_boolean_in, text_in};
 use percuss_mechanism::Severity;
 use percuss_spatial::Transform;
@@ -109,7 +109,7 @@ impl Walker<'_, '_> {
                 return;
             }
             let frame = self.read_named(joint, scope, FrameKind::Joint(index));
-            self.scopes.joints.push(SdfJoint { element: joint, frame, scope });
+            self.scopes.joints.push(SdfPart { element: joint, frame, scope });
         }
     }
 
@@ -128,7 +128,7 @@ impl Walker<'_, '_> {
         }
         let frame = self.read_named(element, scope, FrameKind::Link(index));
         self.scopes.scopes[scope.0].first_link.get_or_insert(frame);
-        self.scopes.links.push(SdfLink { element, frame, scope });
+        self.scopes.links.push(SdfPart { element, frame, scope });
     }
 
     /// Adds a frame under the name of its element.

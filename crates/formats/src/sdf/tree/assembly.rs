@@ -1,5 +1,6 @@
 //! Links, joints, closures and couplings of the chosen model.
 
+use crate::parts::{LinkOrigin, Parts};
 use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
@@ -8,7 +9,6 @@ use crate::sdf::elements::body::{LinkBody, read_body};
 use crate::sdf::elements::joint::{JointBody, JointType, read_joint};
 use crate::sdf::frames::scopes::{Attached, FrameId, FrameKind, ScopeId, Scopes};
 use crate::sdf::tree::chain::{ChainBuilder, GROUND, StepNames, body_frame, body_name, step_name};
-use crate::sdf::tree::parts::{LinkOrigin, Parts};
 use crate::sdf::tree::relations::{add_closure, add_gearbox};
 use crate::sdf::tree::spanning::{SpanningTree, Support, grow_tree};
 use crate::shape::Shape;
@@ -197,7 +197,7 @@ fn add_links(
         joint_names: &mut joint_names,
         step_names: &step_names,
     };
-    builder.add_auxiliary(GROUND.to_owned(), scopes.scope(ScopeId(0)).element);
+    builder.parts.add_auxiliary(GROUND.to_owned(), scopes.scope(ScopeId(0)).element);
     for (link, body) in bodies.iter().enumerate() {
         let Some(body) = body else { continue };
         let (name, element) = (scopes.link_name(link), scopes.links[link].element);
@@ -262,7 +262,6 @@ fn add_frames(scopes: &Scopes, is_read: &[bool], parts: &mut Parts, findings: &m
         let joint =
             JointDescription::new(joint, JointKind::Fixed, body_name(scopes, body), &frame.name).origin(pose);
         parts.joints.push((joint, frame.element));
-        let origin = LinkOrigin { element: frame.element, link: None, has_default_inertia: false };
-        parts.links.push((LinkDescription::massless(&frame.name), origin));
+        parts.add_auxiliary(&frame.name, frame.element);
     }
 }

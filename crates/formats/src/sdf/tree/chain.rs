@@ -5,12 +5,11 @@
 //! of its position: its steps are reversed, and their axes change the sign. The quaternion of a ball joint then turns the parent in the
 //! child.
 
-use crate::reading::document::element_tree::ElementId;
+use crate::parts::{LinkOrigin, Parts};
 use crate::reading::unique_names::UniqueNames;
 use crate::sdf::elements::axis::JointAxis;
 use crate::sdf::elements::joint::{JointBody, JointType};
 use crate::sdf::frames::scopes::{Attached, FrameId, Scopes};
-use crate::sdf::tree::parts::{LinkOrigin, Parts};
 use percuss_mechanism::{JointDescription, JointKind, LinkDescription, MimicDescription};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;
@@ -147,7 +146,7 @@ impl ChainBuilder<'_> {
                 self.parts.links.push(link);
                 return;
             }
-            self.add_auxiliary(child.clone(), joint.element);
+            self.parts.add_auxiliary(child.clone(), joint.element);
             parent = child;
             origin = Transform::identity();
         }
@@ -160,12 +159,6 @@ impl ChainBuilder<'_> {
     /// Link that a joint moves, seen from the root of the tree.
     fn moving_body(&self, joint: &JointBody, reversed: bool) -> Attached {
         if reversed { joint.parent } else { Attached::Link(joint.child) }
-    }
-
-    /// Adds a massless link.
-    pub fn add_auxiliary(&mut self, name: String, element: ElementId) {
-        let origin = LinkOrigin { element, link: None, has_default_inertia: false };
-        self.parts.links.push((LinkDescription::massless(name), origin));
     }
 
     /// Joint of the mechanism for one step of the joint of the file.

@@ -2,6 +2,5 @@
 
 pub(crate) mod assembly;
 pub(crate) mod chain;
-pub(crate) mod parts;
 pub(crate) mod relations;
 pub(crate) mod spanning;

@@ -1,12 +1,12 @@
 //! Joints that close loops, and gearboxes.
 
+use crate::parts::Parts;
 use crate::reading::findings::Findings;
 use crate::reading::limits::OBLIQUE_PINS;
 use crate::reading::report::quoted;
 use crate::sdf::elements::joint::{JointBody, JointType};
 use crate::sdf::frames::scopes::{Attached, Scopes};
 use crate::sdf::tree::chain::{body_frame, body_name};
-use crate::sdf::tree::parts::Parts;
 use crate::sdf::tree::spanning::{SpanningTree, Support};
 use crate::urdf::elements::sdf_values::{GEARBOX, PARALLEL_AXES};
 use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Severity};

@@ -22,7 +22,8 @@ pub(super) struct Axes {
     /// Name of the joint of the file and tag of its axis, for every joint of the tree that moves.
     names: HashMap<JointId, (String, &'static str)>,
     followers: HashMap<JointId, Follower>,
-    has_rotors: bool,
+    /// True if a joint has an armature.
+    pub has_rotors: bool,
 }
 
 impl Axes {
@@ -101,11 +102,6 @@ impl Axes {
     /// True if a joint follows another.
     pub fn has_mimics(&self) -> bool {
         !self.followers.is_empty()
-    }
-
-    /// True if a joint has an armature.
-    pub fn has_rotors(&self) -> bool {
-        self.has_rotors
     }
 
     /// Joints of the tree, in the order of the links.

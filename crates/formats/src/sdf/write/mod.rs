@@ -46,14 +46,14 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
         (false, true) => "1.8",
         (false, false) => "1.7",
     };
-    let drake = if axes.has_rotors() { " xmlns:drake=\"http://drake.mit.edu\"" } else { "" };
+    let drake = if axes.has_rotors { " xmlns:drake=\"http://drake.mit.edu\"" } else { "" };
     append!(out, "<sdf version=\"{version}\"{drake}>\n");
     append!(out, "  <model name=\"{}\">\n", escape_attribute(&bodies::model_name(mechanism)));
     bodies.append_links(&shapes.lines, &mut out);
     out.push_str(&joints);
     out.push_str(&closures);
     out.push_str("  </model>\n</sdf>\n");
-    if axes.has_rotors() {
+    if axes.has_rotors {
         let with_armature = |joint: &&Joint| joint.armature().iter().any(|armature| *armature != 0.0);
         bodies.changes.extend(mechanism.joints().iter().filter(with_armature).map(|joint| {
             let what = "its armature is a drake:rotor_inertia";

@@ -6,16 +6,17 @@ use crate::urdf::elements::survey::has_xacro_substitution;
 
 /// Parses exactly N finite numbers separated by white space. The error text names the defect.
 pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
+    let expected = || format!("{N} finite number{}", if N == 1 { "" } else { "s" });
+    let are = if N == 1 { "is" } else { "are" };
     let mut values = [0.0; N];
     let mut count = 0;
     for word in text.split_ascii_whitespace() {
         let value = word.parse::<f64>().map_err(|_| {
             let remedy = if word.contains(',') { " (spaces, not commas, go between numbers)" } else { "" };
-            format!("{} is not a number{remedy}; {} expected", quoted(word), expected_numbers_text(N))
+            format!("{} is not a number{remedy}; {} {are} expected", quoted(word), expected())
         })?;
         if !value.is_finite() {
-            return Err(format!("{} is not finite; {} expected", quoted(word), expected_numbers_text(N)));
+            return Err(format!("{} is not finite; {} {are} expected", quoted(word), expected()));
         }
         if let Some(slot) = values.get_mut(count) {
             *slot = value;
@@ -25,14 +26,10 @@ pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], Stri
     if count == N {
         Ok(values)
     } else if count == 0 {
-        Err(format!("it is empty; {} expected", expected_numbers_text(N)))
+        Err(format!("it is empty; {} {are} expected", expected()))
     } else {
         Err(format!("got {count}, expected {}", expected()))
     }
-}
-
-fn expected_numbers_text(count: usize) -> String {
-    if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
 /// N finite numbers of an attribute; `default` if absent or invalid (an error).

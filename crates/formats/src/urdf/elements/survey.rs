@@ -203,18 +203,12 @@ fn check_attributes(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), r
             (None, Some(_)) => {}
             (None, None) => {
                 let shown = shortened(name);
-                report.add_once(
-                    Severity::Warning,
-                    "unknown-attribute",
-                    format!("{tag} {shown}"),
-                    place,
-                    || {
-                        let near = near_names(name, rule.attribute_names());
-                        let guess =
-                            near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
-                        format!("unknown attribute \"{shown}\" is ignored{guess}")
-                    },
-                );
+                let kind = format!("{tag} {shown}");
+                report.add_once(Severity::Warning, "unknown-attribute", kind, place, || {
+                    let near = near_names(name, rule.attribute_names());
+                    let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+                    format!("unknown attribute \"{shown}\" is ignored{guess}")
+                });
             }
         }
     }

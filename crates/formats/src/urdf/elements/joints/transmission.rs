@@ -76,19 +76,14 @@ impl<'a> Rotors<'_, 'a> {
                 None => {
                     let near = self.suggestions.similar_names(name, self.joints.iter().map(|j| j.name));
                     let guess = did_you_mean(&near);
-                    report.add_once(
-                        Severity::Warning,
-                        "dangling-armature",
-                        String::new(),
-                        Place::Element(*joint),
-                        || {
-                            format!(
-                                "the transmission is for joint {}, which does not exist{guess}; its rotor \
+                    let place = Place::Element(*joint);
+                    report.add_once(Severity::Warning, "dangling-armature", String::new(), place, || {
+                        format!(
+                            "the transmission is for joint {}, which does not exist{guess}; its rotor \
                              inertia, if any, is ignored",
-                                quoted(name)
-                            )
-                        },
-                    );
+                            quoted(name)
+                        )
+                    });
                 }
             }
         }
@@ -132,42 +127,28 @@ impl<'a> Rotors<'_, 'a> {
         };
         let (inertias, ratios) = (read(&INERTIAS), read(&RATIOS));
         let ratio = single_number(&ratios, 1.0);
-        let name = self.joints[joint].name;
+        let (name, at) = (self.joints[joint].name, Place::Element(place));
         match (single_number(&inertias, 0.0), ratio) {
             (Some(0.0), Some(ratio)) => {
                 if ratio.abs() > 1.0
                     && self.joints[joint].armature.is_empty()
                     && self.joints[joint].kind.dofs() > 0
                 {
-                    report.add_once(
-                        Severity::Note,
-                        "gear-without-rotor",
-                        String::new(),
-                        Place::Element(place),
-                        || {
-                            format!(
-                                "joint {} has a gear ratio of {ratio}, and no inertia of its rotor: the \
-                             reflected inertia I·N² is missing, \
-                             which is often the largest part of the effective mass of a geared arm: \
-                             {REMEDY}",
-                                quoted(name)
-                            )
-                        },
-                    );
+                    report.add_once(Severity::Note, "gear-without-rotor", String::new(), at, || {
+                        format!(
+                            "joint {} has a gear ratio of {ratio}, and no inertia of its rotor: the \
+                             reflected inertia I·N² is missing, which is often the largest part of the effective mass \
+                             of a geared arm: {REMEDY}",
+                            quoted(name)
+                        )
+                    });
                 }
             }
             (Some(inertia), Some(ratio)) if inertia > 0.0 && ratio != 0.0 => {
                 if ratios.is_empty() {
-                    report.add_once(
-                        Severity::Note,
-                        "default-gear",
-                        String::new(),
-                        Place::Element(place),
-                        || {
-                            "a rotor inertia without <mechanicalReduction>: the ratio is taken as 1"
-                                .to_owned()
-                        },
-                    );
+                    report.add_once(Severity::Note, "default-gear", String::new(), at, || {
+                        "a rotor inertia without <mechanicalReduction>: the ratio is taken as 1".to_owned()
+                    });
                 }
                 let actuator = holders
                     .iter()
@@ -175,7 +156,7 @@ impl<'a> Rotors<'_, 'a> {
                     .find_map(|n| n.attribute("name"));
                 let actuator = actuator.unwrap_or_default();
                 if self.actuators.insert(joint, actuator).is_some_and(|first| first != actuator) {
-                    report.warning("rotor-inertia", Place::Element(place), || {
+                    report.warning("rotor-inertia", at, || {
                         format!(
                             "a second motor of joint {}: only the inertia of the first is read; {REMEDY}",
                             quoted(name)
@@ -185,7 +166,7 @@ impl<'a> Rotors<'_, 'a> {
                 }
                 self.set(joint, inertia * ratio * ratio, place, report);
             }
-            _ => report.warning("rotor-inertia", Place::Element(place), || {
+            _ => report.warning("rotor-inertia", at, || {
                 format!(
                     "the rotor of joint {} is not read, and the answer is without it: inertia {}, ratio \
                      {}; one positive inertia in kg·m² \
