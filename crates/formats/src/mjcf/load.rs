@@ -13,7 +13,6 @@ use crate::mjcf::document::grammar::ROOT;
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
 use crate::mjcf::relations::keyframe::{qpos_layout, read_keyframes};
-use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
 use crate::mjcf::values::models::Models;
 use crate::reading::document::element_tree::ElementTree;
@@ -63,10 +62,9 @@ fn read_model(
     if findings.has_errors() {
         return None;
     }
-    let references = References { bodies: &bodies };
-    let tendons = read_tendons(&models, &references, findings);
+    let tendons = read_tendons(&models, &bodies, findings);
     let added = reflected_armatures(&models, &bodies, &tendons, findings);
-    let reader = EqualityReader { tree, models: &models, references: &references, tendons: &tendons };
+    let reader = EqualityReader { tree, models: &models, bodies: &bodies, tendons: &tendons };
     let Constraints { closures, joints: mut relations } = reader.read(findings);
     if closures.len() > MAX_ELEMENTS_PER_KIND {
         findings.error("too-complex", tree.root(), || {

@@ -171,14 +171,12 @@ fn geom_inertia(
                 "the inertia of {what} is not computed; give the body an <inertial>, or the geom mass=\"0\""
             )
         });
+        None
     };
     let unit = match &geom.shape {
         GeomShape::Solid(solid) => solids::unit_inertia(solid, geom.is_shell)?,
         GeomShape::Ellipsoid { semi_axes } if !geom.is_shell => solids::ellipsoid(*semi_axes),
-        GeomShape::Ellipsoid { .. } => {
-            refuse(findings, "the shell of an ellipsoid");
-            return None;
-        }
+        GeomShape::Ellipsoid { .. } => return refuse(findings, "the shell of an ellipsoid"),
         // A body that cannot move needs no inertia, so that no mesh is opened for it.
         GeomShape::Mesh(_) if is_fixed => return None,
         GeomShape::Mesh(name) => {
@@ -190,14 +188,8 @@ fn geom_inertia(
                 about_com: turn(&geom.frame.rotation, &(mesh.about_com * density)),
             });
         }
-        GeomShape::FittedToMesh => {
-            refuse(findings, "a primitive shape that MuJoCo fits to a mesh");
-            return None;
-        }
-        GeomShape::DistanceField => {
-            refuse(findings, "a signed distance field");
-            return None;
-        }
+        GeomShape::FittedToMesh => return refuse(findings, "a primitive shape that MuJoCo fits to a mesh"),
+        GeomShape::DistanceField => return refuse(findings, "a signed distance field"),
         GeomShape::Plane | GeomShape::HeightField => {
             if !is_fixed {
                 findings.error("moving-plane", geom.element, || {

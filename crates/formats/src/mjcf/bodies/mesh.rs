@@ -152,7 +152,11 @@ impl<'t> Meshes<'t> {
     ) -> Option<MeshInertia> {
         let mesh = self.meshes.get(name)?;
         let element = mesh.element;
-        let remedy = "give the body an <inertial>";
+        let (remedy, shown) = ("give the body an <inertial>", quoted(name));
+        let refuse = |findings: &mut Findings<'_>, message: &dyn Fn() -> String| {
+            findings.error("bad-mesh", element, message);
+            None
+        };
         let attributes = Attributes::new(self.tree, element);
         if rule == MeshRule::Convex
             && attributes.number("maxhullvert", findings).is_some_and(|most| most >= 0.0)
@@ -199,13 +203,9 @@ impl<'t> Meshes<'t> {
         let triangles = match read {
             Ok(triangles) => triangles,
             Err(message) => {
-                findings.error("bad-mesh", element, || {
-                    format!(
-                        "the inertia of a body depends on the mesh {}: {message}; or {remedy}",
-                        quoted(name)
-                    )
+                return refuse(findings, &|| {
+                    format!("the inertia of a body depends on the mesh {shown}: {message}; or {remedy}")
                 });
-                return None;
             }
         };
         self.triangles = self.triangles.saturating_add(triangles.len());
@@ -228,25 +228,19 @@ impl<'t> Meshes<'t> {
         let triangles = match hull {
             Ok(triangles) => triangles,
             Err(message) => {
-                findings.error("bad-mesh", element, || {
-                    format!(
-                        "the convex hull of the mesh {} is not computed: {message}; {remedy}",
-                        quoted(name)
-                    )
+                return refuse(findings, &|| {
+                    format!("the convex hull of the mesh {shown} is not computed: {message}; {remedy}")
                 });
-                return None;
             }
         };
         let inertia = mesh_inertia(&triangles, rule);
         if inertia.volume <= 0.0 {
-            findings.error("bad-mesh", element, || {
+            let volume = inertia.volume;
+            return refuse(findings, &|| {
                 format!(
-                    "the mesh {} encloses no volume ({} m³); its faces may be oriented inward: {remedy}",
-                    quoted(name),
-                    inertia.volume
+                    "the mesh {shown} encloses no volume ({volume} m³); its faces may be oriented inward: {remedy}"
                 )
             });
-            return None;
         }
         let unit = if rule == MeshRule::Shell { "m²" } else { "m³" };
         let words = match rule {
@@ -258,11 +252,7 @@ impl<'t> Meshes<'t> {
             MeshRule::Convex => "convex",
         };
         findings.add_once(Severity::Note, "mesh-inertia", words, geom, || {
-            format!(
-                "the inertia follows from the mesh {}: {:.6e} {unit}, rule {words}",
-                quoted(name),
-                inertia.volume
-            )
+            format!("the inertia follows from the mesh {shown}: {:.6e} {unit}, rule {words}", inertia.volume)
         });
         Some(inertia)
     }

@@ -99,10 +99,18 @@ impl Attacher<'_> {
         found
     }
 
-    fn error(&mut self, code: &'static str, element: ElementId, attribute: &str, message: String) {
+    /// Reports an error at an attribute; returns `None`.
+    fn refuse<T>(
+        &mut self,
+        code: &'static str,
+        element: ElementId,
+        attribute: &str,
+        message: impl Into<String>,
+    ) -> Option<T> {
         let offset = self.tree.attribute_offset(element, attribute);
         let file = self.tree.element(element).file;
-        self.reports[file].error(code, Place::Named(offset, "attach"), || message);
+        self.reports[file].error(code, Place::Named(offset, "attach"), || message.into());
+        None
     }
 
     /// Carries out one attachment; `None` after an error.
@@ -118,8 +126,7 @@ impl Attacher<'_> {
                         "the model {} does not exist; an <asset> names it: <model name=\"...\" file=\"...\"/>",
                         quoted(name)
                     );
-                    self.error("unknown-reference", element, "model", message);
-                    return None;
+                    return self.refuse("unknown-reference", element, "model", message);
                 }
             },
         };
@@ -127,10 +134,8 @@ impl Attacher<'_> {
             match self.states[model] {
                 State::Waiting => self.complete(model),
                 State::Started => {
-                    let message =
-                        "the attached model attaches this one: a circle of models has no end".to_owned();
-                    self.error("attach-circle", element, "model", message);
-                    return None;
+                    let message = "the attached model attaches this one: a circle of models has no end";
+                    return self.refuse("attach-circle", element, "model", message);
                 }
                 State::Done => {}
             }
@@ -140,25 +145,21 @@ impl Attacher<'_> {
         }
         let sources = match (&body, &frame) {
             (Some(_), Some(_)) => {
-                let message = "both body and frame are given; one of them, or none, is expected".to_owned();
-                self.error("two-notations", element, "frame", message);
-                return None;
+                let message = "both body and frame are given; one of them, or none, is expected";
+                return self.refuse("two-notations", element, "frame", message);
             }
             (Some(wanted), None) => self.find(element, model, "body", wanted)?,
             (None, Some(wanted)) => self.find(element, model, "frame", wanted)?,
             (None, None) if model == own => {
-                let message =
-                    "without a model, body or frame names the part of this model to attach".to_owned();
-                self.error("missing-attribute", element, "prefix", message);
-                return None;
+                let message = "without a model, body or frame names the part of this model to attach";
+                return self.refuse("missing-attribute", element, "prefix", message);
             }
             (None, None) => self.tree.children_named(self.models[model].root, "worldbody").collect(),
         };
         let holds_itself = sources.iter().any(|source| !self.unexpanded(*source).is_empty());
         if holds_itself {
-            let message = "the attached part contains an <attach> that comes later, or this one".to_owned();
-            self.error("attach-circle", element, "body", message);
-            return None;
+            let message = "the attached part contains an <attach> that comes later, or this one";
+            return self.refuse("attach-circle", element, "body", message);
         }
         self.expanded.insert(element);
         let prefix = prefix.unwrap_or_default();
@@ -189,8 +190,7 @@ impl Attacher<'_> {
             stack.extend(self.tree.children(id));
         }
         let message = format!("the attached model has no {tag} {}", quoted(name));
-        self.error("unknown-reference", element, tag, message);
-        None
+        self.refuse("unknown-reference", element, tag, message)
     }
 
     /// Nearest `childclass` above an element.
@@ -244,8 +244,7 @@ impl Attacher<'_> {
                         "with the prefix a name is {} bytes long; at most {LONGEST_NAME} are read",
                         lead + attribute.value.len()
                     );
-                    self.error("long-name", cause, "prefix", message);
-                    return None;
+                    return self.refuse("long-name", cause, "prefix", message);
                 }
                 let text = attribute.name.len() + attribute.value.len() + lead;
                 self.bytes = self.bytes.saturating_add(size_of::<Attribute>() + text);
@@ -261,8 +260,7 @@ impl Attacher<'_> {
             };
             if !limit.is_empty() {
                 let message = format!("with all attached models, the model has {limit}");
-                self.error("too-complex", cause, "model", message);
-                return None;
+                return self.refuse("too-complex", cause, "model", message);
             }
             let attributes = element.attributes.iter().map(|attribute| Attribute {
                 name: attribute.name.clone(),
@@ -298,9 +296,8 @@ impl Attacher<'_> {
         let (root, target) = (self.models[model].root, self.models[own].root);
         let all = self.names(&[root]);
         if self.steps > MAX_ATTACH_STEPS {
-            let message = "too many attachments of a large model".to_owned();
-            self.error("too-complex", cause, "model", message);
-            return None;
+            let message = "too many attachments of a large model";
+            return self.refuse("too-complex", cause, "model", message);
         }
         for section in SECTIONS {
             // Meshes of the same model have their names already, but without the prefix.

@@ -2,7 +2,7 @@
 
 use crate::mjcf::bodies::body::Bodies;
 use crate::mjcf::relations::equality::REPLICATED_TENDON;
-use crate::mjcf::relations::references::{JointKey, References};
+use crate::mjcf::relations::references::JointKey;
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
@@ -93,7 +93,6 @@ pub(crate) fn reflected_armatures(
     findings: &mut Findings<'_>,
 ) -> Armatures {
     let tree = findings.tree;
-    let references = References { bodies };
     let mut added = Armatures::default();
     let mut with_armature: Vec<&Tendon> = tendons.values().filter(|tendon| tendon.armature != 0.0).collect();
     with_armature.sort_by_key(|tendon| tendon.element.0);
@@ -116,7 +115,7 @@ pub(crate) fn reflected_armatures(
         let joint =
             ["joint", "jointinparent"].into_iter().find_map(|name| Some((name, actuator.text(name)?)));
         if let Some((attribute, name)) = joint {
-            let joint = references.joint(name, (element, attribute), findings);
+            let joint = bodies.joint_named(name, (element, attribute), findings);
             added.joints.extend(joint.map(|joint| (joint, reflected)));
         } else if let Some(name) = actuator.text("tendon") {
             match tendons.get(name) {

@@ -3,7 +3,7 @@
 
 use crate::mjcf::bodies::body::Bodies;
 use crate::mjcf::relations::joint_relations::{JointCurve, JointRelations, JointSum};
-use crate::mjcf::relations::references::{JointKey, References};
+use crate::mjcf::relations::references::JointKey;
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
@@ -46,7 +46,7 @@ pub(crate) const REPLICATED_TENDON: &str = "the tendon refers to an element of a
 pub(crate) struct EqualityReader<'r, 't> {
     pub tree: &'t ElementTree,
     pub models: &'t Models<'t>,
-    pub references: &'r References<'r>,
+    pub bodies: &'r Bodies,
     pub tendons: &'r HashMap<String, Tendon>,
 }
 
@@ -87,10 +87,6 @@ impl EqualityReader<'_, '_> {
         constraints
     }
 
-    fn bodies(&self) -> &Bodies {
-        self.references.bodies
-    }
-
     /// Adds a closure, unless its bodies cannot move relative to each other.
     fn add_closure(
         &self,
@@ -102,7 +98,7 @@ impl EqualityReader<'_, '_> {
     ) {
         let Some(ends) = ends else { return };
         let element = attributes.element;
-        let [first, second] = ends.map(|(body, _)| self.bodies().bodies[body].moving_ancestor);
+        let [first, second] = ends.map(|(body, _)| self.bodies.bodies[body].moving_ancestor);
         if first == second {
             findings.add_once(Severity::Warning, "rigid-bodies", "closure", element, || {
                 "the two bodies cannot move relative to each other; the constraint has no effect".to_owned()
@@ -120,8 +116,11 @@ impl EqualityReader<'_, '_> {
             return None;
         }
         let mut site = |name: Option<&str>, attribute| {
-            let site =
-                self.references.site(name.unwrap_or_default(), (attributes.element, attribute), findings)?;
+            let site = self.bodies.site_named(
+                name.unwrap_or_default(),
+                (attributes.element, attribute),
+                findings,
+            )?;
             Some((site.body, site.frame))
         };
         let sites = (site(names[0], "site1"), site(names[1], "site2"));
@@ -149,9 +148,9 @@ impl EqualityReader<'_, '_> {
             });
             return None;
         };
-        let first = self.references.body(first, (element, "body1"), findings)?;
+        let first = self.bodies.body_named(first, (element, "body1"), findings)?;
         let second = match attributes.text("body2") {
-            Some(name) => self.references.body(name, (element, "body2"), findings)?,
+            Some(name) => self.bodies.body_named(name, (element, "body2"), findings)?,
             None => 0,
         };
         Some([first, second])
@@ -159,7 +158,7 @@ impl EqualityReader<'_, '_> {
 
     /// Frame of the second body in the first, with all joints as drawn.
     fn drawn_pose(&self, [first, second]: [usize; 2]) -> Transform<f64> {
-        let world_pose = |body: usize| self.bodies().bodies[body].world_pose;
+        let world_pose = |body: usize| self.bodies.bodies[body].world_pose;
         world_pose(first).inverse() * world_pose(second)
     }
 
@@ -221,10 +220,10 @@ impl EqualityReader<'_, '_> {
             findings.error("missing-attribute", element, || "<joint> has no attribute \"joint1\"".to_owned());
             return None;
         };
-        let dependent = self.references.scalar_joint(name, (element, "joint1"), findings)?;
+        let dependent = self.bodies.scalar_joint_named(name, (element, "joint1"), findings)?;
         let coefficients = self.coefficients(attributes, findings);
         let driver = match attributes.text("joint2") {
-            Some(name) => Some(self.references.scalar_joint(name, (element, "joint2"), findings)?),
+            Some(name) => Some(self.bodies.scalar_joint_named(name, (element, "joint2"), findings)?),
             None => None,
         };
         let coefficients = coefficients?;
@@ -289,7 +288,7 @@ impl EqualityReader<'_, '_> {
             (TendonPath::Line(sites), None) => {
                 let ends = sites.each_ref().map(|site| (site.body, site.frame));
                 let points =
-                    ends.map(|(body, frame)| self.bodies().bodies[body].world_pose.point(&frame.translation));
+                    ends.map(|(body, frame)| self.bodies.bodies[body].world_pose.point(&frame.translation));
                 let before = constraints.closures.len();
                 self.add_closure(attributes, ClosureKind::Distance, Some(ends), constraints, findings);
                 if let Some(closure) = constraints.closures.get_mut(before) {

@@ -13,35 +13,36 @@ pub(crate) type JointKey = (usize, usize);
 pub(crate) type Referrer = (ElementId, &'static str);
 
 /// Search for named elements, with errors at the attribute for unknown names.
-pub(crate) struct References<'b> {
-    pub bodies: &'b Bodies,
-}
-
-impl<'b> References<'b> {
+impl Bodies {
     /// True for a name that only elements within a `<replicate>` have, with a suffix.
     pub fn is_replicated(&self, name: &str) -> bool {
-        self.bodies.replicated_names.contains_key(name)
+        self.replicated_names.contains_key(name)
     }
 
     /// Index of the body with a name.
-    pub fn body(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<usize> {
-        self.find(&self.bodies.body_by_name, "body", name, at, findings).copied()
+    pub fn body_named(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<usize> {
+        self.find_named(&self.body_by_name, "body", name, at, findings).copied()
     }
 
     /// Site with a name.
-    pub fn site(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<&'b Site> {
-        self.find(&self.bodies.sites, "site", name, at, findings)
+    pub fn site_named(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<&Site> {
+        self.find_named(&self.sites, "site", name, at, findings)
     }
 
     /// Joint with a name.
-    pub fn joint(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<JointKey> {
-        self.find(&self.bodies.joint_by_name, "joint", name, at, findings).copied()
+    pub fn joint_named(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<JointKey> {
+        self.find_named(&self.joint_by_name, "joint", name, at, findings).copied()
     }
 
     /// Hinge or slide with a name.
-    pub fn scalar_joint(&self, name: &str, at: Referrer, findings: &mut Findings<'_>) -> Option<JointKey> {
-        let key = self.joint(name, at, findings)?;
-        if matches!(self.bodies.joint(key).kind, JointType::Hinge | JointType::Slide) {
+    pub fn scalar_joint_named(
+        &self,
+        name: &str,
+        at: Referrer,
+        findings: &mut Findings<'_>,
+    ) -> Option<JointKey> {
+        let key = self.joint_named(name, at, findings)?;
+        if matches!(self.joint(key).kind, JointType::Hinge | JointType::Slide) {
             return Some(key);
         }
         findings.attribute_error("joint-kind", at.0, at.1, || {
@@ -51,7 +52,7 @@ impl<'b> References<'b> {
     }
 
     /// Entry of a table of elements of one kind.
-    fn find<T>(
+    fn find_named<'b, T>(
         &self,
         table: &'b HashMap<String, T>,
         kind: &str,

@@ -1,7 +1,7 @@
 //! Tendons: linear combinations of joint positions, and lines through sites.
 
-use crate::mjcf::bodies::body::Site;
-use crate::mjcf::relations::references::{JointKey, References};
+use crate::mjcf::bodies::body::{Bodies, Site};
+use crate::mjcf::relations::references::JointKey;
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
@@ -36,7 +36,7 @@ pub(crate) struct Tendon {
 /// Reads all tendons, by name. Unnamed tendons are kept for their armature, with a key that no reference has.
 pub(crate) fn read_tendons(
     models: &Models<'_>,
-    references: &References<'_>,
+    bodies: &Bodies,
     findings: &mut Findings<'_>,
 ) -> HashMap<String, Tendon> {
     let tree = findings.tree;
@@ -54,13 +54,13 @@ pub(crate) fn read_tendons(
             ["joint", "site"]
                 .into_iter()
                 .filter_map(|name| tree.attribute(*child, name))
-                .any(|name| references.is_replicated(name))
+                .any(|name| bodies.is_replicated(name))
         });
         let path = match tree.tag(element) {
             // Without a constraint and an armature the tendon has no effect.
             _ if is_replicated => TendonPath::Replicated,
-            "fixed" => fixed_path(element, references, findings),
-            "spatial" => spatial_path(element, references, findings),
+            "fixed" => fixed_path(element, bodies, findings),
+            "spatial" => spatial_path(element, bodies, findings),
             // The grammar reports other elements.
             _ => continue,
         };
@@ -80,7 +80,7 @@ pub(crate) fn read_tendons(
 }
 
 /// Path of a `<fixed>` tendon, whose length is Σ coefficient · joint position.
-fn fixed_path(element: ElementId, references: &References<'_>, findings: &mut Findings<'_>) -> TendonPath {
+fn fixed_path(element: ElementId, bodies: &Bodies, findings: &mut Findings<'_>) -> TendonPath {
     let mut terms = Vec::new();
     for child in findings.tree.children_named(element, "joint") {
         let attributes = Attributes::new(findings.tree, child);
@@ -93,7 +93,7 @@ fn fixed_path(element: ElementId, references: &References<'_>, findings: &mut Fi
             continue;
         };
         let name = attributes.text("joint").unwrap_or_default();
-        if let Some(joint) = references.scalar_joint(name, (child, "joint"), findings) {
+        if let Some(joint) = bodies.scalar_joint_named(name, (child, "joint"), findings) {
             terms.push((joint, coefficient));
         }
     }
@@ -101,7 +101,7 @@ fn fixed_path(element: ElementId, references: &References<'_>, findings: &mut Fi
 }
 
 /// Path of a `<spatial>` tendon: a straight line if it has only two sites, otherwise `Wrapped`.
-fn spatial_path(element: ElementId, references: &References<'_>, findings: &mut Findings<'_>) -> TendonPath {
+fn spatial_path(element: ElementId, bodies: &Bodies, findings: &mut Findings<'_>) -> TendonPath {
     let tree = findings.tree;
     let children = tree.children(element);
     let (&[first, second], true) = (children, children.iter().all(|child| tree.tag(*child) == "site")) else {
@@ -109,7 +109,7 @@ fn spatial_path(element: ElementId, references: &References<'_>, findings: &mut 
     };
     let mut site = |child| {
         let name = tree.attribute(child, "site").unwrap_or_default();
-        references.site(name, (child, "site"), findings).cloned()
+        bodies.site_named(name, (child, "site"), findings).cloned()
     };
     match (site(first), site(second)) {
         (Some(first), Some(second)) => TendonPath::Line([first, second]),

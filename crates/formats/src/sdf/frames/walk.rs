@@ -69,17 +69,8 @@ struct Walker<'f, 'w> {
 impl Walker<'_, '_> {
     /// Adds a frame; its base and pose are set later.
     fn push_frame(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind, name: String) -> FrameId {
-        let identity = Transform::identity();
-        self.scopes.frames.push(Frame {
-            element,
-            scope,
-            kind,
-            name,
-            base: None,
-            depth: 0,
-            pose: identity,
-            world_pose: identity,
-        });
+        let (pose, world_pose) = (Transform::identity(), Transform::identity());
+        self.scopes.frames.push(Frame { element, scope, kind, name, base: None, depth: 0, pose, world_pose });
         FrameId(self.scopes.frames.len() - 1)
     }
 

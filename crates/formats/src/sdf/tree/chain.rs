@@ -76,18 +76,11 @@ fn steps(joint: &JointBody) -> Vec<Step> {
         axis: joint.axes[index].direction,
         of_axis: Some(index),
     };
+    let without_axis =
+        |kind| vec![Step { name: joint.name.clone(), kind, axis: Vector3::z(), of_axis: None }];
     match joint.kind {
-        JointType::Fixed | JointType::Gearbox => {
-            vec![Step { name: joint.name.clone(), kind: JointKind::Fixed, axis: Vector3::z(), of_axis: None }]
-        }
-        JointType::Ball => {
-            vec![Step {
-                name: joint.name.clone(),
-                kind: JointKind::Spherical,
-                axis: Vector3::z(),
-                of_axis: None,
-            }]
-        }
+        JointType::Fixed | JointType::Gearbox => without_axis(JointKind::Fixed),
+        JointType::Ball => without_axis(JointKind::Spherical),
         JointType::Revolute => vec![about(0)],
         JointType::Prismatic => vec![Step { kind: JointKind::Prismatic, ..about(0) }],
         JointType::Universal | JointType::Revolute2 => vec![about(0), about(1)],
@@ -96,8 +89,8 @@ fn steps(joint: &JointBody) -> Vec<Step> {
             Step {
                 name: format!("{}/advance", joint.name),
                 kind: JointKind::Prismatic,
-                axis: joint.axes[0].direction,
                 of_axis: None,
+                ..about(0)
             },
         ],
     }

@@ -39,7 +39,7 @@ const IN_ROBOT: &[ElementRule] = &[
     TRANSMISSION,
     element("gazebo", &[("reference", Read), ("name", Silent)], IN_GAZEBO),
     unread("material sensor", Silent),
-    element("ros2_control", ROS2_CONTROL, IN_ROS2_CONTROL),
+    element("ros2_control", &[("name type rw_rate is_async thread_priority", Silent)], IN_ROS2_CONTROL),
     element("mujoco", &[], IN_MUJOCO),
     unread("group frame capability self_collision_checking", Silent),
     element("loop", &[("name type", Read)], IN_LOOP),
@@ -217,8 +217,6 @@ const IN_TRANSMISSION: &[ElementRule] = &[
 
 const NAME_AND_ROLE: Attributes =
     &[("name", Read), ("role", Silent), ("motorInertia rotorInertia mechanicalReduction", Read)];
-
-const ROS2_CONTROL: Attributes = &[("name type rw_rate is_async thread_priority", Silent)];
 
 const IN_ROS2_CONTROL: &[ElementRule] = &[
     TRANSMISSION,

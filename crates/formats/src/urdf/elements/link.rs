@@ -82,11 +82,8 @@ fn read_inertial(node: Node<'_>, report: &mut Report) -> Inertial {
 
 /// Six entries of `<inertia>`, kg·m²; absent products are 0, with a warning.
 fn read_moments(node: Node<'_>, report: &mut Report) -> [f64; 6] {
-    let absent: Vec<&str> = MOMENTS
-        .iter()
-        .filter(|(name, is_optional)| *is_optional && node.attribute(*name).is_none())
-        .map(|(n, _)| *n)
-        .collect();
+    let is_absent = |(name, is_optional): &&(&str, bool)| *is_optional && node.attribute(*name).is_none();
+    let absent: Vec<&str> = MOMENTS.iter().filter(is_absent).map(|(name, _)| *name).collect();
     if !absent.is_empty() {
         report.warning("missing-product", Place::Element(node), || {
             format!("<inertia> has no {}: taken as 0", absent.join(", "))

@@ -138,7 +138,7 @@ impl<'a> CouplingReader<'_, 'a> {
             let wanted = flag.trim_ascii().eq_ignore_ascii_case("true");
             if wanted != of_joint.is_some() {
                 let (has, needed) = if wanted { ("no", "write") } else { ("a", "remove") };
-                warn(joint, report, || {
+                report.warning("plugin", Place::Element(joint), || {
                     format!(
                         "mimic={}, and joint {} has {has} <mimic>, which alone counts here: {needed} the \
                          <mimic> of the joint",
@@ -174,7 +174,7 @@ impl<'a> CouplingReader<'_, 'a> {
                 self.texts.joints[self.index[follower]].mimic = Some(mimic);
             }
             Ok(None) => {}
-            Err(reason) => warn(place, report, || {
+            Err(reason) => report.warning("plugin", Place::Element(place), || {
                 format!(
                     "the coupling of joint {} to joint {} is not read: {reason}. Write it as <mimic \
                      joint=\"...\" multiplier=\"...\" \
@@ -239,11 +239,6 @@ impl<'a> CouplingReader<'_, 'a> {
         }
         None
     }
-}
-
-/// Adds a warning about a coupling.
-fn warn(place: Node<'_>, report: &mut Report, message: impl FnOnce() -> String) {
-    report.warning("plugin", Place::Element(place), message);
 }
 
 /// Joint that a `<mimic>` follows: an attribute or an element.
