@@ -200,12 +200,9 @@ impl ChainBuilder {
             }
             _ => None,
         };
-        let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature] };
-        let armature = match (kind, armature[..].first()) {
-            // One value for all velocities suits only joints with one unit.
-            (JointKind::Floating, Some(value)) => vec![*value; 6],
-            _ => armature,
-        };
+        // One value for all velocities suits only joints with one unit.
+        let count = if kind == JointKind::Floating { 6 } else { 1 };
+        let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature; count] };
         JointDescription { limits, mimic, armature, ..described }
     }
 }

@@ -64,7 +64,7 @@ fn read_model(
     }
     let tendons = read_tendons(&models, &bodies, findings);
     let added = reflected_armatures(&models, &bodies, &tendons, findings);
-    let reader = EqualityReader { tree, models: &models, bodies: &bodies, tendons: &tendons };
+    let reader = EqualityReader { models: &models, bodies: &bodies, tendons: &tendons };
     let Constraints { closures, joints: mut relations } = reader.read(findings);
     if closures.len() > MAX_ELEMENTS_PER_KIND {
         findings.error("too-complex", tree.root(), || {

@@ -5,7 +5,7 @@ use crate::reading::prescan;
 use crate::reading::report::{Place, Report, cut, shortened};
 use roxmltree::{Document, ParsingOptions};
 
-/// Node of a document whose text lives as long as the document.
+/// Node of a document, with one lifetime for the document and its text.
 pub(crate) type Node<'a> = roxmltree::Node<'a, 'a>;
 
 /// Parses a text; `None`, with an error in the report, if it exceeds the bounds or is not well-formed.

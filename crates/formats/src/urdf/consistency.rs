@@ -2,8 +2,7 @@
 
 use crate::reading::report::Report;
 use crate::reading::xml::Node;
-use crate::urdf::elements::joints::joint;
-use crate::urdf::elements::joints::{simulator_couplings, transmission};
+use crate::urdf::elements::joints::{joint, simulator_couplings, transmission};
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::loops::{LoopChecks, find_loop_closing_joints};
 use crate::urdf::references::{self, Suggestions};

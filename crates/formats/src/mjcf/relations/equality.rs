@@ -9,7 +9,7 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
-use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use percuss_mechanism::{ClosureKind, Severity};
@@ -44,7 +44,6 @@ pub(crate) const REPLICATED_TENDON: &str = "the tendon refers to an element of a
 
 /// Source of the constraints of a model.
 pub(crate) struct EqualityReader<'r, 't> {
-    pub tree: &'t ElementTree,
     pub models: &'t Models<'t>,
     pub bodies: &'r Bodies,
     pub tendons: &'r HashMap<String, Tendon>,
@@ -57,7 +56,7 @@ impl EqualityReader<'_, '_> {
         if !self.models.main().equalities {
             return constraints;
         }
-        for element in self.tree.in_sections("equality") {
+        for element in findings.tree.in_sections("equality") {
             let attributes = self.models.attributes(element, DefaultKind::Equality, None, findings);
             if attributes.flag("active", findings) == Some(false) {
                 findings.add_once(Severity::Warning, "inactive-equality", "inactive", element, || {
@@ -65,7 +64,7 @@ impl EqualityReader<'_, '_> {
                 });
                 continue;
             }
-            match self.tree.tag(element) {
+            match findings.tree.tag(element) {
                 "connect" => {
                     let ends = self.connect_ends(attributes, findings);
                     self.add_closure(attributes, ClosureKind::Spherical, ends, &mut constraints, findings);
@@ -105,7 +104,7 @@ impl EqualityReader<'_, '_> {
             });
             return;
         }
-        let name = self.tree.attribute(element, "name").unwrap_or_default().to_owned();
+        let name = findings.tree.attribute(element, "name").unwrap_or_default().to_owned();
         constraints.closures.push(BodyClosure { element, name, kind, ends, distance: None });
     }
 
@@ -143,8 +142,9 @@ impl EqualityReader<'_, '_> {
     fn body_pair(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<[usize; 2]> {
         let element = attributes.element;
         let Some(first) = attributes.text("body1") else {
+            let tag = findings.tree.tag(element);
             findings.error("missing-attribute", element, || {
-                format!("<{}> has neither body1 nor site1 and site2", self.tree.tag(element))
+                format!("<{tag}> has neither body1 nor site1 and site2")
             });
             return None;
         };

@@ -73,11 +73,10 @@ impl MjcfImpact {
     pub(super) fn add_contact(&self, tree: &mut BodyTree<'_>) -> Result<(), MjcfError> {
         match &self.contact {
             ImpactContact::Surfaces(surfaces) => self.add_geoms(surfaces, tree),
-            ImpactContact::Limit { joint, range: [lower, upper] } => {
+            ImpactContact::Limit { joint, range } => {
                 let attributes = format!(
-                    " range=\"{} {}\" solreflimit=\"{}\" solimplimit=\"{}\"",
-                    format_number(*lower),
-                    format_number(*upper),
+                    " range=\"{}\" solreflimit=\"{}\" solimplimit=\"{}\"",
+                    format_numbers(range),
                     format_numbers(&self.solref),
                     format_numbers(&self.solimp)
                 );

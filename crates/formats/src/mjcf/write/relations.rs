@@ -17,11 +17,10 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) {
         }
         append!(
             tree.equalities,
-            "    <joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
+            "    <joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} 0 0 0\"/>\n",
             escape_attribute(joint.name()),
             name(mimic.master),
-            format_number(mimic.offset),
-            format_number(mimic.multiplier)
+            format_numbers(&[mimic.offset, mimic.multiplier])
         );
     }
     write_rotors(tree);
@@ -44,11 +43,10 @@ pub(super) fn write_relations(tree: &mut BodyTree<'_>) {
         if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
             append!(
                 tree.equalities,
-                "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
+                "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} 0 0 0\"/>\n",
                 name(*first),
                 name(*second),
-                format_number(constant / a),
-                format_number(-b / a)
+                format_numbers(&[constant / a, -b / a])
             );
             continue;
         }

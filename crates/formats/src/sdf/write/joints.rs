@@ -170,12 +170,8 @@ impl Axes {
         if last.child() != link && pose != Transform::identity() {
             append!(out, "      <pose>{}</pose>\n", pose_text(&pose));
         }
-        append!(
-            out,
-            "      <parent>{}</parent>\n      <child>{}</child>\n",
-            escape_attribute(bodies.name(first.parent())),
-            escape_attribute(bodies.name(link))
-        );
+        let [parent, child] = [first.parent(), link].map(|link| escape_attribute(bodies.name(link)));
+        append!(out, "      <parent>{parent}</parent>\n      <child>{child}</child>\n");
         match chain.kind {
             ChainKind::Single if first.kind().has_axis() => {
                 self.append_axis("axis", chain.joints[0], first, first.axis(), out);
@@ -188,13 +184,10 @@ impl Axes {
             }
             ChainKind::Screw => {
                 let advance = last.mimic().map_or(0.0, |mimic| mimic.multiplier);
+                let [pitch, old_pitch] = [advance * TAU, -1.0 / advance].map(format_number);
                 // Right-handed metres per turn for libsdformat from 13 on; left-handed radians per metre for earlier versions.
-                append!(
-                    out,
-                    "      <screw_thread_pitch>{}</screw_thread_pitch>\n",
-                    format_number(advance * TAU)
-                );
-                append!(out, "      <thread_pitch>{}</thread_pitch>\n", format_number(-1.0 / advance));
+                append!(out, "      <screw_thread_pitch>{pitch}</screw_thread_pitch>\n");
+                append!(out, "      <thread_pitch>{old_pitch}</thread_pitch>\n");
                 let axis = last.origin().inverse_vector(first.axis());
                 self.append_axis("axis", chain.joints[0], first, &axis, out);
             }
@@ -216,22 +209,17 @@ impl Axes {
     fn append_axis(&self, tag: &str, id: JointId, joint: &Joint, axis: &Vector3<f64>, out: &mut String) {
         append!(out, "      <{tag}>\n        <xyz>{}</xyz>\n", format_vector(&axis.map(|x| x + 0.0)));
         if let Some(limits) = joint.limits() {
-            append!(
-                out,
-                "        <limit><lower>{}</lower><upper>{}</upper></limit>\n",
-                format_number(limits.lower),
-                format_number(limits.upper)
-            );
+            let [lower, upper] = [limits.lower, limits.upper].map(format_number);
+            append!(out, "        <limit><lower>{lower}</lower><upper>{upper}</upper></limit>\n");
         }
         if let Some(Follower { leader, multiplier, offset }) = self.followers.get(&id)
             && let Some((name, axis)) = self.names.get(leader)
         {
+            let (name, [multiplier, offset]) =
+                (escape_attribute(name), [*multiplier, *offset].map(format_number));
             append!(
                 out,
-                "        <mimic joint=\"{}\" axis=\"{axis}\"><multiplier>{}</multiplier><offset>{}</offset><reference>0</reference></mimic>\n",
-                escape_attribute(name),
-                format_number(*multiplier),
-                format_number(*offset)
+                "        <mimic joint=\"{name}\" axis=\"{axis}\"><multiplier>{multiplier}</multiplier><offset>{offset}</offset><reference>0</reference></mimic>\n"
             );
         }
         append!(out, "      </{tag}>\n");

@@ -113,7 +113,7 @@ const IN_CONTACT: &[ElementRule] = &[
 
 const IN_LINK: &[ElementRule] = &[
     element("inertial", &[], IN_INERTIAL).single(),
-    // `geometry.rs` and `shape.rs` read the shapes; `survey.rs` lists the other children.
+    // `shapes.rs` reads the shapes; `survey.rs` lists the other children.
     unread("visual collision", Silent),
     warned("origin", "a link has no origin of its own in URDF (its joint and its <inertial> have); ignored"),
     unread(

@@ -61,7 +61,7 @@ pub(crate) fn required_numbers<const N: usize>(
 
 /// Number in a mandatory attribute; `None` if absent or invalid.
 pub(crate) fn required_number(node: Node<'_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
-    // Numbers of a file are finite.
+    // An absent or invalid number becomes NaN; valid numbers are finite.
     let [value] = required_numbers(node, attribute, [f64::NAN], report);
     Some(value).filter(|value| !value.is_nan())
 }

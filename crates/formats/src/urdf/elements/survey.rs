@@ -158,7 +158,7 @@ fn apply_treatment(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), re
     }
 }
 
-/// Children of `<geometry>` that `shape.rs` reads.
+/// Children of `<geometry>` that `shapes.rs` reads.
 const SOLIDS: [&str; 5] = ["box", "sphere", "cylinder", "capsule", "mesh"];
 
 /// Adds the children of a `<visual>` or `<collision>` that are not read, such as `<material>`, to the list of unread parts.
