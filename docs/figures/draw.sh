@@ -5,7 +5,7 @@ cd "$(dirname "$0")/../.."
 percuss=${1:-target/debug/percuss}
 figures=docs/figures
 stop="--at bump_stop"
-# The second picture of a report is the drawing of the mechanism in its views; the first is that of the first page.
+# The first picture of a report is the drawing of the mechanism in one view.
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 drawing() { # STUDY FIGURE
@@ -13,8 +13,7 @@ drawing() { # STUDY FIGURE
   python3 - "$work/report.html" "$2" <<'PYTHON'
 import re, sys
 page = open(sys.argv[1], encoding="utf-8").read()
-picture = re.findall(r"<svg .*?</svg>", page, re.S)[1]
-picture = picture.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
+picture = re.search(r"<svg .*?</svg>", page, re.S)[0].replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
 open(sys.argv[2], "w", encoding="utf-8").write(picture + "\n")
 PYTHON
 }

@@ -1,6 +1,6 @@
 #![doc = include_str!("../README.md")]
 //!
-//! All types are generic over a [`Scalar`]. Conventions: `docs/reference/NOTATION.md`.
+//! All types are generic over a [`Scalar`]. Conventions: `docs/reference/FORMULAS.md`.
 
 mod articulated;
 mod inertia;

@@ -193,7 +193,7 @@ fn surfaces_document(answer: &MapAnswer) -> Document<'_> {
     out.facts([("against", against), ("base", report.conditions.base.to_owned())].into_iter().chain(worst));
     out.paragraph(
         "Not included: friction, compliance of the links, several impacts at once.\n\
-         See docs/explanation/LIMITS.md and docs/howto/MAPS.md.",
+         See docs/explanation/EFFECTIVE_MASS.md and docs/howto/MAPS.md.",
     );
     out
 }

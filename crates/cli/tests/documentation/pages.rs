@@ -10,8 +10,6 @@ crate::pages! {
     explanation_assembly_modes "docs/explanation/ASSEMBLY_MODES.md",
     explanation_effective_mass "docs/explanation/EFFECTIVE_MASS.md",
     explanation_figure3 "docs/explanation/FIGURE3.md",
-    explanation_held_contacts "docs/explanation/HELD_CONTACTS.md",
-    explanation_limits "docs/explanation/LIMITS.md",
     howto_code "docs/howto/CODE.md",
     howto_designs "docs/howto/DESIGNS.md",
     howto_impact "docs/howto/IMPACT.md",

@@ -65,7 +65,7 @@ pub fn study_keys() -> Vec<String> {
 pub fn study_key_page() -> String {
     let mut page = String::from(
         "# Keys of studies\n\nEach key of a study file, as `percuss schema --format markdown` prints it. Lengths are in m, angles in \
-         rad, masses in kg, or text\nwith a unit (`\"350 mm\"`). [STUDIES.md](STUDIES.md) has an example.\n",
+         rad, masses in kg, or text\nwith a unit (`\"350 mm\"`). [Studies](STUDIES.md) has an example.\n",
     );
     let tables = properties(study_schema()).into_iter().flatten();
     for (table, of_table) in tables {

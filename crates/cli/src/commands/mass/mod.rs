@@ -169,7 +169,7 @@ fn text(report: &MassReport, requested: &MassOptions, hints: &str) -> String {
         out.facts(conditions::facts(report));
         out.remark(
             "Gravity, springs, dampers and speed have no effect on the effective mass: a finite force does no work in an instantaneous impact. See \
-             docs/explanation/LIMITS.md.",
+             docs/explanation/EFFECTIVE_MASS.md.",
         );
     } else {
         out.remark(conditions::summary(report));
