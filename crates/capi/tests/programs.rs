@@ -143,12 +143,14 @@ fn the_layer_for_cxx() {
     }
 }
 
-/// The examples in C of the guide, each as a function of one program.
+/// The examples in C of the book, each as a function of one program.
 #[test]
-fn the_guide_computes_the_stated_masses() {
-    let guide = std::fs::read_to_string(crate_folder().join("../../docs/howto/C.md")).expect("the guide");
+fn the_book_computes_the_stated_masses() {
+    let pages = ["howto/C.md", "howto/KINEMATICS.md", "tutorials/SUSPENSION.md"]
+        .map(|page| std::fs::read_to_string(crate_folder().join("../../docs").join(page)).expect("a page"));
+    let book = pages.concat();
     let examples: Vec<&str> =
-        guide.split("```c\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default()).collect();
+        book.split("```c\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default()).collect();
     let mut text = "#include <percuss.h>\n#include <stdio.h>\n#include <stdlib.h>\n".to_owned();
     let mut calls = String::new();
     for (number, example) in examples.iter().enumerate() {

@@ -69,3 +69,8 @@ pub use percuss_spatial as spatial;
 pub use percuss_study as study;
 #[cfg(feature = "suspension")]
 pub use percuss_suspension as suspension;
+
+/// Rust of the book, compiled by the tests of the documentation.
+#[cfg(all(doctest, feature = "study"))]
+#[doc = include_str!("../../../docs/tutorials/SUSPENSION.md")]
+struct Book;

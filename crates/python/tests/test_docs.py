@@ -1,8 +1,7 @@
-"""The Python blocks of docs/howto/PYTHON.md run in order; the examples and the notebook run too."""
+"""The Python blocks of each page of docs run in order; the examples and the notebook run too."""
 
 from __future__ import annotations
 
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,17 +10,18 @@ from typing import Any
 import nbclient
 import nbformat
 import pytest
+from blocks import pages
 from cases import ROOT
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+PAGES = {name: blocks for name, blocks in pages() if name.startswith("docs_")}
 
 
-def test_the_blocks_of_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("page", sorted(PAGES))
+def test_the_blocks_of_a_page(page: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs/howto/PYTHON.md").read_text(), flags=re.S)
-    assert len(blocks) >= 6
     names: dict[str, object] = {}
-    for block in blocks:
+    for block in PAGES[page]:
         exec(block, names)
 
 
