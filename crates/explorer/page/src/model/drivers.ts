@@ -58,7 +58,7 @@ function jointDriver(joint: SceneJoint, isToLeft: boolean): Driver | null {
   // With a distant limit, the slider would be too coarse.
   const range: [number, number] = [Math.max(low, -2 * Math.max(side, TURN_RANGE)), Math.min(high, 2 * Math.max(side, TURN_RANGE))];
   if (!(range[0] < range[1])) return null;
-  return { name: joint.name, label: joint.name === RACK ? `rack, + to the ${isToLeft ? 'left' : 'right'}` : joint.name, isMotion: false, unit, range };
+  return { name: joint.name, label: joint.name === RACK ? `rack, + ${isToLeft ? 'left' : 'right'}` : joint.name, isMotion: false, unit, range };
 }
 
 /** Drivers of a model. `contacts`: results of the named contacts; `shown`: travel of the wheels, m. */

@@ -22,6 +22,8 @@ const STEPS_OF_END = 2;
 const POSES_OF_BAND = 9;
 /** Delay from the last change to the computations that are omitted during a drag, ms. */
 const REST = 250;
+/** Time between two results at the named contacts during a drag, ms. */
+const LISTING = 150;
 /** Duration after which a computation is reported, ms. */
 const SLOW = 300;
 const LONGEST_HISTORY = 200;
@@ -62,6 +64,7 @@ export class Store {
   contacts: ListedContact[] = [];
   /** Key of the design of `contacts`. */
   private listed = '';
+  private listedAt = 0;
   drivers: Driver[] = [];
   driver: Driver | undefined;
   variants: Variant[] = [];
@@ -289,8 +292,8 @@ export class Store {
         this.variation = undefined;
       }
       this.changed();
-      // Without delay for a newer change.
-      if (!this.dirty) await this.listContacts(study);
+      // Without delay for a newer change; in a drag, now and then.
+      if (!this.dirty && (!this.gesture || performance.now() - this.listedAt > LISTING)) await this.listContacts(study);
       if (!this.dirty && !this.gesture && this.fitRange()) this.dirty = true;
     }
     this.working = false;
@@ -304,7 +307,8 @@ export class Store {
 
   /** Starts the computations that are omitted during a drag. */
   private async atRest() {
-    if (!this.study || this.gesture || this.working) return;
+    if (!this.study || this.working) return;
+    if (this.gesture) return this.listContacts(this.study);
     await this.writeHash();
     await this.refineEnds();
     await this.answers.refresh();
@@ -418,6 +422,7 @@ export class Store {
     if (!this.scene?.contacts.length || this.problem || this.contactsAreFresh) return;
     const { travel, ...pose } = study.pose;
     void travel;
+    this.listedAt = performance.now();
     const reply = await this.ask<ContactListReport>({ do: 'contacts', question: { ...study, contact: {}, pose } });
     if (reply && 'ok' in reply) this.set({ contacts: reply.ok.contacts, listed: designKey(study) } as Partial<Store>);
   }

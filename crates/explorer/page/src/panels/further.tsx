@@ -28,7 +28,7 @@ function Panel<K extends Kind>({ kind, title, missing, children, result, command
   return (
     <details class={`further ${kind}`} open={answers.isShown(kind)} onToggle={(event) => answers.show(kind, event.currentTarget.open)}>
       <summary><h2>{title}</h2></summary>
-      {children}
+      {answers.isShown(kind) ? children : null}
       {answers.leftOut[kind]?.length ? <p class="soft">Keys of the study that this panel leaves out: {answers.leftOut[kind].join(', ')}.</p> : null}
       <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
         {missing ? <p class="soft">{missing}</p> : !found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)

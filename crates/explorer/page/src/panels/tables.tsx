@@ -1,6 +1,6 @@
 // Contributions, hardpoints, masses, motion ratios and findings as tables: the text alternative to the picture.
 
-import { useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import type { Triple } from '../engine/protocol';
 import { digits, fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
@@ -58,31 +58,7 @@ export function Hardpoints() {
         <table class="points">
           <thead><tr><th>name</th><th>x</th><th>y</th><th>z</th></tr></thead>
           <tbody>
-            {sheet.hardpoints.map((point) => {
-              const by = store.moved(point.name);
-              // The scene has the moves of the last result; the numbers follow the study at once.
-              const opened = store.opened!.scene.sheet!.hardpoints.find((p) => p.name === point.name)!;
-              const initial = initialMove(point.name);
-              return (
-                <tr key={point.name} class={point.name === selected ? 'selected' : ''} onClick={() => store.set({ selected: point.name })}>
-                  <th scope="row" title={by.some((x) => x !== 0) ? `Δ ${by.map((x) => signed(x * 1000, 1)).join(', ')} mm` : point.name}>{point.name}</th>
-                  {[0, 1, 2].map((k) => {
-                    const metres = opened.coordinates[k] - initial[k] + by[k];
-                    return (
-                      <td key={k}>
-                        <NumberField label={`${point.name} ${'xyz'[k]}, ${sheet.unit}`} value={metres / sheet.unit_length} decimals={decimals} step={step} changed={by[k] !== 0}
-                          title={by[k] !== 0 ? `moved by ${signed(by[k] * 1000, 1)} mm` : undefined}
-                          set={(x) => {
-                            const to = [...store.moved(point.name)] as Triple;
-                            to[k] = x * sheet.unit_length - (opened.coordinates[k] - initial[k]);
-                            store.movePoint(point.name, to, `${point.name} ${'xyz'[k]}`);
-                          }} />
-                      </td>
-                    );
-                  })}
-                </tr>
-              );
-            })}
+            {sheet.hardpoints.map(({ name }) => <PointRow key={name} name={name} isSelected={name === selected} decimals={decimals} step={step} />)}
           </tbody>
         </table>
         {moved ? (
@@ -95,6 +71,36 @@ export function Hardpoints() {
       </>
     )} />
   );
+}
+
+/** Row of a hardpoint. It is rendered again only after a change of its own, because each result of a drag renders the table. */
+function PointRow({ name, isSelected, decimals, step }: { name: string; isSelected: boolean; decimals: number; step: number }) {
+  const sheet = store.opened!.scene.sheet!;
+  const by = store.moved(name);
+  // The scene has the moves of the last result; the numbers follow the study at once.
+  const { coordinates } = sheet.hardpoints.find((p) => p.name === name)!;
+  return useMemo(() => {
+    const initial = initialMove(name);
+    return (
+      <tr class={isSelected ? 'selected' : ''} onClick={() => store.set({ selected: name })}>
+        <th scope="row" title={by.some((x) => x !== 0) ? `Δ ${by.map((x) => signed(x * 1000, 1)).join(', ')} mm` : name}>{name}</th>
+        {[0, 1, 2].map((k) => {
+          const drawn = coordinates[k] - initial[k];
+          return (
+            <td key={k}>
+              <NumberField label={`${name} ${'xyz'[k]}, ${sheet.unit}`} value={(drawn + by[k]) / sheet.unit_length} decimals={decimals} step={step} changed={by[k] !== 0}
+                title={by[k] !== 0 ? `moved by ${signed(by[k] * 1000, 1)} mm` : undefined}
+                set={(x) => {
+                  const to = [...store.moved(name)] as Triple;
+                  to[k] = x * sheet.unit_length - drawn;
+                  store.movePoint(name, to, `${name} ${'xyz'[k]}`);
+                }} />
+            </td>
+          );
+        })}
+      </tr>
+    );
+  }, [name, isSelected, coordinates, ...by]);
 }
 
 /** Displacement that a hardpoint had when the model was opened, m. */
