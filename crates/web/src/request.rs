@@ -47,6 +47,17 @@ pub enum Request {
         #[serde(default)]
         points: Option<Vec<String>>,
     },
+    /// Search for the coordinate of a hardpoint, or for the mass of a link, at which m̄ has a required value.
+    Solve {
+        /// Question.
+        question: QuestionRequest,
+        /// `POINT.AXIS` with an axis of the sheet, or `LINK.mass`.
+        unknown: String,
+        /// Required m̄, kg.
+        mass: f64,
+        /// Largest change of a coordinate, m; a mass changes by at most half.
+        within: f64,
+    },
     /// Damper for a restitution, and the parameters of simulators.
     Damp {
         /// Question; the contact is ignored if `damping` names a joint stop.

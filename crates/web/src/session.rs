@@ -7,15 +7,17 @@ use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, MemoryFiles, Sou
 use percuss_study::contact::exports::StopMotion;
 use percuss_study::{
     BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DampingReport, DesignError,
-    DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicVariable,
-    KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Moved, Names, PointMapReport,
-    PosedMass, RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, Vary, WheelMotion, changed_sheet,
-    contact_list, damp_contact, damp_stop, given_contact_masses, impact, kinematics, link_frames, map_point,
-    mass_with_frames, safe_speeds, scene, scene_shapes, starting_contact, sweep_report,
+    DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicTarget,
+    KinematicVariable, KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Moved, Names,
+    PointMapReport, PosedMass, RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, TargetReport,
+    TargetSearch, Vary, WheelMotion, changed_sheet, contact_list, damp_contact, damp_stop,
+    given_contact_masses, impact, kinematics, link_frames, map_point, mass_with_frames, safe_speeds, scene,
+    scene_shapes, search_targets, starting_contact, sweep_report,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::str::FromStr;
 
 /// Directions at the contact point besides the principal ones, which alone are shown.
 const DIRECTIONS: usize = 1;
@@ -108,6 +110,7 @@ enum Reply {
     Shown(Box<Shown>),
     Contacts(Box<ContactListReport>),
     Explained(Option<Explanation>),
+    Found(Box<TargetReport>),
     Sheet(String),
     Damped(Box<DampingReport>),
     Impact(Box<ImpactReport>),
@@ -211,6 +214,15 @@ impl Session {
                 let (model, question) = self.model_and_question(&question)?;
                 let points = points.as_deref().unwrap_or_else(|| model.hardpoints());
                 Ok(Reply::Explained(Explanation::of_points(model, &question, points)?))
+            }
+            Request::Solve { question, unknown, mass, within } => {
+                let (model, question) = self.model_and_question(&question)?;
+                let unknown = unknown.parse().map_err(|error: String| Refusal::of_message(error))?;
+                let target = KinematicTarget::from_str(&format!("effective_mass={mass}kg"));
+                let targets = vec![target.map_err(Refusal::of_message)?];
+                let search = TargetSearch { unknowns: vec![unknown], targets, within, mass: Some(question) };
+                let found = search_targets(model, &KinematicsQuestion::default(), &search);
+                Ok(Reply::Found(Box::new(found.map_err(|error| Refusal::of_message(error.to_string()))?)))
             }
             Request::Damp { question, damping } => {
                 let wanted = damping

@@ -519,6 +519,34 @@ fn contacts_and_sensitivities_are_those_of_the_changed_design() {
     assert!(one.len() == 1 && all.len() > 10 && all.contains(&one[0]), "{one:?}");
 }
 
+/// A search by a hardpoint and by a mass reaches the required m̄ at the contact of the question.
+#[test]
+fn a_target_is_reached() {
+    let mut session = Session::new();
+    let path = double_wishbone();
+    open(&mut session, &path);
+    let question = |changes: Value| {
+        let mut model = json!({ "path": path.to_string_lossy() });
+        model.as_object_mut().unwrap().extend(changes.as_object().unwrap().clone());
+        json!({ "model": model, "contact": { "at": "spring" }, "pose": { "travel": ["wheel-travel=20mm"] } })
+    };
+    let mass = |session: &mut Session, changes: Value| {
+        let reply = ask(session, &json!({ "do": "show", "question": question(changes) }));
+        reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64().unwrap()
+    };
+    let required = mass(&mut session, json!({})) - 5.0;
+    for (unknown, table) in [("spring_seat.y", "move"), ("wheel.mass", "link_mass")] {
+        let solve = json!({ "do": "solve", "question": question(json!({})), "unknown": unknown, "mass": required, "within": 0.03 });
+        let found = ask(&mut session, &solve)["ok"].clone();
+        assert_eq!(found["is_reached"], json!(true), "{unknown}: {found}");
+        let by_name = &found[if table == "move" { "moves" } else { "link_masses" }][0];
+        let (name, value) = (&by_name[0], &by_name[1]);
+        let again = mass(&mut session, json!({ table: { name.as_str().unwrap(): value } }));
+        // The search ends at a difference of 1e-8 of the scale of a mass, 1 kg.
+        assert!((again - required).abs() < 1e-6, "{unknown}: {again}, {required}");
+    }
+}
+
 /// The curve of an axle over the heave has its roll.
 #[test]
 fn a_curve_keeps_an_independent_travel() {

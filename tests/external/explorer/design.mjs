@@ -1,4 +1,4 @@
-// Tests of the contact cards, axes, keys, touches, variants, sensitivities, the impact in time, hints and the dark page.
+// Tests of the contact cards, axes, keys, touches, variants, targets, sensitivities, the impact in time, hints and the dark page.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -209,15 +209,41 @@ export const designTests = {
     await close(page);
   },
 
-  async 'the largest rates are listed without a request'(browser) {
+  async 'the mass with a free chassis is beside the mass with a fixed one'(browser) {
+    const path = join(folder, 'chassis.toml');
+    writeFileSync(path, `${fileText(SHEET)}\n[chassis]\nmass = 400\ncom = [0, 0, 400]\ninertia = [40, 200, 220]\n`);
+    const page = await open(browser, explore(path, '--at', 'bump_stop'));
+    await settle(page);
+    const { other_base: other } = json('mass', path, '--at', 'bump_stop');
+    const text = await page.locator('.result p:has-text("With the chassis free") b').textContent();
+    assert.ok(Math.abs(number(text) / other.effective_mass - 1) < FOUR_DIGITS, `${text}, ${other.effective_mass} by the command`);
+    // The mass of the fixed chassis is no part of the mechanism that strikes.
+    assert.match(await page.textContent('.result'), /mechanism of 40\.75 kg/);
+    await close(page);
+  },
+
+  async 'a target is solved for, and the largest rates are listed'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'bump_stop'));
     await settle(page);
+    const first = await shown(page);
     await page.waitForSelector('.tornado tr');
     const { most_per_kilogram: most } = json('mass', SHEET, '--at', 'bump_stop', '--explain').explanation;
     assert.ok((await page.textContent('.side')).includes(most[0].link.replaceAll('_', ' ')));
     await page.click('.tornado tr:first-child button');
     // The picture follows with the next frame.
     await page.waitForFunction(() => document.querySelectorAll('.points circle.selected').length === 1);
+    await page.fill('.target-search input >> nth=0', String((first - 5).toFixed(3)));
+    await page.selectOption('.target-search select', 'bump_stop_pad.y');
+    await page.click('.target-search button');
+    await page.waitForFunction(() => /Changed/.test(document.querySelector('.told')?.textContent ?? ''));
+    await agrees(page, join(folder, '../../..'), 'the target');
+    // The page rounds a move to 0.1 µm, at some kg per mm.
+    assert.ok(Math.abs((await shown(page)) - Number((first - 5).toFixed(3))) < 1e-3, String(await shown(page)));
+    const solved = await shown(page);
+    await page.fill('.target-search input >> nth=0', '1');
+    await page.click('.target-search button');
+    await page.waitForFunction(() => /Not reached/.test(document.querySelector('.told')?.textContent ?? ''));
+    assert.equal(await shown(page), solved);
     await close(page);
   },
 

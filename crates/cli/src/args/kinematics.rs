@@ -99,7 +99,8 @@ impl KinematicsArgs {
         if !(within.is_finite() && within > 0.0) {
             return Err(Failure::bad_input(format!("--within is {within} m; more than 0 is expected")));
         }
-        let search = TargetSearch { unknowns: self.solve.clone(), targets: self.required.clone(), within };
+        let (unknowns, targets) = (self.solve.clone(), self.required.clone());
+        let search = TargetSearch { unknowns, targets, within, mass: None };
         Ok((!self.solve.is_empty()).then_some(search))
     }
 }

@@ -18,6 +18,12 @@ export interface Opened {
   poses: string[]; diagnostics: DiagnosticRecord[];
 }
 
+/** Search for a coordinate or a mass: old and new value in the unit of the sheet or in kg; displacements, m, and masses, kg. */
+export interface Found {
+  is_reached: boolean; within: number; coordinates: { coordinate: string; unit: string; old: number; new: number }[];
+  targets: { required: number; old: number; reached: number }[]; moves: [string, Triple][]; link_masses: [string, number][];
+}
+
 // Tables of a study.
 export interface ModelTable {
   path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; link_inertia?: Record<string, Triple>; [key: string]: unknown;
@@ -38,6 +44,7 @@ export type Request =
   | { do: 'show'; question: Study; vary?: string }
   | { do: 'contacts'; question: Study }
   | { do: 'explain'; question: Study; points?: string[] }
+  | { do: 'solve'; question: Study; unknown: string; mass: number; within: number }
   | { do: 'damp'; question: Study; damping: Record<string, unknown> }
   | { do: 'impact'; question: Study; impact: Record<string, unknown> }
   | { do: 'safe-speed'; question: Study; safe_speed: Record<string, unknown> }

@@ -2,7 +2,7 @@
 
 import { Ended, Engine } from '../engine/engine';
 import type {
-  ContactListReport, ContactTable, Curve, CurveRow, Explanation, DiagnosticRecord, ListedContact, Opened, Outcome, PosedMass, Refusal, Scene, Shown, Study, Triple,
+  ContactListReport, ContactTable, Curve, CurveRow, Explanation, DiagnosticRecord, Found, ListedContact, Opened, Outcome, PosedMass, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
 import { Answers } from './answers';
 import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
@@ -420,10 +420,8 @@ export class Store {
 
   private async listContacts(study: Study) {
     if (!this.scene?.contacts.length || this.problem || this.contactsAreFresh) return;
-    const { travel, ...pose } = study.pose;
-    void travel;
     this.listedAt = performance.now();
-    const reply = await this.ask<ContactListReport>({ do: 'contacts', question: { ...study, contact: {}, pose } });
+    const reply = await this.ask<ContactListReport>({ do: 'contacts', question: { ...study, contact: {}, pose: { ...study.pose, travel: [] } } });
     if (reply && 'ok' in reply) this.set({ contacts: reply.ok.contacts, listed: designKey(study) } as Partial<Store>);
   }
 
@@ -435,6 +433,19 @@ export class Store {
     const former = this.driver;
     this.driver = all.find((driver) => driver.name === former?.name);
     return JSON.stringify(former) !== JSON.stringify(this.driver);
+  }
+
+  /** Changes a coordinate of a hardpoint or the mass of a link so that m̄ has a value, kg, within a distance, m. Returns the search, or the reason of its refusal. */
+  async solve(unknown: string, mass: number, within: number): Promise<Found | string> {
+    const { study } = this;
+    const reply = await this.ask<Found>({ do: 'solve', question: study!, unknown, mass, within });
+    if (!reply || this.study !== study) return 'The search was ended.';
+    if ('refused' in reply) return reply.refused.message;
+    const { is_reached, moves: [moved], link_masses: [link] } = reply.ok;
+    const label = `${unknown} for ${mass} kg`;
+    if (is_reached && moved) this.movePoint(moved[0], this.moved(moved[0]).map((x, k) => x + moved[1][k]) as Triple, label);
+    if (is_reached && link) this.change({ ...study!, model: { ...study!.model, link_mass: { ...study!.model.link_mass, [link[0]]: link[1] } } }, label);
+    return reply.ok;
   }
 
   async sheetText(): Promise<string | undefined> {

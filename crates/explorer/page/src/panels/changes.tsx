@@ -1,8 +1,8 @@
-// What changes m̄ most.
+// What changes m̄ most, and the search for the coordinate or the mass that gives m̄ a value.
 
-import { useMemo } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import type { Explanation } from '../engine/protocol';
-import { digits, words } from '../model/numbers';
+import { digits, fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
 import { useStore } from './hooks';
 
@@ -11,15 +11,17 @@ const MOST_LINKS = 4;
 
 /** Coordinates of hardpoints and masses of links with the largest rates of m̄. */
 export function Changes() {
-  const { explanation, explained, study, problem, posed } = useStore();
+  const { explanation, explained, study, problem, posed, scene } = useStore();
   const isStale = !!problem || explained !== study;
   // A drag does not render the tables again.
   const tables = useMemo(() => rates(explanation, isStale), [explanation, isStale]);
   if (!posed || posed.report.status !== 'finite') return null;
+  const most = explanation && sorted(explanation)[0];
   return (
     <section>
       <h2>What changes m̄ most</h2>
       {tables}
+      {scene?.sheet?.hardpoints.length ? <Target suggested={most ? `${most.point}.${most.axis}` : undefined} /> : null}
     </section>
   );
 }
@@ -57,5 +59,54 @@ function rates(explanation: Explanation | null | undefined, isStale: boolean) {
         <tbody>{links.map((l) => <tr key={l.link}><th scope="row">{words(l.link)}</th><td class="n">−{digits(l.per_kilogram, 3)}</td></tr>)}</tbody>
       </table>
     </div>
+  );
+}
+
+/** Search for the coordinate or the mass at which m̄ has a value. */
+function Target({ suggested }: { suggested: string | undefined }) {
+  const { posed, scene, problem } = store;
+  const [mass, setMass] = useState('');
+  const [chosen, setChosen] = useState('');
+  const [within, setWithin] = useState('20');
+  const [told, setTold] = useState('');
+  const sheet = scene!.sheet!;
+  const unknown = chosen || suggested || `${sheet.hardpoints[0].name}.x`;
+  // Each result of a drag has another scene with the same names.
+  const options = useMemo(
+    () => [
+      ...sheet.hardpoints.flatMap((p) => ['x', 'y', 'z'].map((axis) => <option key={p.name + axis} value={`${p.name}.${axis}`}>{words(p.name)} {axis}</option>)),
+      ...scene!.links.filter((l) => l.mass > 0).map((l) => <option key={l.name} value={`${l.name}.mass`}>mass of {words(l.name)}</option>),
+    ],
+    [sheet.hardpoints.map((p) => p.name).join()],
+  );
+  const number = (text: string) => Number(text.replace(',', '.'));
+  const [required, range] = [number(mass), number(within) / 1000];
+  const run = async () => {
+    setTold('Searching …');
+    const found = await store.solve(unknown, required, range);
+    if (typeof found === 'string') return setTold(found);
+    const [{ coordinate, unit, old, new: to }] = found.coordinates;
+    const move = `${words(coordinate)} from ${fixed(old, 2)} to ${fixed(to, 2)} ${unit} (${signed(to - old, 2)})`;
+    setTold(found.is_reached ? `Changed ${move}.`
+      : `Not reached within ${unit === 'kg' ? 'half of the mass' : `${within} mm`}. Nearest: ${digits(found.targets[0].reached)} kg with ${move}; nothing was changed.`);
+  };
+  return (
+    <form class="target-search" onSubmit={(event) => { event.preventDefault(); void run(); }}>
+      <h3>Solve for a target</h3>
+      <label class="line"><span>m̄, kg</span>
+        <input class="setting" type="text" inputMode="decimal" autocomplete="off" placeholder={digits(posed!.report.effective_mass! * 0.95, 4)} value={mass}
+          onInput={(event) => setMass(event.currentTarget.value)} />
+      </label>
+      <label class="line"><span>by changing</span>
+        <select value={unknown} onChange={(event) => setChosen(event.currentTarget.value)}>
+          {options}
+        </select>
+      </label>
+      <label class="line"><span>by at most, mm</span>
+        <input class="setting" type="text" inputMode="decimal" autocomplete="off" value={within} onInput={(event) => setWithin(event.currentTarget.value)} />
+      </label>
+      <p class="row"><button disabled={!!problem || !(required > 0) || !(range > 0)}>Solve</button></p>
+      {told ? <p class="told" role="status">{told}</p> : null}
+    </form>
   );
 }

@@ -40,6 +40,7 @@ export function Moments({ found }: { found: ImpactTimeRecord }) {
   const bearings = [...found.bearings].sort((a, b) => b.peak_force - a.peak_force)
     .filter((b, i, all) => i === 0 || Math.abs(b.peak_force - all[i - 1].peak_force) > SAME_FORCE * b.peak_force);
   const shown = bearings.filter((b) => b.peak_force >= SMALL_FORCE * found.peak_force);
+  const acting = [...found.springs, ...found.dampers, ...found.drives].map(({ name }) => words(name)).join(', ');
   const most = Math.max(found.peak_force, ...shown.map((b) => b.peak_force)) || 1;
   const x = (t: number) => LEFT + (t / times[last]) * (WIDTH - LEFT - 6);
   const y = (f: number) => HEIGHT - BOTTOM - (Math.max(0, f) / most) * (HEIGHT - BOTTOM - TOP);
@@ -68,6 +69,8 @@ export function Moments({ found }: { found: ImpactTimeRecord }) {
           <tr key={b.name + b.place}><th scope="row">{words(b.name)}</th><td class="n">{digits(b.force[now], 3)}</td><td class="n">{digits(b.peak_force, 3)}</td></tr>
         ))}</tbody>
       </table>
+      <p class="soft">{acting ? `Besides the contact, these act: ${acting}.` : 'The contact force alone acts: neither gravity nor springs.'}{
+        found.springs_left_out.length ? ` Left out: ${found.springs_left_out.map(words).join(', ')}.` : ''}</p>
       {bearings.length > shown.length ? <p class="soft">{bearings.length - shown.length} further bearings have less than {SMALL_FORCE * 100} % of the force of the contact.</p> : null}
     </div>
   );

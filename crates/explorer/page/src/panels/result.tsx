@@ -39,6 +39,10 @@ function Value({ report, stale }: { report: MassReport; stale: boolean }) {
       <p class="sub">{sentence(report)}</p>
       <p class="sub"><span class="tag">{pose(report)}</span></p>
       {report.singular_pose ? <p class="sub">a bound for all branches</p> : m && error !== null && error > LARGE_ERROR * m ? <p class="sub">{bounded}</p> : null}
+      {report.other_base ? (
+        <p class="sub">With the {words(report.other_base.link)} {report.other_base.base === 'floating' ? 'free' : 'fixed'}: <b>{
+          report.other_base.effective_mass === null ? report.other_base.status : `${mass(report.other_base.effective_mass, report.other_base.effective_mass_error)} ${report.unit}`}</b>.</p>
+      ) : null}
       {named?.effective_mass_together != null ? (
         <p class="sub both">Both stops ({[named.name, ...named.touching].map(words).join(', ')}), closing together: <b>{mass(named.effective_mass_together, error)} {report.unit}</b> each.</p>
       ) : null}
@@ -47,8 +51,9 @@ function Value({ report, stale }: { report: MassReport; stale: boolean }) {
 }
 
 /** Meaning of the number. */
-function sentence({ contact, named_contact: named, motion_ratios, status, unit, effective_mass: m, effective_mass_error: error }: MassReport) {
-  const all = store.scene!.links.reduce((sum, link) => sum + link.mass, 0);
+function sentence({ contact, conditions, named_contact: named, motion_ratios, status, unit, effective_mass: m, effective_mass_error: error }: MassReport) {
+  // A fixed base does not move.
+  const all = store.scene!.links.reduce((sum, link, i) => sum + (i === store.scene!.root && conditions.base === 'fixed' ? 0 : link.mass), 0);
   const ratio = motion_ratios.find((r) => r.contact_per_wheel !== null && r.link.startsWith('wheel_centre'))?.contact_per_wheel;
   const other = `the ${contact.against ? words(contact.against) : 'ground'}`;
   const strikes = status !== 'finite' || contact.is_moment ? ''

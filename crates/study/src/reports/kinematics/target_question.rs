@@ -1,5 +1,6 @@
 //! Unknowns and required values of a search in a suspension sheet.
 
+use crate::question::mass_question::MassQuestion;
 use crate::reports::kinematics::column_names::column_name;
 use percuss_units::{Dimension, Quantity};
 use std::str::FromStr;
@@ -75,4 +76,6 @@ pub struct TargetSearch {
     pub targets: Vec<KinematicTarget>,
     /// Largest change of each coordinate, m. A mass changes by at most half.
     pub within: f64,
+    /// Question of the quantity `effective_mass`; `None` without such a target.
+    pub mass: Option<MassQuestion>,
 }

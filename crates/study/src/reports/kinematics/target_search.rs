@@ -135,11 +135,12 @@ fn dimension(unit: KinematicUnit) -> Dimension {
 /// Beginning of the quantity `CONTACT.mass`, the effective mass at a named contact.
 const CONTACT_MASS: &str = "mass_";
 
-/// Effective mass at a named contact, at the touch of a stop, kg; or the reason for its absence.
-fn mass_at(model: &Model, contact: &str) -> Result<f64, String> {
-    let question = MassQuestion::without_contact().at_contact(contact);
-    let report = mass(model, &question).map_err(|error| error.to_string())?;
-    report.effective_mass.ok_or_else(|| format!("the contact {contact} is {}", report.status.name()))
+/// Effective mass of a question as a quantity, kg.
+fn mass_value(model: &Model, name: String, question: &MassQuestion) -> KinematicValue {
+    let value = mass(model, question).map_err(|error| error.to_string()).and_then(|report| {
+        report.effective_mass.ok_or_else(|| format!("the contact is {}", report.status.name()))
+    });
+    KinematicValue { name, side: "", unit: KinematicUnit::Mass, value }
 }
 
 /// Mass of a link, kg; `None` for an unknown link and a link without mass.
@@ -189,9 +190,13 @@ impl Designs<'_> {
                     rest.is_some_and(|side| ["", "_left", "_right"].contains(&side))
                 };
                 if self.search.targets.iter().any(is_required) {
-                    let value = mass_at(&model, contact.name());
-                    values.0.push(KinematicValue { name, side: "", unit: KinematicUnit::Mass, value });
+                    // A stop at its touch.
+                    let question = MassQuestion::without_contact().at_contact(contact.name());
+                    values.0.push(mass_value(&model, name, &question));
                 }
+            }
+            if let Some(question) = &self.search.mass {
+                values.0.push(mass_value(&model, "effective_mass".to_owned(), question));
             }
         }
         Ok(values)
