@@ -452,10 +452,12 @@ fn links_between_documents_resolve() {
     let (mut checked, mut anchors) = (0, 0);
     for path in files(".md") {
         let text = fs::read_to_string(&path).unwrap();
-        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        for (words, rest) in text.split("](").zip(text.split("](").skip(1)) {
+            let link = rest.split(')').next().unwrap_or_default();
             if link.contains("://") {
                 continue;
             }
+            assert!(!words.ends_with(".md"), "{}: {link} has no title", path.display());
             let (target, place) = link.split_once('#').unwrap_or((link, ""));
             let lead = if target.is_empty() { path.clone() } else { path.parent().unwrap().join(target) };
             assert!(lead.exists(), "{} links to {link}", path.display());
