@@ -99,24 +99,9 @@ impl ForceCurve {
     pub fn new(deflections: Vec<f64>, forces: Vec<f64>) -> Result<Self, ContactLawError> {
         let refuse = |why: String| Err(ContactLawError::Curve { why });
         let (x, f) = (&deflections, &forces);
-        if x.len() != f.len() || x.len() < 2 {
-            return refuse(format!(
-                "{} deflections and {} forces are given; expected two lists of the same length, at least 2",
-                x.len(),
-                f.len()
-            ));
-        }
-        if let Some(number) = x.iter().chain(f).find(|number| !number.is_finite()) {
-            return refuse(format!("{number} is given; finite numbers are expected"));
-        }
+        check_points("deflection", "m", x, f)?;
         if x[0] != 0.0 {
             return refuse(format!("the first deflection is {} m; expected 0, the touch", x[0]));
-        }
-        if let Some(pair) = x.windows(2).find(|pair| pair[0] >= pair[1]) {
-            return refuse(format!(
-                "a deflection of {} m follows {} m; expected increasing deflections",
-                pair[1], pair[0]
-            ));
         }
         if let Some(force) = f.iter().find(|force| **force < 0.0) {
             return refuse(format!(
@@ -223,11 +208,32 @@ impl StiffnessLaw<'_> {
     }
 }
 
+/// Checks the points of a curve: two lists of the same length, at least 2, of finite numbers, the first list increasing.
+fn check_points(name: &str, unit: &str, x: &[f64], forces: &[f64]) -> Result<(), ContactLawError> {
+    let refuse = |why: String| Err(ContactLawError::Curve { why });
+    if x.len() != forces.len() || x.len() < 2 {
+        return refuse(format!(
+            "{} {name}s and {} forces are given; expected two lists of the same length, at least 2",
+            x.len(),
+            forces.len()
+        ));
+    }
+    if let Some(number) = x.iter().chain(forces).find(|number| !number.is_finite()) {
+        return refuse(format!("{number} is given; finite numbers are expected"));
+    }
+    if let Some(pair) = x.windows(2).find(|pair| pair[0] >= pair[1]) {
+        let (a, b) = (pair[0], pair[1]);
+        return refuse(format!("a {name} of {b} {unit} follows {a} {unit}; expected increasing {name}s"));
+    }
+    Ok(())
+}
+
 /// Largest force at rest relative to the largest of the points: rounding of the interpolation.
 const AT_REST: f64 = 1e-12;
 
 /// Force curve of a damper: points of speed and force, linear between the points. Beyond the first and the last point the last slope
-/// continues. Speed and force are positive in rebound (the damper gets longer, the force resists).
+/// continues, but a force never drives the motion: it is 0 where the line would change its sign. Speed and force are positive in rebound: the
+/// damper gets longer, and the force resists.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperCurve {
     speeds: Vec<f64>,
@@ -235,7 +241,7 @@ pub struct DamperCurve {
 }
 
 impl DamperCurve {
-    /// Creates a curve from increasing speeds (m/s) and the force (N) at each. A force never drives the motion: it has the sign of its speed.
+    /// Creates a curve from increasing speeds (m/s) and the force (N) at each.
     ///
     /// # Errors
     /// [`ContactLawError::Curve`]: lists of different lengths or of less than two numbers, speeds that do not increase, a force with the sign
@@ -243,22 +249,7 @@ impl DamperCurve {
     pub fn new(speeds: Vec<f64>, forces: Vec<f64>) -> Result<Self, ContactLawError> {
         let refuse = |why: String| Err(ContactLawError::Curve { why });
         let (v, f) = (&speeds, &forces);
-        if v.len() != f.len() || v.len() < 2 {
-            return refuse(format!(
-                "{} speeds and {} forces are given; expected two lists of the same length, at least 2",
-                v.len(),
-                f.len()
-            ));
-        }
-        if let Some(number) = v.iter().chain(f).find(|number| !number.is_finite()) {
-            return refuse(format!("{number} is given; finite numbers are expected"));
-        }
-        if let Some(pair) = v.windows(2).find(|pair| pair[0] >= pair[1]) {
-            return refuse(format!(
-                "a speed of {} m/s follows {} m/s; expected increasing speeds",
-                pair[1], pair[0]
-            ));
-        }
+        check_points("speed", "m/s", v, f)?;
         if let Some((v, f)) = v.iter().zip(f).find(|(v, f)| **v * **f < 0.0) {
             return refuse(format!(
                 "the force {f} N at the speed {v} m/s drives the motion; expected the same signs: positive in rebound"
@@ -287,7 +278,8 @@ impl DamperCurve {
     pub fn force(&self, speed: f64) -> f64 {
         let (v, f) = (&self.speeds, &self.forces);
         let i = v.partition_point(|x| *x <= speed).clamp(1, v.len() - 1);
-        f[i] + (speed - v[i]) * (f[i] - f[i - 1]) / (v[i] - v[i - 1])
+        let force = f[i] + (speed - v[i]) * (f[i] - f[i - 1]) / (v[i] - v[i - 1]);
+        if force * speed < 0.0 { 0.0 } else { force }
     }
 
     /// Speeds of the points, m/s.

@@ -2,7 +2,8 @@
 
 use percuss_contact::exports::{Request, Tool};
 use percuss_contact::{
-    CompliantContact, Damper, ForceCurve, Law, Separation, hunt_crossley, impact_with_varying_mass,
+    CompliantContact, Damper, DamperCurve, ForceCurve, Law, Separation, hunt_crossley,
+    impact_with_varying_mass,
 };
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
@@ -189,4 +190,23 @@ fn points_that_are_no_curve_are_refused() {
     let damper = Damper::hunt_crossley(1.0).unwrap();
     let error = damper.impact(contact, 3.0).expect_err("a mass that is not stopped").to_string();
     assert!(error.contains("never does the work"), "{error}");
+}
+
+/// Force of a damper: linear between the points, the last slopes beyond them, and never a force that drives the motion.
+#[test]
+fn a_damper_resists() {
+    let curve = DamperCurve::new(vec![-0.5, 0.0, 1.0, 2.0], vec![-300.0, 0.0, 100.0, 50.0]).unwrap();
+    // Numbers with few digits: no rounding.
+    for (speed, force) in
+        [(-1.0, -600.0), (-0.25, -150.0), (0.0, 0.0), (0.5, 50.0), (1.5, 75.0), (2.5, 25.0), (4.0, 0.0)]
+    {
+        assert_eq!(curve.force(speed), force, "{speed}");
+    }
+    let refused =
+        |v: &[f64], f: &[f64]| DamperCurve::new(v.to_vec(), f.to_vec()).expect_err("no curve").to_string();
+    assert!(refused(&[0.0, 1.0], &[0.0]).contains("2 speeds and 1 forces"));
+    assert!(refused(&[0.0, 1.0, 1.0], &[0.0, 5.0, 6.0]).contains("a speed of 1 m/s follows 1 m/s"));
+    assert!(refused(&[-1.0, 1.0], &[1.0, 2.0]).contains("drives the motion"));
+    assert!(refused(&[0.5, 1.0], &[5.0, 6.0]).contains("at rest"));
+    assert!(refused(&[0.0, f64::NAN], &[0.0, 1.0]).contains("finite"));
 }

@@ -229,6 +229,16 @@ fn drives_push_during_the_stop() {
     ] {
         refused(&format!("{line} {flags}"), words);
     }
+    for key in ["damper = [\"rail=block=5\"]", "drive = [\"slide=40\"]"] {
+        let study = scratch.write(
+            "study.toml",
+            &format!(
+                "[model]\npath = \"block.urdf\"\n[contact]\nlink = \"block\"\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\n[impact]\n\
+                 speed = 1\nrestitution = 0.5\nstiffness = 1e5\n{key}\n"
+            ),
+        );
+        refused(&format!("run {study}"), &["impact.d", "in_time"]);
+    }
 }
 
 /// The damper of a sheet acts as the same damper between its ends, and can be left out; `damp` warns about it.

@@ -395,6 +395,8 @@ impl ImpactQuestion {
         let needs = [
             ("impact.springs", self.springs.is_some(), "in_time", self.in_time),
             ("impact.spring", !self.spring.is_empty(), "in_time", self.in_time),
+            ("impact.damper", !self.damper.is_empty(), "in_time", self.in_time),
+            ("impact.drive", !self.drive.is_empty(), "in_time", self.in_time),
             ("impact.restitution_law", self.restitution_law.is_some(), "friction", self.friction.is_some()),
             ("impact.exponent", self.exponent.is_some(), "stiffness", self.stiffness.is_some()),
             ("impact.stiffness_ratio", !self.stiffness_ratio.is_empty(), "also", !self.also.is_empty()),
