@@ -81,7 +81,10 @@ def peer_problem(model, link, folder):
     names = re.findall(r'q\[\d+\]\s+\w+ joint "(.*?)"', header)
     mimics = {}
     for joint in ElementTree.parse(model).getroot().findall('joint'):
-        mimic = joint.find('mimic')
+        mimic, dynamics = joint.find('mimic'), joint.find('dynamics')
+        # URDF+ has the inertia of a rotor, which Pinocchio's reader leaves out.
+        if dynamics is not None and 'armature' in dynamics.attrib:
+            robot.armature[robot.joints[robot.getJointId(joint.get('name'))].idx_v] = float(dynamics.get('armature'))
         if mimic is not None:
             mimics[joint.get('name')] = (mimic.get('joint'), float(mimic.get('multiplier', 1)), float(mimic.get('offset', 0)))
     code, text = run(['gcc', '-std=c99', '-O2', '-shared', '-fPIC', 'm.c', '-lm', '-o', 'm.so'], folder)

@@ -41,7 +41,7 @@ pub struct StudyTables {
     /// The joint positions.
     #[serde(default)]
     pub pose: PoseTable,
-    /// The contact of the study, or several as [[contact]]. at = "all" takes all contacts of the model.
+    /// The contact of the study, or several as `[[contact]]`. at = "all" takes all contacts of the model.
     #[serde(default, deserialize_with = "contacts")]
     #[schemars(with = "ContactsSchema")]
     pub contact: Vec<ContactTable>,
@@ -78,7 +78,7 @@ pub struct StudyTables {
     pub generate: Option<CodeQuestion>,
     /// The model in another format: percuss convert.
     pub convert: Option<ConversionQuestion>,
-    /// The impact at the contact with the damper of [damping], as a model for MuJoCo that runs: percuss export.
+    /// The impact at the contact with the damper of `[damping]`, as a model for MuJoCo that runs: percuss export.
     pub export: Option<ExportQuestion>,
     /// The head of the report: percuss run STUDY.toml --report FILE.html.
     #[serde(default)]
