@@ -122,10 +122,11 @@ CASES: dict[str, Call] = {
     "impact": Call(
         percuss.impact,
         {"model": ARM, "contact": TOOL, "restitution": 0.5, "conditions": None, "speed": 1.0, "friction": None, "rates": None,
-         "base_twist": None, "stiffness": None, "exponent": None, "law": "kelvin-voigt", "rate_limit": None, "reflected": [],
+         "base_twist": None, "stiffness": 1e5, "exponent": None, "law": "kelvin-voigt", "rate_limit": None, "reflected": [],
          "percussion": [], "restitution_law": None, "also": [], "sticking": False, "stiffness_ratio": [],
          "contact_exponent": None, "in_time": False, "gravity": None, "also_restitution": [], "gear_limit": None,
-         "point_error": None, "joint_spring": None},
+         "point_error": None, "joint_spring": None, "stiffness_curve": None, "springs": None, "spring": [], "damper": [],
+         "drive": []},
     ),
     "extremes": Call(
         percuss.extremes,
