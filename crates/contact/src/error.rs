@@ -142,6 +142,14 @@ pub enum ContactLawError {
         /// Received and expected points.
         why: String,
     },
+    /// Records from which no contact is identified.
+    #[error("{}{why}", record.map_or_else(String::new, |record| format!("record {}: ", record + 1)))]
+    Record {
+        /// Number of the record, from 0; `None` for all.
+        record: Option<usize>,
+        /// Received and expected record.
+        why: String,
+    },
     /// Force curve that never does the work of the impact: its last slope is negative, or all its forces are zero.
     #[error(
         "force curve: it never does the work {energy:.4} J that stops the mass, because its last slope is not positive; give points up to \
@@ -242,7 +250,7 @@ impl ContactLawError {
             Self::UnknownLaw { .. } => Some(LawParameter::Law),
             Self::UnknownRegion { .. } => Some(LawParameter::Region),
             Self::Unreachable { .. } => Some(LawParameter::Restitution),
-            Self::NotRepresentable { .. } => None,
+            Self::NotRepresentable { .. } | Self::Record { .. } => None,
         }
     }
 }

@@ -7,6 +7,7 @@
 //! | duration, penetration, force, lost energy  | [`Damper::impact`], [`Damper::history`]                 |
 //! | error of a formula of the literature       | [`Law::approximation_error`]                            |
 //! | parameters for simulators                  | [`exports`]                                             |
+//! | contact of a measured impact               | [`identification`]                                      |
 //! | safe speed of a robot near a person        | [`TransientContact`]                                    |
 //!
 //! The stiffness is k xᵖ or a force curve ([`StiffnessLaw`]).
@@ -18,6 +19,7 @@ mod contact;
 mod damper;
 mod error;
 pub mod exports;
+pub mod identification;
 mod impact;
 mod laws;
 mod limits;

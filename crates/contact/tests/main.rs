@@ -20,6 +20,7 @@ mod exports {
 mod conditions;
 mod errors;
 mod extremes;
+mod identification;
 mod laws;
 mod on_curves;
 mod support;

@@ -29,6 +29,9 @@ pub use checks::model_check::{
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
+pub use damper::identification::{
+    ComparedMass, IdentificationReport, MassExplanation, MeasuredImpact, identify_contact, identify_contact_of,
+};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
@@ -67,6 +70,7 @@ pub use question::tables::extremes::{
 pub use question::tables::headings;
 pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName, SheetSprings};
 pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
+pub use question::tables::identify::{DamperFormName, IdentifyQuestion};
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, CheckQuestion, ModelTable};

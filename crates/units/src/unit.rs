@@ -40,6 +40,8 @@ pub enum Dimension {
     Momentum,
     /// Angular momentum, N·m·s.
     AngularMomentum,
+    /// Acceleration, m/s².
+    Acceleration,
     /// Time, s.
     Time,
     /// Ratio: a plain number or per cent.
@@ -115,6 +117,9 @@ static UNITS: &[Unit] = &[
     unit("mm/s", Dimension::Speed, 1.0, 1e3),
     unit("cm/s", Dimension::Speed, 1.0, 100.0),
     unit("km/h", Dimension::Speed, 1.0, 3.6),
+    unit("m/s2", Dimension::Acceleration, 1.0, 1.0),
+    unit("mm/s2", Dimension::Acceleration, 1.0, 1e3),
+    unit("g", Dimension::Acceleration, 9.80665, 1.0),
     unit("rad/s", Dimension::AngularSpeed, 1.0, 1.0),
     unit("deg/s", Dimension::AngularSpeed, PI, 180.0),
     unit("rpm", Dimension::AngularSpeed, PI, 30.0),
@@ -213,6 +218,7 @@ impl Dimension {
             Dimension::Energy => "J",
             Dimension::Momentum => "N·s",
             Dimension::AngularMomentum => "N·m·s",
+            Dimension::Acceleration => "m/s²",
             Dimension::Time => "s",
             Dimension::Ratio | Dimension::Plain => "",
         }
@@ -240,6 +246,7 @@ impl fmt::Display for Dimension {
             Dimension::Energy => "an energy",
             Dimension::Momentum => "a momentum",
             Dimension::AngularMomentum => "an angular momentum",
+            Dimension::Acceleration => "an acceleration",
             Dimension::Time => "a time",
             Dimension::Ratio => "a ratio",
             Dimension::Plain => "a plain number",

@@ -1,11 +1,11 @@
-//! Flags of `percuss damp`, `percuss restitution` and `percuss safe-speed`.
+//! Flags of `percuss damp`, `percuss restitution`, `percuss identify` and `percuss safe-speed`.
 
 use super::contact::ContactArgs;
 use super::model::ReadingArgs;
 use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
-use percuss_study::{DampingQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion};
+use percuss_study::{DampingQuestion, IdentifyQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion};
 
 /// Heading in the help: source of the effective mass.
 const FROM: &str = "Effective mass";
@@ -76,6 +76,28 @@ pub struct RestitutionArgs {
     pub reading: ReadingArgs,
     #[command(flatten)]
     pub restitution: RestitutionQuestion,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+}
+
+/// Flags of `percuss identify`.
+#[derive(Debug, Args)]
+pub struct IdentifyArgs {
+    #[command(flatten)]
+    pub identify: IdentifyQuestion,
+    /// Expected effective mass (kg); used if the data do not determine it.
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "mass_from", help_heading = FROM)]
+    pub mass: Option<Mass>,
+    /// Expected effective mass at a contact of this model.
+    ///
+    /// The flags of `percuss mass` define the contact.
+    #[arg(long, value_name = "MODEL", help_heading = FROM)]
+    pub mass_from: Option<String>,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,

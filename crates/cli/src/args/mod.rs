@@ -17,7 +17,7 @@ mod value_parsers;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
-pub use damping::{DampArgs, RestitutionArgs, SafeSpeedArgs};
+pub use damping::{DampArgs, IdentifyArgs, RestitutionArgs, SafeSpeedArgs};
 pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
@@ -117,7 +117,7 @@ pub enum Command {
         override_usage = "percuss map MODEL (--link L | --all) [--output FILE]… …\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
     )]
     Map(Box<MapArgs>),
-    /// Wheel angles, roll centre, motion ratios and wheel rates of a suspension over its travel.
+    /// Wheel angles, roll centre, motion ratios, wheel rates over travel.
     #[command(after_help = examples::KINEMATICS)]
     Kinematics(Box<KinematicsArgs>),
     /// Write a blank suspension sheet: hardpoints, masses, units, axes.
@@ -142,6 +142,15 @@ pub enum Command {
         override_usage = "percuss restitution (MODEL (--at NAME | --link L …) | --mass KG)\n                           (--stiffness K (--damping C | --hunt-crossley D)\n                            | --tool NAME --parameter NAME=VALUE…) --speed V"
     )]
     Restitution(Box<RestitutionArgs>),
+    /// Stiffness, damping and mass from measured impacts.
+    ///
+    /// Each with its uncertainty. The data are forces, accelerations, velocities or displacements over time, of one impact or of several. The effective mass is
+    /// compared with that of a model.
+    #[command(
+        after_help = examples::IDENTIFY,
+        override_usage = "percuss identify DATA.csv… [--mass-from MODEL (--at NAME | --link L …) | --mass KG]\n                        [--speed V | --drop H] [--exponent P] …"
+    )]
+    Identify(Box<IdentifyArgs>),
     /// Largest safe speed of a robot that may hit a person.
     ///
     /// Transient contact of ISO/TS 15066, computed with the effective mass.

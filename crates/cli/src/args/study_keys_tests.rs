@@ -4,7 +4,7 @@ use super::Cli;
 use std::collections::BTreeSet;
 
 /// Flags that need no key, and why.
-const WITHOUT_KEY: [(&str, &str); 17] = [
+const WITHOUT_KEY: [(&str, &str); 18] = [
     ("help", "of the command line"),
     ("notes", "how much is shown on a terminal: a flag of run too"),
     ("max_size", "a limit of the reader: a flag of run too"),
@@ -17,6 +17,7 @@ const WITHOUT_KEY: [(&str, &str); 17] = [
     ("list_regions", "a list, no question"),
     ("damp mass", "a study has a model, whose mass it takes"),
     ("restitution mass", "a study has a model, whose mass it takes"),
+    ("identify mass", "a study has a model, whose mass it takes"),
     ("digits", "what is printed: a flag of run too"),
     ("details", "what is printed: a flag of run too"),
     ("impact all", "what is printed"),
@@ -50,10 +51,11 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 12] = [
+const KEPT: [(&str, &str); 13] = [
     ("mass", "mass"),
     ("damp", "damping"),
     ("restitution", "restitution"),
+    ("identify", "identify"),
     ("sweep", "sweep"),
     ("map", "map"),
     ("safe-speed", "safe_speed"),

@@ -6,7 +6,7 @@ use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::damp;
 use crate::commands::exports::{convert, export, generate};
 use crate::commands::impacts::rigid_impact::{self, ImpactView};
-use crate::commands::impacts::{extremes, restitution, safe_speed};
+use crate::commands::impacts::{extremes, identify, restitution, safe_speed};
 use crate::commands::map;
 use crate::commands::mass::{self, contact_list};
 use crate::commands::report;
@@ -142,6 +142,10 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let Some(report) = with_findings(study.restitution_report(first), &study.model)? {
         prints.push(Box::new(move || restitution::show(&report, CheckFormat::Text, strict)));
     }
+    if let Some(report) = with_findings(study.identification_report(first), &study.model)? {
+        let output = study.tables.identify.as_ref().and_then(|asked| asked.output.as_deref());
+        prints.push(Box::new(move || identify::show(&report, output, CheckFormat::Text, strict)));
+    }
     if let Some(report) = with_findings(study.impact_report(first), &study.model)? {
         prints.push(Box::new(move || {
             write_diagnostics(&report.diagnostics, strict)?;
@@ -265,6 +269,7 @@ fn note_left_out(study: &StudyFile, format: MassFormat) {
     let is_json = format == MassFormat::Json;
     let tables = [
         ("[restitution]", study.tables.restitution.is_some()),
+        ("[identify]", study.tables.identify.is_some()),
         ("[impact]", study.tables.impact.is_some() && !is_json),
         ("[extremes]", study.tables.extremes.is_some() && !is_json),
         ("[kinematics]", study.tables.kinematics.is_some()),
@@ -327,6 +332,7 @@ fn note_single_contact(study: &StudyFile) {
     let tables = [
         ("[mass]", study.mass != MassOptions::default()),
         ("[restitution]", study.tables.restitution.is_some()),
+        ("[identify]", study.tables.identify.is_some()),
         ("[impact]", study.tables.impact.is_some()),
         ("[extremes]", study.tables.extremes.is_some()),
         ("[safe_speed]", study.tables.safe_speed.is_some()),

@@ -19,6 +19,7 @@ crate::pages! {
     impacts_drives "crates/cli/tests/cases/impacts/drives.md",
     impacts_extremes "crates/cli/tests/cases/impacts/extremes.md",
     impacts_free_body "crates/cli/tests/cases/impacts/free_body.md",
+    impacts_identify "crates/cli/tests/cases/impacts/identify.md",
     impacts_moments "crates/cli/tests/cases/impacts/moments.md",
     impacts_reflected "crates/cli/tests/cases/impacts/reflected.md",
     impacts_restitution "crates/cli/tests/cases/impacts/restitution.md",

@@ -184,6 +184,19 @@ class CodeReport(Record):
     """Findings about the file of the model."""
 
 
+class ComparedMass(Record):
+    """Identified effective mass beside that of the model."""
+
+    expected: float
+    """m̄ of the model, or the given mass, kg."""
+    difference: float
+    """Identified mass minus the expected one, kg."""
+    agrees: bool
+    """True if the difference is at most two standard uncertainties."""
+    explanations: list[MassExplanation]
+    """Links whose mass explains the difference, the smallest relative change first."""
+
+
 class ComparisonReport(Record):
     """Report of "percuss compare", as JSON."""
 
@@ -513,6 +526,15 @@ class ErrorBudgetRecord(Record):
     """Part due to inexact loops in the file."""
 
 
+class Estimate(Record):
+    """Identified value with its standard uncertainty."""
+
+    value: float
+    """Value."""
+    uncertainty: float
+    """Standard uncertainty; 0 for a known value. The value lies within two of them in 95 of 100 cases."""
+
+
 class EstimateRecord(Record):
     """Classical estimate m_K v_A²: mass of some links, all moving with the speed of point A. l̄ = 1/v_A is r_B/r_A of Euler's
     note (Fayzullin 2018). v_A is the component of the velocity along a direction: the given one, or upwards in a suspension,
@@ -805,6 +827,66 @@ class HoldRecord(Record):
     """The point in the link's frame, m."""
     normal: list[float] | None
     """The normal in world axes; None if all three directions are held."""
+
+
+class IdentificationReport(Record):
+    """Report of "percuss identify", as JSON."""
+
+    schema: Literal["percuss.identification/1"]
+    """"percuss.identification/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Files of the data and of the model."""
+    named_contact: NamedContactRecord | None
+    """Named contact of the model."""
+    effective_mass: Estimate
+    """Effective mass m̄, kg. Uncertainties are standard uncertainties: the value lies within two of them in 95 of 100 cases."""
+    finds_mass: bool
+    """True if the data determine the mass; false if it is the given one."""
+    compared: ComparedMass | None
+    """Comparison with the model or the given mass."""
+    damper: Literal["kelvin-voigt", "hunt-crossley"]
+    """Form of the damper."""
+    other_form: float | None
+    """Mean square of the residuals with the other form, divided by that with this form; None if the form is given."""
+    stiffness: Estimate
+    """Stiffness k of k x^p, N/m^p."""
+    exponent: Estimate
+    """Exponent p."""
+    damping: Estimate | None
+    """Damping c of c x^((p-1)/2) v, N·s/m^((p+1)/2); None for the other form."""
+    dissipation: Estimate | None
+    """Dissipation d of d k x^p v, s/m; None for the other form."""
+    correlation: list[list[float]]
+    """Correlations of mass, stiffness, exponent and damping or dissipation."""
+    impacts: list[MeasuredImpact]
+    """Measured impacts."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the files and the result."""
+
+
+class IdentifiedSignal(Record):
+    """Signal of a record after the identification."""
+
+    quantity: Literal["force", "acceleration", "velocity", "displacement"]
+    """Quantity."""
+    is_reversed: bool
+    """True if its positive direction is against that of a pushing force, a deceleration or a penetration."""
+    offset: Estimate | None
+    """Value of the sensor without force or penetration, at the touch; None for a velocity."""
+    drift: Estimate | None
+    """Change of the offset, per second; None for a velocity and a displacement."""
+    residual: float
+    """Root mean square of the residuals."""
+    relative_residual: float
+    """Residual relative to the largest value."""
+    correlation_time: float
+    """Time over which residuals are correlated, s; 0 if neighbours are independent."""
+    clipped: int
+    """Number of samples at the limit of the sensor, which are not used."""
+    outliers: list[float]
+    """Times of outliers, s, which are not used."""
 
 
 class ImpactLawRecord(Record):
@@ -1195,6 +1277,17 @@ class MassChange(Record):
     """Decrease of m̄ per kilogram of removed mass, kg, to first order."""
 
 
+class MassExplanation(Record):
+    """Change of the mass of a link at which the effective mass of the model is the identified one, to first order."""
+
+    link: str
+    """The link."""
+    change: float
+    """Change of its mass, kg."""
+    relative_change: float
+    """Change of its mass, relative."""
+
+
 class MassReport(Record):
     """Report of "percuss mass", as JSON. All keys are always present; a value is None if not applicable."""
 
@@ -1294,6 +1387,33 @@ class MassStateRecord(Record):
     """Mass of a contact point that cannot slide in the tangent plane, nᵀΛn, kg; None if not finite."""
     sticking_status: Literal["finite", "immovable", "massless"]
     """Kind of this mass."""
+
+
+class MeasuredImpact(Record):
+    """Measured impact of a file."""
+
+    file: str
+    """File."""
+    columns: list[RecordColumn]
+    """Columns that were used."""
+    speed: Estimate
+    """Approach speed, m/s."""
+    restitution: Estimate
+    """Rebound speed divided by approach speed."""
+    peak_force: Estimate
+    """Largest contact force, N."""
+    max_penetration: Estimate
+    """Largest penetration, m."""
+    contact_duration: Estimate
+    """Duration of the contact, s."""
+    touch: Estimate
+    """Time of the touch, s."""
+    used: list[float]
+    """First and last used time, s."""
+    unused_samples: int
+    """Number of samples outside these times."""
+    signals: list[IdentifiedSignal]
+    """Signals."""
 
 
 class Measurement(Record):
@@ -1664,6 +1784,17 @@ class ReboundRecord(Record):
     """Lost energy, J."""
 
 
+class RecordColumn(Record):
+    """Column of a record and what it is taken for."""
+
+    column: str
+    """Name in the file."""
+    quantity: str
+    """"time", "force", "acceleration", "velocity" or "displacement"."""
+    unit: str
+    """Unit."""
+
+
 class ReflectedRangeRecord(Record):
     """Inertia reflected to a joint over a range of its positions."""
 
@@ -1773,6 +1904,8 @@ class RequestReport(Record):
     """Extremes."""
     generate: CodeReport | None
     """Source code of the effective mass at the contact."""
+    identify: IdentificationReport | None
+    """Contact of measured impacts."""
     impact: ImpactReport | None
     """Impact."""
     kinematics: KinematicsReport | None

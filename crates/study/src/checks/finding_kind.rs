@@ -73,6 +73,7 @@ finding_kinds! {
     ImmovableRobot = "immovable-robot", Warning, Report;
     IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
     InexactLoops = "inexact-loops", Warning, Model;
+    LawContradicted = "law-contradicted", Warning, Report;
     LawOfCurve = "law-of-curve", Note, Report;
     ManyTurns = "many-turns", Warning, Model;
     MassDrifts = "mass-drifts", Warning, Report;

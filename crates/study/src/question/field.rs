@@ -136,6 +136,8 @@ fields! {
     Stiffness = "--stiffness", "damping.stiffness";
     /// Approach speed of a contact or a stop.
     Speed = "--speed", "damping.speed";
+    /// Files of measured impacts.
+    Data = "the data", "identify.data";
     /// Longest edge of a facet of a map.
     Edge = "--edge", "map.edge";
     /// Number of directions of a map at a point.

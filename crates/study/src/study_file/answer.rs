@@ -3,6 +3,7 @@
 use crate::checks::model_check::{CheckReport, check};
 use crate::damper::damped_contact::{damp_contact, damp_stop};
 use crate::damper::damping::DampingReport;
+use crate::damper::identification::{IdentificationReport, identify_contact_of};
 use crate::damper::restitution::{RestitutionReport, restitution_at};
 use crate::map::map_report::{MapAnswer, MapReport};
 use crate::map::point_map::{PointMapReport, map_point};
@@ -116,6 +117,9 @@ pub struct RequestReport {
     /// Restitution of a spring and damper.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub restitution: Option<RestitutionReport>,
+    /// Contact of measured impacts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub identify: Option<IdentificationReport>,
     /// Impact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub impact: Option<ImpactReport>,
@@ -177,6 +181,7 @@ pub fn report_schema() -> Value {
         generator.subschema_for::<ContactListReport>(),
         generator.subschema_for::<DampingReport>(),
         generator.subschema_for::<RestitutionReport>(),
+        generator.subschema_for::<IdentificationReport>(),
         generator.subschema_for::<ImpactReport>(),
         generator.subschema_for::<ExtremesReport>(),
         generator.subschema_for::<ReflectedReport>(),
@@ -237,6 +242,7 @@ impl StudyFile {
             mass_problem: None,
             damping: self.stop_damper()?,
             restitution: self.restitution_report(question)?,
+            identify: self.identification_report(question)?,
             impact: self.impact_report(question)?,
             extremes: self.extremes_report(question)?,
             contacts,
@@ -332,6 +338,19 @@ impl StudyFile {
     ) -> Result<Option<RestitutionReport>, StudyError> {
         of_table("restitution", question.zip(self.tables.restitution.as_ref()), |(question, asked)| {
             restitution_at(&self.model, question, asked)
+        })
+    }
+
+    /// Contact of measured impacts, compared with the effective mass at a contact of the study.
+    ///
+    /// # Errors
+    /// As for [`identify_contact_of`].
+    pub fn identification_report(
+        &self,
+        question: Option<&MassQuestion>,
+    ) -> Result<Option<IdentificationReport>, StudyError> {
+        of_table("identify", question.zip(self.tables.identify.as_ref()), |(question, asked)| {
+            identify_contact_of(&self.model, question, asked)
         })
     }
 

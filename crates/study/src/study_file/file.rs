@@ -158,11 +158,12 @@ impl StudyFile {
 
     /// Keys and paths of the output files that the tables name.
     pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let StudyTables { sweep, damping, map, kinematics, generate, convert, export, .. } = &self.tables;
+        let StudyTables { sweep, damping, identify, map, kinematics, generate, convert, export, .. } = &self.tables;
         let maps = map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
         let files = [
             ("sweep.output", sweep.as_ref().and_then(|asked| asked.output.as_ref())),
             ("damping.output", damping.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("identify.output", identify.as_ref().and_then(|asked| asked.output.as_ref())),
             ("kinematics.output", kinematics.as_ref().and_then(|asked| asked.output.as_ref())),
             ("generate.output", generate.as_ref().and_then(|asked| asked.output.as_ref())),
             ("convert.output", convert.as_ref().and_then(|asked| asked.output.as_ref())),
@@ -337,6 +338,8 @@ impl StudyReader<'_> {
         let map = study.map.take().map(|asked| asked.checked(&question, folder));
         study.map = map.transpose().map_err(refused)?;
         study.restitution.as_ref().map_or(Ok(()), RestitutionQuestion::check).map_err(refused)?;
+        let identify = study.identify.take().map(|asked| asked.checked(folder));
+        study.identify = identify.transpose().map_err(refused)?;
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
         let extremes = study.extremes.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
         study.extremes = extremes.transpose().map_err(refused)?;
@@ -402,6 +405,7 @@ impl StudyReader<'_> {
             || !variants.is_empty()
             || sweep.is_some()
             || study.restitution.is_some()
+            || study.identify.is_some()
             || impact.is_some()
             || extremes.is_some()
             || generate.is_some()

@@ -8,6 +8,7 @@ use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::exports::CodeQuestion;
 use crate::question::tables::exports::{ConversionQuestion, ExportQuestion};
 use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::identify::IdentifyQuestion;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::question::tables::map::MapQuestion;
@@ -60,6 +61,8 @@ pub struct StudyTables {
     pub damping: Option<DampingQuestion>,
     /// The restitution of a spring and damper, or of parameters of a simulator: percuss restitution.
     pub restitution: Option<RestitutionQuestion>,
+    /// Contact of measured impacts, compared with the effective mass: percuss identify.
+    pub identify: Option<IdentifyQuestion>,
     /// Rigid impact at the contact: percuss impact.
     pub impact: Option<ImpactQuestion>,
     /// Smallest and largest effective mass over positions: percuss extremes.
@@ -92,6 +95,7 @@ impl StudyTables {
             self.mass.is_some(),
             self.damping.is_some(),
             self.restitution.is_some(),
+            self.identify.is_some(),
             self.impact.is_some(),
             self.extremes.is_some(),
             self.sweep.is_some(),

@@ -204,6 +204,17 @@ Examples:
 
 The names of the parameters are those that percuss damp --for NAME writes.";
 
+pub const IDENTIFY: &str = "\
+Examples:
+  percuss identify drop.csv --drop 300mm -o fit.svg
+  Several impacts of one contact, filtered, compared with a model:
+    percuss identify slow.csv fast.csv --filter 600 \\
+        --mass-from models/double_wishbone.toml --at bump_stop
+  A file begins with its columns: time [ms], force [kN], acceleration [g]
+
+The motion is that of a constant mass on k x^p and a damper. A force with
+another signal, or with a known speed, determines the mass.";
+
 pub const SAFE_SPEED: &str = "\
 Examples:
   percuss safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 \\

@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 22] = [
+const EXPLAINED: [(&str, &[&str]); 23] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -134,6 +134,10 @@ const EXPLAINED: [(&str, &[&str]); 22] = [
             "link",
             "set",
         ],
+    ),
+    (
+        "identify",
+        &["mass", "mass_from", "speed", "drop", "exponent", "damper", "filter", "ignore", "output", "at", "link", "set"],
     ),
     (
         "safe-speed",

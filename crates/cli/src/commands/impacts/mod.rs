@@ -2,6 +2,7 @@
 
 mod bearings;
 pub(crate) mod extremes;
+pub(crate) mod identify;
 pub(crate) mod in_time;
 pub(crate) mod reflected;
 pub(crate) mod restitution;
