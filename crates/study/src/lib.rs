@@ -29,9 +29,6 @@ pub use checks::model_check::{
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
-pub use damper::identification::{
-    ComparedMass, IdentificationReport, MassExplanation, MeasuredImpact, identify_contact, identify_contact_of,
-};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
@@ -68,9 +65,9 @@ pub use question::tables::extremes::{
 };
 #[cfg(feature = "flags")]
 pub use question::tables::headings;
+pub use question::tables::identify::{DamperFormName, IdentifyQuestion};
 pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName, SheetSprings};
 pub use question::tables::kinematics::{AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData};
-pub use question::tables::identify::{DamperFormName, IdentifyQuestion};
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, CheckQuestion, ModelTable};
@@ -107,6 +104,10 @@ pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
+pub use reports::impact::identification::{
+    ComparedMass, IdentificationReport, MassExplanation, MeasuredImpact, identify_contact,
+    identify_contact_of,
+};
 pub use reports::impact::in_time::{
     BearingForceRecord, DriveRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, PointDamperRecord,
     PointSpringRecord,

@@ -5,7 +5,9 @@ use super::model::ReadingArgs;
 use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
-use percuss_study::{DampingQuestion, IdentifyQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion};
+use percuss_study::{
+    DampingQuestion, IdentifyQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion,
+};
 
 /// Heading in the help: source of the effective mass.
 const FROM: &str = "Effective mass";

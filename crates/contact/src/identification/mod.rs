@@ -7,182 +7,19 @@
 
 mod fit;
 mod motion;
+mod record;
+mod result;
 mod start;
+
+pub use record::{
+    DamperForm, Estimate, Identification, IdentifiedRecord, IdentifiedSignal, Known, LEAST_SAMPLES,
+    MOST_SAMPLES, Measured, Record, Signal,
+};
 
 use crate::ContactLawError;
 use crate::error::{LawParameter, positive};
 use fit::Fit;
-use serde::Serialize;
-
-/// Fewest samples of a record.
-pub const LEAST_SAMPLES: usize = 20;
-/// Most samples of all signals and records together.
-pub const MOST_SAMPLES: usize = 1_000_000;
-/// Exponents of the spring that are searched.
-const EXPONENTS: std::ops::RangeInclusive<f64> = 0.5..=8.0;
-
-/// Measured quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Measured {
-    /// Contact force, N.
-    Force,
-    /// Acceleration of the mass, m/s². An offset, such as that of gravity, is identified.
-    Acceleration,
-    /// Closing speed, m/s.
-    Velocity,
-    /// Displacement in the direction of the penetration, m, from any origin.
-    Displacement,
-}
-
-impl Measured {
-    /// All quantities.
-    pub const ALL: [Self; 4] = [Self::Force, Self::Acceleration, Self::Velocity, Self::Displacement];
-
-    /// Name, and the unit of its values.
-    pub fn name_and_unit(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Force => ("force", "N"),
-            Self::Acceleration => ("acceleration", "m/s²"),
-            Self::Velocity => ("velocity", "m/s"),
-            Self::Displacement => ("displacement", "m"),
-        }
-    }
-}
-
-/// Signal of a record, SI units. Its sign is found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Signal {
-    /// Quantity.
-    pub quantity: Measured,
-    /// Value at each time.
-    pub values: Vec<f64>,
-}
-
-/// Record of one impact.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record {
-    /// Times, s, increasing.
-    pub times: Vec<f64>,
-    /// Signals, each of another quantity.
-    pub signals: Vec<Signal>,
-    /// Known approach speed, m/s; `None`: it is identified.
-    pub speed: Option<f64>,
-}
-
-/// Form of the damper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum DamperForm {
-    /// c δ^((p−1)/2) δ̇.
-    KelvinVoigt,
-    /// d k δᵖ δ̇.
-    HuntCrossley,
-}
-
-/// What is known beside the records.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Known {
-    /// Effective mass, kg: used where the records do not determine it.
-    pub mass: Option<f64>,
-    /// Acceleration of gravity along the motion, m/s².
-    pub gravity: f64,
-    /// Exponent of the spring.
-    pub exponent: Option<f64>,
-    /// Form of the damper; `None`: the form with the smaller residuals.
-    pub damper: Option<DamperForm>,
-    /// Channel frequency class of the filter that the signals have passed (SAE J211-1: phaseless Butterworth filter of fourth order), Hz.
-    pub filter_class: Option<f64>,
-}
-
-/// Identified value with its standard uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Estimate {
-    /// Value.
-    pub value: f64,
-    /// Standard uncertainty; 0 for a known value. The value lies within two of them in 95 of 100 cases.
-    pub uncertainty: f64,
-}
-
-/// Signal of a record after the identification.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct IdentifiedSignal {
-    /// Quantity.
-    pub quantity: Measured,
-    /// True if its positive direction is against that of a pushing force, a deceleration or a penetration.
-    pub is_reversed: bool,
-    /// Value of the sensor without force or penetration, at the touch; null for a velocity.
-    pub offset: Option<Estimate>,
-    /// Change of the offset, per second; null for a velocity and a displacement.
-    pub drift: Option<Estimate>,
-    /// Root mean square of the residuals.
-    pub residual: f64,
-    /// Residual relative to the largest value.
-    pub relative_residual: f64,
-    /// Time over which residuals are correlated, s; 0 if neighbours are independent.
-    pub correlation_time: f64,
-    /// Number of samples at the limit of the sensor, which are not used.
-    pub clipped: usize,
-    /// Times of outliers, s, which are not used.
-    pub outliers: Vec<f64>,
-    /// Values of the identified contact at the used times, with offset and drift, in the direction of the signal.
-    #[serde(skip)]
-    pub fitted: Vec<f64>,
-}
-
-/// Record after the identification.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct IdentifiedRecord {
-    /// Approach speed, m/s.
-    pub speed: Estimate,
-    /// Rebound speed divided by approach speed.
-    pub restitution: Estimate,
-    /// Largest contact force, N.
-    pub peak_force: Estimate,
-    /// Largest penetration, m.
-    pub max_penetration: Estimate,
-    /// Duration of the contact, s.
-    pub contact_duration: Estimate,
-    /// Time of the touch, s.
-    pub touch: Estimate,
-    /// First and last used time, s.
-    pub used: [f64; 2],
-    /// Number of samples outside these times.
-    pub unused_samples: usize,
-    /// Index of the first used sample.
-    #[serde(skip)]
-    pub first: usize,
-    /// Signals.
-    pub signals: Vec<IdentifiedSignal>,
-}
-
-/// Identified contact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Identification {
-    /// Form of the damper.
-    pub damper: DamperForm,
-    /// Mean square of the residuals with the other form, divided by that with this form; `None` if the form is known, or has no motion.
-    pub other_form: Option<f64>,
-    /// m̄, kg; a known mass that the records do not determine has the uncertainty 0.
-    pub mass: Estimate,
-    /// True if the records determine the mass.
-    pub finds_mass: bool,
-    /// k, N/mᵖ.
-    pub stiffness: Estimate,
-    /// p.
-    pub exponent: Estimate,
-    /// c, N·s/m^((p+1)/2), or d, s/m.
-    pub damping: Estimate,
-    /// Correlation of mass, stiffness, exponent and damping; 0 for a known value.
-    pub correlation: [[f64; 4]; 4],
-    /// Records.
-    pub records: Vec<IdentifiedRecord>,
-}
+use record::{EXPONENTS, finds_mass, has};
 
 /// Identifies the contact of measured impacts.
 ///
@@ -278,14 +115,4 @@ fn check(records: &[Record], known: &Known) -> Result<(), ContactLawError> {
         );
     }
     Ok(())
-}
-
-/// True if a record has a signal of this quantity.
-fn has(record: &Record, quantity: Measured) -> bool {
-    record.signals.iter().any(|signal| signal.quantity == quantity)
-}
-
-/// True if a record determines the mass.
-fn finds_mass(record: &Record) -> bool {
-    has(record, Measured::Force) && (record.signals.len() > 1 || record.speed.is_some())
 }

@@ -1,6 +1,6 @@
 //! Motion of an impact and the signals that it causes.
 
-use super::{DamperForm, Measured};
+use super::record::{DamperForm, Measured};
 use crate::Sample;
 use crate::stepping::{Stepping, runge_kutta_step};
 
@@ -27,7 +27,11 @@ impl Contact {
             DamperForm::HuntCrossley => spring * (1.0 + self.damping * rate),
             DamperForm::KelvinVoigt => {
                 // Below p = 1 the damper is linear: it has no infinite force at the touch.
-                let scale = if self.exponent <= 1.0 { 1.0 } else { depth.max(floor).powf(0.5 * (self.exponent - 1.0)) };
+                let scale = if self.exponent <= 1.0 {
+                    1.0
+                } else {
+                    depth.max(floor).powf(0.5 * (self.exponent - 1.0))
+                };
                 spring + self.damping * scale * rate
             }
         }
@@ -198,7 +202,9 @@ impl Filter {
             let Some(&first) = values.first() else { return };
             let (mut x, mut y) = ([first; 2], [first; 2]);
             for value in values.iter_mut() {
-                let out = self.inputs * (*value + 2.0 * x[0] + x[1]) + self.before[0] * y[0] + self.before[1] * y[1];
+                let out = self.inputs * (*value + 2.0 * x[0] + x[1])
+                    + self.before[0] * y[0]
+                    + self.before[1] * y[1];
                 (x, y) = ([*value, x[0]], [out, y[0]]);
                 *value = out;
             }

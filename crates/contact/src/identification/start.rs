@@ -1,6 +1,6 @@
 //! Part of a record around its first impact, samples at the limit of a sensor, and values from which the search begins.
 
-use super::{LEAST_SAMPLES, Measured, Record, Signal, has};
+use super::record::{LEAST_SAMPLES, Measured, Record, Signal, has};
 use crate::ContactLawError;
 
 /// Part of the largest deviation at which the contact is taken to begin and to end.
@@ -62,7 +62,9 @@ impl Start {
             (None, None) => of_displacement(times, &without_outliers(&record.signals[0].values)),
         };
         let Some([touch, end]) = found else {
-            return refuse("no impact is found; expected one pulse of the force or the acceleration, or a reversal of the motion");
+            return refuse(
+                "no impact is found; expected one pulse of the force or the acceleration, or a reversal of the motion",
+            );
         };
         let duration = end - touch;
         let (from, to) = (touch - USED_BEFORE * duration, end + USED_AFTER * duration);
@@ -75,8 +77,7 @@ impl Start {
         let at_touch = times.partition_point(|time| *time < touch).min(times.len() - 1);
         let mut spacings: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let spacing = median(&mut spacings);
-        let signals =
-            record.signals.iter().map(|signal| StartSignal::new(signal, first..last, at_touch));
+        let signals = record.signals.iter().map(|signal| StartSignal::new(signal, first..last, at_touch));
         let is_dense = duration > DENSE * spacing;
         let signals = signals.map(|signal| if is_dense { signal.without_spikes() } else { signal }).collect();
         Ok(Self { first, times, signals, touch, duration, spacing })
@@ -130,12 +131,19 @@ impl StartSignal {
         let sign = if is_reversed { -1.0 } else { 1.0 };
         let turned: Vec<f64> = values.iter().map(|value| sign * value).collect();
         let limit = clip_limit(&turned, sign * offset, if is_reversed { -least } else { most });
-        let is_used: Vec<bool> = turned.iter().map(|value| limit.is_none_or(|limit| *value != limit)).collect();
+        let is_used: Vec<bool> =
+            turned.iter().map(|value| limit.is_none_or(|limit| *value != limit)).collect();
         let clipped = is_used.iter().filter(|is_used| !**is_used).count();
         let offset = sign * offset;
         let amplitude = match quantity {
             Measured::Velocity => start.abs().max(f64::MIN_POSITIVE),
-            _ => if is_reversed { -least - offset } else { most - offset },
+            _ => {
+                if is_reversed {
+                    -least - offset
+                } else {
+                    most - offset
+                }
+            }
         };
         Self { quantity, is_reversed, values: turned, is_used, clipped, limit, offset, amplitude }
     }

@@ -3,7 +3,6 @@
 pub(crate) mod curvature;
 pub(crate) mod damped_contact;
 pub(crate) mod damping;
-pub(crate) mod identification;
 pub(crate) mod joint_stop;
 pub(crate) mod penetration;
 pub(crate) mod restitution;

@@ -3,7 +3,6 @@
 use crate::checks::model_check::{CheckReport, check};
 use crate::damper::damped_contact::{damp_contact, damp_stop};
 use crate::damper::damping::DampingReport;
-use crate::damper::identification::{IdentificationReport, identify_contact_of};
 use crate::damper::restitution::{RestitutionReport, restitution_at};
 use crate::map::map_report::{MapAnswer, MapReport};
 use crate::map::point_map::{PointMapReport, map_point};
@@ -24,6 +23,7 @@ use crate::reports::exports::conversion::{ConversionError, ConversionReport, con
 use crate::reports::exports::impact::{ImpactExportError, export};
 use crate::reports::exports::impact_report::ExportReport;
 use crate::reports::impact::extremes::{ExtremesReport, extremes};
+use crate::reports::impact::identification::{IdentificationReport, identify_contact_of};
 use crate::reports::impact::reflected::ReflectedReport;
 use crate::reports::impact::report::{ImpactReport, impact};
 use crate::reports::kinematics::errors::KinematicsError;

@@ -158,7 +158,8 @@ impl StudyFile {
 
     /// Keys and paths of the output files that the tables name.
     pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let StudyTables { sweep, damping, identify, map, kinematics, generate, convert, export, .. } = &self.tables;
+        let StudyTables { sweep, damping, identify, map, kinematics, generate, convert, export, .. } =
+            &self.tables;
         let maps = map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
         let files = [
             ("sweep.output", sweep.as_ref().and_then(|asked| asked.output.as_ref())),

@@ -65,7 +65,10 @@ fn meaning(name: &str) -> Result<(Option<Measured>, &'static Unit), TableFault> 
     let unit = match unit {
         Some(unit) => Unit::named(unit, &[*dimension]).ok_or_else(|| {
             let units: Vec<&str> = dimension.units().map(|unit| unit.name).collect();
-            TableFault::from(format!("\"{unit}\" is no unit of {dimension}; expected one of {}", units.join(", ")))
+            TableFault::from(format!(
+                "\"{unit}\" is no unit of {dimension}; expected one of {}",
+                units.join(", ")
+            ))
         })?,
         // Every dimension of the table has units.
         None => dimension.default_unit().ok_or_else(|| TableFault::from("it has no unit"))?,
@@ -90,7 +93,10 @@ pub(crate) fn read_record(
         rows.read().map_err(|fault| TableError::at_line(path, rows.line, fault))
     };
     if !read(&mut rows)? {
-        return Err(TableError::in_file(path, "it is empty; expected a header such as time [ms], force [kN]"));
+        return Err(TableError::in_file(
+            path,
+            "it is empty; expected a header such as time [ms], force [kN]",
+        ));
     }
     let line = rows.line;
     let names: Vec<String> = rows.cells().map(str::to_owned).collect();
@@ -111,14 +117,20 @@ pub(crate) fn read_record(
         };
         let word = quantity.map_or("time", |quantity| quantity.name_and_unit().0);
         if is_twice {
-            return Err(refuse(format!("a second column of {word}; expected one, or this one ignored").into()));
+            return Err(refuse(
+                format!("a second column of {word}; expected one, or this one ignored").into(),
+            ));
         }
         columns.push(RecordColumn { column: name.clone(), quantity: word, unit: unit.name });
         targets.push(Some((quantity.map(|_| record.signals.len()), unit)));
         record.signals.extend(quantity.map(|quantity| Signal { quantity, values: Vec::new() }));
     }
     if !has_time || record.signals.is_empty() {
-        let missing = if has_time { "a column of a force, an acceleration, a velocity or a displacement" } else { "a column time" };
+        let missing = if has_time {
+            "a column of a force, an acceleration, a velocity or a displacement"
+        } else {
+            "a column time"
+        };
         return Err(TableError::at_line(path, line, format!("{missing} is missing")));
     }
     while read(&mut rows)? {

@@ -137,7 +137,20 @@ const EXPLAINED: [(&str, &[&str]); 23] = [
     ),
     (
         "identify",
-        &["mass", "mass_from", "speed", "drop", "exponent", "damper", "filter", "ignore", "output", "at", "link", "set"],
+        &[
+            "mass",
+            "mass_from",
+            "speed",
+            "drop",
+            "exponent",
+            "damper",
+            "filter",
+            "ignore",
+            "output",
+            "at",
+            "link",
+            "set",
+        ],
     ),
     (
         "safe-speed",

@@ -48,8 +48,13 @@ pub fn show(
     report.inputs.iter().for_each(|input| record_input(&input.path));
     if let Some(path) = output {
         let picture = || Ok(Box::new(sheet(report)) as Box<dyn Picture>);
-        Contents { name: "identification", table: Some(&|| cells(report)), picture: Some(&picture), ..Contents::default() }
-            .write(path)?;
+        Contents {
+            name: "identification",
+            table: Some(&|| cells(report)),
+            picture: Some(&picture),
+            ..Contents::default()
+        }
+        .write(path)?;
     }
     document::print(report, format, || document(report))
 }
@@ -94,7 +99,8 @@ fn facts(report: &IdentificationReport) -> Vec<(&'static str, String)> {
     };
     let p = report.exponent.value;
     let mass = plus_minus(report.effective_mass, 1.0, "kg");
-    let mass = if report.finds_mass { mass } else { format!("{mass}, as given: the data do not determine it") };
+    let mass =
+        if report.finds_mass { mass } else { format!("{mass}, as given: the data do not determine it") };
     let mut facts = vec![("effective mass", mass)];
     facts.extend(report.named_contact.as_ref().map_or_else(Vec::new, named_contact));
     facts.extend(report.compared.as_ref().map(|compared| ("expected mass", comparison(compared))));
@@ -128,9 +134,14 @@ fn comparison(compared: &ComparedMass) -> String {
         )
     });
     let each: Vec<String> = each.collect();
-    let explained =
-        if each.is_empty() { String::new() } else { format!("; explained by the mass of {}", each.join(", or of ")) };
-    format!("{expected} kg; the identified mass differs by {difference} kg, more than its uncertainty{explained}")
+    let explained = if each.is_empty() {
+        String::new()
+    } else {
+        format!("; explained by the mass of {}", each.join(", or of "))
+    };
+    format!(
+        "{expected} kg; the identified mass differs by {difference} kg, more than its uncertainty{explained}"
+    )
 }
 
 fn impacts(report: &IdentificationReport) -> Table {
@@ -153,7 +164,8 @@ fn impacts(report: &IdentificationReport) -> Table {
 
 fn signals(report: &IdentificationReport) -> Table {
     let is_one = report.impacts.len() == 1;
-    let head = ["file", "signal", "column", "offset", "drift per s", "residual %"].map(str::to_owned).to_vec();
+    let head =
+        ["file", "signal", "column", "offset", "drift per s", "residual %"].map(str::to_owned).to_vec();
     let mut rows = vec![head];
     for impact in &report.impacts {
         for signal in &impact.identified.signals {
@@ -182,7 +194,10 @@ fn left_out(impact: &MeasuredImpact) -> Vec<String> {
     let found = &impact.identified;
     if found.unused_samples > 0 {
         let [first, last] = found.used.map(|time| number(1e3 * time));
-        texts.push(format!("{} samples before {first} ms or after {last} ms are not used", found.unused_samples));
+        texts.push(format!(
+            "{} samples before {first} ms or after {last} ms are not used",
+            found.unused_samples
+        ));
     }
     for signal in &found.signals {
         let (name, _) = signal.quantity.name_and_unit();
@@ -190,7 +205,8 @@ fn left_out(impact: &MeasuredImpact) -> Vec<String> {
             texts.push(format!("{name}: {} samples at the limit of the sensor are not used", signal.clipped));
         }
         if !signal.outliers.is_empty() {
-            let times: Vec<String> = signal.outliers.iter().take(3).map(|time| fixed(1e3 * time, 3)).collect();
+            let times: Vec<String> =
+                signal.outliers.iter().take(3).map(|time| fixed(1e3 * time, 3)).collect();
             let more = if signal.outliers.len() > 3 { ", …" } else { "" };
             let count = signal.outliers.len();
             let plural = if count == 1 { " is" } else { "s are" };
@@ -198,7 +214,9 @@ fn left_out(impact: &MeasuredImpact) -> Vec<String> {
         }
         if signal.correlation_time > 0.0 {
             let time = number(1e3 * signal.correlation_time);
-            texts.push(format!("{name}: residuals are correlated over {time} ms; the uncertainties contain that"));
+            texts.push(format!(
+                "{name}: residuals are correlated over {time} ms; the uncertainties contain that"
+            ));
         }
     }
     texts.into_iter().map(|text| format!("{}: {text}", impact.file)).collect()
@@ -216,7 +234,8 @@ fn correlations(report: &IdentificationReport) -> Table {
 
 /// Data and fit of all impacts as a table, SI units.
 fn cells(report: &IdentificationReport) -> contents::Cells {
-    let names = ["impact", "time [s]", "quantity", "measured", "fitted", "residual"].map(str::to_owned).to_vec();
+    let names =
+        ["impact", "time [s]", "quantity", "measured", "fitted", "residual"].map(str::to_owned).to_vec();
     let mut rows = Vec::new();
     for impact in &report.impacts {
         for (quantity, times, data, fit) in impact.signals() {
@@ -250,7 +269,10 @@ fn sheet(report: &IdentificationReport) -> Sheet {
             let residuals = data.iter().zip(fit).map(|(data, fit)| data - fit).collect();
             panels.push(Panel {
                 y_label: format!("{name} ({unit})"),
-                series: vec![curve("fit", Style::Line, fit.to_vec()), curve("data", Style::Dots, data.to_vec())],
+                series: vec![
+                    curve("fit", Style::Line, fit.to_vec()),
+                    curve("data", Style::Dots, data.to_vec()),
+                ],
                 ..Panel::default()
             });
             panels.push(Panel {
@@ -260,7 +282,11 @@ fn sheet(report: &IdentificationReport) -> Sheet {
             });
         }
         Figure {
-            title: format!("{}: restitution {}", impact.file, plus_minus(impact.identified.restitution, 1.0, "")),
+            title: format!(
+                "{}: restitution {}",
+                impact.file,
+                plus_minus(impact.identified.restitution, 1.0, "")
+            ),
             subtitle: form_name(report.damper).to_owned(),
             x_label: "time (ms)".into(),
             panels,

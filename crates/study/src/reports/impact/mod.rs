@@ -5,6 +5,7 @@ pub(crate) mod errors;
 pub(crate) mod extremes;
 pub(crate) mod friction;
 pub(crate) mod further_contacts;
+pub(crate) mod identification;
 pub(crate) mod in_time;
 pub(crate) mod masses;
 pub(crate) mod reactions;

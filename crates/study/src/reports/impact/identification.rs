@@ -16,9 +16,7 @@ use crate::question::tables::identify::IdentifyQuestion;
 use crate::reports::explain::explain_parts;
 use crate::tables::records::{RecordColumn, read_record};
 use percuss_contact::ContactLawError;
-use percuss_contact::identification::{
-    DamperForm, Estimate, IdentifiedRecord, Measured, Record, identify,
-};
+use percuss_contact::identification::{DamperForm, Estimate, IdentifiedRecord, Measured, Record, identify};
 use percuss_dynamics::EffectiveMass;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -205,8 +203,9 @@ pub fn identify_contact_of(
             MassExplanation { link: link.link, change, relative_change: change / link.mass }
         });
         // A link cannot lose more than its mass.
-        let mut changes: Vec<MassExplanation> =
-            changes.filter(|found| found.relative_change.is_finite() && found.relative_change > -1.0).collect();
+        let mut changes: Vec<MassExplanation> = changes
+            .filter(|found| found.relative_change.is_finite() && found.relative_change > -1.0)
+            .collect();
         changes.sort_by(|a, b| a.relative_change.abs().total_cmp(&b.relative_change.abs()));
         changes.truncate(EXPLANATIONS);
         compared.explanations = changes;
