@@ -3,7 +3,7 @@
 use crate::error::{LawParameter, not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
 use crate::limits;
-use crate::stepping::{Stepping, step_on_curve};
+use crate::stepping::{MOST_STEPS, Stepping, step_on_curve};
 use crate::trajectory::{Dissipative, OnCurve, Oscillator, Trajectory};
 use crate::{CompliantContact, ContactLawError, Separation, StiffnessLaw, kelvin_voigt};
 
@@ -215,7 +215,15 @@ impl Damper {
         };
         let force = |x: f64, rate: f64| self.force(contact, x, rate);
         let (step, ends_at_zero_force) = (step_on_curve(contact, speed)?, self.ends_at_zero_force());
-        Ok(result(&Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside: &|_, _| 0.0 }))
+        Ok(result(&Stepping {
+            force: &force,
+            ends_at_zero_force,
+            corners,
+            step,
+            speed,
+            beside: &|_, _| 0.0,
+            most_steps: MOST_STEPS,
+        }))
     }
 
     /// Dimensionless motion of an impact on the contact at the speed; not for a linear damper beside a force curve.

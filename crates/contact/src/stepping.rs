@@ -41,6 +41,8 @@ pub(crate) struct Stepping<'a> {
     pub speed: f64,
     /// Force beside the contact over penetration and rate, N; positive against the penetration.
     pub beside: &'a dyn Fn(f64, f64) -> f64,
+    /// Greatest number of steps.
+    pub most_steps: usize,
 }
 
 /// Step on a force curve, s: a part of the half period of a linear spring with this penetration.
@@ -72,7 +74,7 @@ impl Stepping<'_> {
         };
         record(sample(0.0, state));
         let (mut origin, mut steps) = (0.0, 0.0);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..self.most_steps {
             let time = origin + steps * self.step;
             let mut length = self.step;
             let mut next = runge_kutta_step(state, length, &rates);

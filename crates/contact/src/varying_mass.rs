@@ -83,7 +83,8 @@ fn integrate(
     };
     let force = |x: f64, rate: f64| damper.force(contact, x, rate);
     let ends_at_zero_force = damper.ends_at_zero_force();
-    Ok(Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside }.run(profile, record))
+    Ok(Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside, most_steps: MOST_STEPS }
+        .run(profile, record))
 }
 
 /// Restitution of a contact that prescribes accelerations of the joints, as MuJoCo's contacts do: j q̈ = −(ω² δ + 2ζω δ̇) while the

@@ -2,7 +2,7 @@
 
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
 use percuss_study::{CodeQuestion, LanguageName, MassQuestion, Model, Normal};
-use percuss_study::{ask, check, generate_code, study_keys, study_schema};
+use percuss_study::{ask, check, explain, generate_code, study_keys, study_schema};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
@@ -55,6 +55,8 @@ fn every_question_has_its_key_in_the_report() {
         normal: Normal::Along([1.0, 0.0, 0.0]),
         ..MassQuestion::without_contact()
     };
+    let explanation = explain(&model, &question).expect("a finite mass");
+    assert_eq!(report["mass"]["explanation"], serde_json::to_value(explanation).expect("JSON"));
     let code = CodeQuestion { language: LanguageName::Rust, gradient: true, ..CodeQuestion::default() };
     let code = generate_code(&model, &question, &code).expect("code");
     assert!(code.files[0].text.contains("pub fn mass"), "{:?}", code.files);

@@ -1,8 +1,8 @@
 //! Nonlinear least squares with per-record and common unknowns, and the covariance of the result.
 
 use super::motion::{Contact, Filter, Motion};
-use super::record::{DamperForm, EXPONENTS, Known, Measured, Record, finds_mass};
-use super::start::{Start, StartSignal, median};
+use super::record::{DamperForm, EXPONENTS, Known, Measured, Record, SampleUse, finds_mass};
+use super::start::{Start, median};
 use crate::ContactLawError;
 use nalgebra::{DMatrix, DVector};
 
@@ -25,6 +25,8 @@ pub(super) const DIFFERENCE: f64 = 1e-5;
 /// normal noise lies beyond.
 pub(super) const OUTLIER: f64 = 6.0;
 const MOST_OUTLIERS: f64 = 0.02;
+/// Lengths of the used record over which a filter may reach.
+const MOST_REACH: usize = 3;
 /// Time after which the answer to a step is within 1e-3 of its end, multiplied by the channel frequency class.
 const FILTER_RISE: f64 = 0.5;
 /// Standard deviations below the limit of a sensor within which samples are not used.
@@ -74,10 +76,13 @@ impl<'a> Fit<'a> {
                 return refuse("a filter class is given, and the samples have no equal distances".into());
             }
             match Filter::new(class, start.spacing) {
-                Some(filter) => Ok(Some(filter)),
+                Some(filter) if filter.reach <= MOST_REACH * start.times.len() => Ok(Some(filter)),
+                Some(_) => refuse(format!(
+                    "filter class {class}: the filter is slower than the record; state its class in Hz"
+                )),
                 None => refuse(format!(
                     "filter class {class}: expected one below {:.1} Hz, for this distance of samples",
-                    0.25 / 2.0775 / start.spacing
+                    0.5 / 2.0775 / start.spacing
                 )),
             }
         };
@@ -128,12 +133,12 @@ impl<'a> Fit<'a> {
         Ok(fit)
     }
 
-    /// Logarithm of the likelihood of normal residuals, negative and without constants; equal scales for both forms of a damper.
+    /// Negative log-likelihood of normal residuals without constants; with equal scales for both forms of a damper.
     pub fn misfit(&self) -> f64 {
         let mut sum = 0.0;
         for (start, deviations) in self.starts.iter().zip(&self.deviations) {
             for (signal, deviation) in start.signals.iter().zip(deviations) {
-                let used = signal.is_used.iter().filter(|is_used| **is_used).count() as f64;
+                let used = signal.uses.iter().filter(|state| **state == SampleUse::Used).count() as f64;
                 sum += used * (deviation / signal.amplitude).max(LEAST_RESIDUAL).ln();
             }
         }
@@ -166,7 +171,7 @@ impl<'a> Fit<'a> {
                 unknowns[at + 1] = exponent;
             }
             unknowns[self.damping_at()] = damping;
-            // First with this exponent, because far from the motion a search of all runs to a limit of the exponents.
+            // First with this exponent: far from the motion a search of all unknowns ends at a limit of the exponents.
             let held = self.known.exponent.is_none().then_some(at + 1);
             let found = self.search(unknowns, FIRST_ITERATIONS, held);
             let found = found.and_then(|(_, unknowns)| self.search(unknowns, FIRST_ITERATIONS, None));
@@ -197,11 +202,12 @@ impl<'a> Fit<'a> {
             }
             unknowns = found.1;
             self.unknowns = unknowns.clone();
-            let has_changed = self.update_deviations(round > 0);
-            if !has_changed {
+            if !self.update_deviations() {
                 break;
             }
         }
+        // The variances and samples of the last round.
+        (_, self.unknowns) = self.search(self.unknowns.clone(), MOST_ITERATIONS, None).ok_or_else(failed)?;
         Ok(self)
     }
 
@@ -254,8 +260,8 @@ impl<'a> Fit<'a> {
 
     pub fn motion(&self, unknowns: &DVector<f64>, record: usize, steps: f64) -> Option<Motion> {
         let (_, speed) = self.approach(unknowns, record);
-        let step = self.starts[record].duration / steps;
-        Motion::new(self.contact(unknowns)?, speed, step).filter(|_| speed.is_normal())
+        Motion::new(self.contact(unknowns)?, speed, self.starts[record].duration, steps)
+            .filter(|_| speed.is_normal())
     }
 
     /// Values of all signals of a record, signal after signal.
@@ -314,9 +320,12 @@ impl<'a> Fit<'a> {
         let mut at = 0;
         for (signal, deviation) in start.signals.iter().zip(&self.deviations[record]) {
             let weight = |time: f64| self.weight_beside_jump(signal.quantity, record, time - touch);
-            for ((value, is_used), time) in signal.values.iter().zip(&signal.is_used).zip(&start.times) {
-                residuals[at] =
-                    if *is_used { weight(*time) * (residuals[at] - value) / deviation } else { 0.0 };
+            for ((value, state), time) in signal.values.iter().zip(&signal.uses).zip(&start.times) {
+                residuals[at] = if *state == SampleUse::Used {
+                    weight(*time) * (residuals[at] - value) / deviation
+                } else {
+                    0.0
+                };
                 at += 1;
             }
         }
@@ -411,49 +420,51 @@ impl<'a> Fit<'a> {
         Some((squares, unknowns))
     }
 
-    /// Takes the variances from the residuals, and outliers out of use. Returns false if nothing has changed much.
-    fn update_deviations(&mut self, finds_outliers: bool) -> bool {
+    /// Takes the variances from the residuals, and decides which samples are outliers or near the limit of the sensor. Returns false if nothing
+    /// has changed much.
+    fn update_deviations(&mut self) -> bool {
         let mut has_changed = false;
+        let common = self.firsts[0] as f64 / self.records.len() as f64;
         for record in 0..self.records.len() {
-            let Some(residuals) = self.residuals(&self.unknowns, record) else { continue };
             let Some(fitted) = self.values(&self.unknowns, record) else { continue };
-            let Self { starts, deviations, unknowns, .. } = self;
-            let Start { signals, times, .. } = &mut starts[record];
-            for (number, signal) in signals.iter_mut().enumerate() {
-                let own = residuals.rows(number * times.len(), times.len());
-                let used = |signal: &StartSignal| -> Vec<usize> {
-                    (0..own.len()).filter(|at| signal.is_used[*at]).collect()
-                };
-                let before = used(signal);
-                if finds_outliers {
-                    let mut sizes: Vec<f64> = before.iter().map(|at| own[*at].abs()).collect();
-                    let limit = OUTLIER * NORMAL * median(&mut sizes);
-                    let outside: Vec<usize> =
-                        before.iter().copied().filter(|at| limit > 0.0 && own[*at].abs() > limit).collect();
-                    if outside.len() as f64 <= MOST_OUTLIERS * before.len() as f64 {
-                        outside.iter().for_each(|at| signal.is_used[*at] = false);
-                        has_changed |= !outside.is_empty();
-                    }
-                }
-                if let Some(limit) = signal.limit {
-                    // Next to the limit only the samples with noise towards zero are left.
-                    let near = limit - NEAR_LIMIT * deviations[record][number];
-                    for at in used(signal) {
-                        if fitted[number * times.len() + at] > near {
-                            signal.is_used[at] = false;
-                            signal.clipped += 1;
-                            has_changed = true;
-                        }
-                    }
-                }
-                let kept = used(signal);
-                let squares: f64 = kept.iter().map(|at| own[*at] * own[*at]).sum();
-                let freedoms = kept.len() as f64 * (1.0 - unknowns.len() as f64 / residuals.len() as f64);
-                let factor = (squares / freedoms.max(1.0)).sqrt();
-                let old = deviations[record][number];
-                let new = (factor * old).max(LEAST_RESIDUAL * signal.amplitude);
-                has_changed |= (new / old - 1.0).abs() > 0.02;
-                deviations[record][number] = new;
+            let (touch, _) = self.approach(&self.unknowns, record);
+            let start = &self.starts[record];
+            let count = start.times.len();
+            let own_unknowns = self.unknowns_of(record).count() - self.firsts[0];
+            let mut of_record = Vec::new();
+            for (number, signal) in start.signals.iter().enumerate() {
+                let deviation = self.deviations[record][number];
+                let near = signal.limit.map_or(f64::INFINITY, |limit| limit - NEAR_LIMIT * deviation);
+                let own = fitted.rows(number * count, count);
+                // Next to the limit only the samples with noise towards zero are left.
+                let is_near = |at: usize| own[at] > near || signal.limit == Some(signal.values[at]);
+                let weight =
+                    |at: usize| self.weight_beside_jump(signal.quantity, record, start.times[at] - touch);
+                let residual = |at: usize| weight(at) * (own[at] - signal.values[at]);
+                let free: Vec<usize> = (0..count).filter(|at| !is_near(*at)).collect();
+                let mut sizes: Vec<f64> = free.iter().map(|at| residual(*at).abs()).collect();
+                let limit = if free.is_empty() { 0.0 } else { OUTLIER * NORMAL * median(&mut sizes) };
+                let is_outlier = |at: &usize| limit > 0.0 && residual(*at).abs() > limit;
+                let outliers: Vec<usize> = free.iter().copied().filter(is_outlier).collect();
+                let has_outliers = outliers.len() as f64 <= MOST_OUTLIERS * free.len() as f64;
+                let mut uses = vec![SampleUse::AtLimit; count];
+                free.iter().for_each(|at| uses[*at] = SampleUse::Used);
+                outliers.iter().filter(|_| has_outliers).for_each(|at| uses[*at] = SampleUse::Outlier);
+                let used: Vec<usize> = free.into_iter().filter(|at| uses[*at] == SampleUse::Used).collect();
+                let squares: f64 = used.iter().map(|at| residual(*at).powi(2)).sum();
+                of_record.push((uses, used.len(), squares));
+            }
+            let used: usize = of_record.iter().map(|(_, used, _)| used).sum();
+            let freedom = 1.0 - (own_unknowns as f64 + common) / used.max(1) as f64;
+            for (number, (uses, used, squares)) in of_record.into_iter().enumerate() {
+                let signal = &mut self.starts[record].signals[number];
+                let old = self.deviations[record][number];
+                let new = (squares / (used as f64 * freedom).max(1.0))
+                    .sqrt()
+                    .max(LEAST_RESIDUAL * signal.amplitude);
+                has_changed |= (new / old - 1.0).abs() > 0.02 || uses != signal.uses;
+                signal.uses = uses;
+                self.deviations[record][number] = new;
             }
         }
         has_changed

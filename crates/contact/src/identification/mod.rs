@@ -13,7 +13,7 @@ mod start;
 
 pub use record::{
     DamperForm, Estimate, Identification, IdentifiedRecord, IdentifiedSignal, Known, LEAST_SAMPLES,
-    MOST_SAMPLES, Measured, Record, Signal,
+    MOST_SAMPLES, Measured, Record, SampleUse, Signal,
 };
 
 use crate::ContactLawError;

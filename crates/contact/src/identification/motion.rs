@@ -4,6 +4,8 @@ use super::record::{DamperForm, Measured};
 use crate::Sample;
 use crate::stepping::{Stepping, runge_kutta_step};
 
+/// Estimated durations after which the mass rests on the contact.
+const MOST_DURATIONS: f64 = 20.0;
 /// Iterations for the time of the separation: 1e-12 of a step.
 const END_ITERATIONS: usize = 12;
 
@@ -47,8 +49,10 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// Motion with fixed steps, s. `None`: the mass does not separate, or numbers overflow.
-    pub fn new(contact: Contact, speed: f64, step: f64) -> Option<Self> {
+    /// Motion with `steps` steps over an estimated duration, s. `None`: the mass does not separate within [`MOST_DURATIONS`], or numbers
+    /// overflow.
+    pub fn new(contact: Contact, speed: f64, duration: f64, steps: f64) -> Option<Self> {
+        let step = duration / steps;
         // The mean of the first step: a step from an infinite slope would have an error that changes with the exponent.
         let floor = 0.25 * speed * step;
         let force = |depth: f64, rate: f64| contact.force(depth, rate, floor);
@@ -60,6 +64,7 @@ impl Motion {
             step,
             speed,
             beside: &|_, _| weight,
+            most_steps: (MOST_DURATIONS * steps) as usize,
         };
         let mut samples = Vec::new();
         let profile = [(0.0, contact.mass), (1.0, contact.mass)];
@@ -76,11 +81,12 @@ impl Motion {
         let Self { contact, samples, .. } = self;
         let [.., before, end] = &mut samples[..] else { return };
         let remaining = |(depth, rate): (f64, f64)| match contact.form {
-            DamperForm::HuntCrossley => depth,
-            DamperForm::KelvinVoigt => {
+            DamperForm::KelvinVoigt if contact.damping > 0.0 => {
                 let power = 0.5 * (contact.exponent + 1.0).min(2.0 * contact.exponent);
                 contact.stiffness * depth.signum() * depth.abs().powf(power) + contact.damping * rate
             }
+            // Without a damper that pulls, the force vanishes with the penetration.
+            _ => depth,
         };
         let rates = |(depth, rate): (f64, f64)| {
             (rate, contact.gravity - contact.force(depth, rate, 0.0) / contact.mass)
@@ -178,7 +184,7 @@ pub(super) struct Filter {
 }
 
 impl Filter {
-    /// Filter of a channel frequency class, Hz, for a distance of samples, s. `None`: the class is above what the samples can have.
+    /// Filter of a channel frequency class, Hz, for a distance of samples, s. `None`: the samples are too far apart for the class, or the class is not above 0.
     pub fn new(class: f64, step: f64) -> Option<Self> {
         // The SAE's factor 2.0775 is the ratio of the -3 dB frequency of one pass to the class.
         let angle = std::f64::consts::PI * class * 2.0775 * step;
@@ -192,7 +198,7 @@ impl Filter {
             inputs: wa * wa / sum,
             before: [2.0 * (1.0 - wa * wa) / sum, (root - 1.0 - wa * wa) / sum],
             // The slower pole decays by exp(-angle √2) per sample: 1e-9 after this number.
-            reach: (21.0 / (std::f64::consts::SQRT_2 * angle)).ceil() as usize,
+            reach: (21.0 / (std::f64::consts::SQRT_2 * angle)).ceil().min(1e9) as usize,
         })
     }
 

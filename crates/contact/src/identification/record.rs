@@ -5,7 +5,9 @@ use serde::Serialize;
 /// Fewest samples of a record.
 pub const LEAST_SAMPLES: usize = 20;
 /// Most samples of all signals and records together.
-pub const MOST_SAMPLES: usize = 1_000_000;
+pub const MOST_SAMPLES: usize = 200_000;
+/// Part of the largest value, and of the duration, above which residuals contradict the law.
+const CONTRADICTION: f64 = 0.02;
 /// Exponents of the spring that are searched.
 pub(super) const EXPONENTS: std::ops::RangeInclusive<f64> = 0.5..=8.0;
 
@@ -39,7 +41,7 @@ impl Measured {
     }
 }
 
-/// Signal of a record, SI units. Its sign is found.
+/// Signal of a record, SI units, in either direction: the identification finds which.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signal {
     /// Quantity.
@@ -91,8 +93,30 @@ pub struct Known {
 pub struct Estimate {
     /// Value.
     pub value: f64,
-    /// Standard uncertainty; 0 for a known value. The value lies within two of them in 95 of 100 cases.
+    /// Standard uncertainty; 0 for a known value. The true value lies within two standard uncertainties in 95 of 100 cases.
     pub uncertainty: f64,
+}
+
+/// Use of a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SampleUse {
+    /// Used.
+    Used,
+    /// At the limit of the sensor, or so near that its noise is cut off.
+    AtLimit,
+    /// Outlier.
+    Outlier,
+}
+
+impl SampleUse {
+    /// Name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Used => "used",
+            Self::AtLimit => "at the limit",
+            Self::Outlier => "outlier",
+        }
+    }
 }
 
 /// Signal of a record after the identification.
@@ -101,7 +125,7 @@ pub struct Estimate {
 pub struct IdentifiedSignal {
     /// Quantity.
     pub quantity: Measured,
-    /// True if its positive direction is against that of a pushing force, a deceleration or a penetration.
+    /// True if the values fall where a pushing force, the deceleration, the closing speed or the penetration grows.
     pub is_reversed: bool,
     /// Value of the sensor without force or penetration, at the touch; null for a velocity.
     pub offset: Option<Estimate>,
@@ -117,9 +141,20 @@ pub struct IdentifiedSignal {
     pub clipped: usize,
     /// Times of outliers, s, which are not used.
     pub outliers: Vec<f64>,
+    /// Use of each sample at the used times.
+    #[serde(skip)]
+    pub uses: Vec<SampleUse>,
     /// Values of the identified contact at the used times, with offset and drift, in the direction of the signal.
     #[serde(skip)]
     pub fitted: Vec<f64>,
+}
+
+impl IdentifiedSignal {
+    /// True if the residuals are above 2 % of the largest value, and correlated over 2 % of the duration of the contact, s: the contact has
+    /// another law.
+    pub fn contradicts(&self, duration: f64) -> bool {
+        self.relative_residual > CONTRADICTION && self.correlation_time > CONTRADICTION * duration
+    }
 }
 
 /// Record after the identification.

@@ -1,10 +1,12 @@
 //! Uncertainties of the unknowns, and the quantities that follow from them.
 
-use super::fit::{DIFFERENCE, Fit, NEAR_LIMIT, OUTLIER, add, drifts};
-use super::record::{Estimate, Identification, IdentifiedRecord, IdentifiedSignal};
+use super::fit::{DIFFERENCE, Fit, add, drifts};
+use super::record::{Estimate, Identification, IdentifiedRecord, IdentifiedSignal, SampleUse};
 use crate::ContactLawError;
 use nalgebra::{DMatrix, DVector};
 
+/// Most lags of an autocorrelation: a longer one is an error of the law.
+const MOST_LAGS: usize = 500;
 /// Steps of the integration for key figures: the largest of the samples lies 1e-6 below the maximum.
 const STEPS_OF_FIGURES: f64 = 2000.0;
 
@@ -28,7 +30,7 @@ impl Fit<'_> {
                 let mut length = 0;
                 let total = own.norm_squared();
                 let significant = 2.0 / (count as f64).sqrt();
-                while total > 0.0 && length < count / 4 {
+                while total > 0.0 && length < MOST_LAGS.min(count / 4) {
                     let lag = length + 1;
                     let product = own.rows(0, count - lag).dot(&own.rows(lag, count - lag));
                     if product / total <= significant {
@@ -45,9 +47,15 @@ impl Fit<'_> {
         }
         let inverse = inverse(&normal)?;
         let mut covariance = &inverse * scores * &inverse;
-        // Sums of estimated correlations may lie below the variance without them.
-        let factors: Vec<f64> =
-            (0..size).map(|k| (inverse[(k, k)] / covariance[(k, k)].abs()).max(1.0).sqrt()).collect();
+        // Estimated correlations may give less than the variance without them, or a negative one.
+        let factor = |k: usize| {
+            let (plain, correlated) = (inverse[(k, k)], covariance[(k, k)]);
+            if correlated > 0.0 { (plain / correlated).max(1.0).sqrt() } else { f64::NAN }
+        };
+        let factors: Vec<f64> = (0..size).map(factor).collect();
+        if factors.iter().any(|factor| factor.is_nan()) {
+            return Some((inverse, lengths));
+        }
         for i in 0..size {
             for j in 0..size {
                 covariance[(i, j)] *= factors[i] * factors[j];
@@ -74,10 +82,20 @@ impl Fit<'_> {
     pub fn identification(&self) -> Result<Identification, ContactLawError> {
         self.result().ok_or_else(|| ContactLawError::Record {
             record: None,
-            why:
-                "the records do not determine the unknowns; give the exponent, the approach speed or the mass"
-                    .into(),
+            why: format!("the records do not determine all unknowns{}", self.more()),
         })
+    }
+
+    /// What else may be given, for a refusal.
+    fn more(&self) -> String {
+        let open = [
+            ("the exponent", self.known.exponent.is_none()),
+            ("the mass", self.finds_mass),
+            ("the approach speed", self.records.iter().any(|record| record.speed.is_none())),
+        ];
+        let names: Vec<&str> =
+            open.into_iter().filter(|(_, is_open)| *is_open).map(|(name, _)| name).collect();
+        if names.is_empty() { String::new() } else { format!("; give {}", names.join(" or ")) }
     }
 
     fn result(&self) -> Option<Identification> {
@@ -161,21 +179,14 @@ impl Fit<'_> {
             };
             let span = start.times[count - 1] - start.times[0];
             let fitted = values.rows(number * count, count);
-            let residuals = fitted.iter().zip(&signal.values).zip(&signal.is_used);
-            let used: Vec<f64> =
-                residuals.filter(|(_, is_used)| **is_used).map(|((a, b), _)| a - b).collect();
+            let parts = fitted.iter().zip(&signal.values).zip(&signal.uses);
+            let used = parts.filter(|(_, state)| **state == SampleUse::Used).map(|((a, b), _)| a - b);
+            let used: Vec<f64> = used.collect();
             let residual = (used.iter().map(|r| r * r).sum::<f64>() / used.len().max(1) as f64).sqrt();
-            // Samples at and near the limit are the only others that are not used.
-            let near = signal
-                .limit
-                .map_or(f64::INFINITY, |limit| limit - NEAR_LIMIT * self.deviations[record][number]);
-            let is_outlier = |at: &usize| {
-                let residual = (signal.values[*at] - fitted[*at]).abs();
-                !signal.is_used[*at]
-                    && fitted[*at] < near
-                    && residual > OUTLIER * self.deviations[record][number]
+            let times_of = |state| {
+                let found = signal.uses.iter().zip(&start.times).filter(move |(own, _)| **own == state);
+                found.map(|(_, time)| *time)
             };
-            let outliers = (0..count).filter(is_outlier).map(|at| start.times[at]);
             all.push(IdentifiedSignal {
                 quantity: signal.quantity,
                 is_reversed: signal.is_reversed,
@@ -184,8 +195,9 @@ impl Fit<'_> {
                 residual,
                 relative_residual: residual / signal.amplitude,
                 correlation_time: lengths[number] as f64 * start.spacing,
-                clipped: signal.clipped,
-                outliers: outliers.collect(),
+                clipped: times_of(SampleUse::AtLimit).count(),
+                outliers: times_of(SampleUse::Outlier).collect(),
+                uses: signal.uses.clone(),
                 fitted: fitted.iter().map(|value| sign * value).collect(),
             });
             at += drifts;

@@ -1,10 +1,12 @@
 //! Part of a record around its first impact, samples at the limit of a sensor, and values from which the search begins.
 
-use super::record::{LEAST_SAMPLES, Measured, Record, Signal, has};
+use super::record::{LEAST_SAMPLES, Measured, Record, SampleUse, Signal, has};
 use crate::ContactLawError;
 
 /// Part of the largest deviation at which the contact is taken to begin and to end.
 const THRESHOLD: f64 = 0.15;
+/// Part of the duration that a record needs before the touch, for the zero of the sensors.
+const LEAST_FREE: f64 = 0.02;
 /// Durations of the contact before the touch, and after the separation, that are used.
 const USED_BEFORE: f64 = 2.0;
 const USED_AFTER: f64 = 1.0;
@@ -38,9 +40,7 @@ pub(super) struct StartSignal {
     pub quantity: Measured,
     pub is_reversed: bool,
     pub values: Vec<f64>,
-    /// False for samples that are not used.
-    pub is_used: Vec<bool>,
-    pub clipped: usize,
+    pub uses: Vec<SampleUse>,
     /// Limit of the sensor, if a sample is at it.
     pub limit: Option<f64>,
     /// Value at the touch.
@@ -67,6 +67,11 @@ impl Start {
             );
         };
         let duration = end - touch;
+        if touch < times[0] + LEAST_FREE * duration {
+            return refuse(
+                "it begins during the contact; expected a part before the touch, at least a tenth of the contact",
+            );
+        }
         let (from, to) = (touch - USED_BEFORE * duration, end + USED_AFTER * duration);
         let first = times.partition_point(|time| *time < from);
         let last = times.partition_point(|time| *time <= to);
@@ -79,7 +84,17 @@ impl Start {
         let spacing = median(&mut spacings);
         let signals = record.signals.iter().map(|signal| StartSignal::new(signal, first..last, at_touch));
         let is_dense = duration > DENSE * spacing;
-        let signals = signals.map(|signal| if is_dense { signal.without_spikes() } else { signal }).collect();
+        let signals: Vec<StartSignal> =
+            signals.map(|signal| if is_dense { signal.without_spikes() } else { signal }).collect();
+        let free =
+            |signal: &StartSignal| signal.uses.iter().filter(|state| **state == SampleUse::Used).count();
+        let is_idle = |signal: &&StartSignal| {
+            signal.amplitude.is_nan() || signal.amplitude <= 0.0 || free(signal) < LEAST_SAMPLES
+        };
+        if let Some(signal) = signals.iter().find(is_idle) {
+            let (name, _) = signal.quantity.name_and_unit();
+            return refuse(&format!("the {name} has no impact in its values; remove or ignore it"));
+        }
         Ok(Self { first, times, signals, touch, duration, spacing })
     }
 
@@ -120,7 +135,7 @@ impl StartSignal {
         let offset = match quantity {
             Measured::Force | Measured::Acceleration => baseline(values),
             Measured::Velocity => 0.0,
-            Measured::Displacement => values[at_touch],
+            Measured::Displacement => smooth[at_touch],
         };
         let is_reversed = match quantity {
             Measured::Force | Measured::Acceleration => offset - least > most - offset,
@@ -131,12 +146,14 @@ impl StartSignal {
         let sign = if is_reversed { -1.0 } else { 1.0 };
         let turned: Vec<f64> = values.iter().map(|value| sign * value).collect();
         let limit = clip_limit(&turned, sign * offset, if is_reversed { -least } else { most });
-        let is_used: Vec<bool> =
-            turned.iter().map(|value| limit.is_none_or(|limit| *value != limit)).collect();
-        let clipped = is_used.iter().filter(|is_used| !**is_used).count();
+        let is_at_limit = |value: &f64| limit.is_some_and(|limit| *value == limit);
+        let uses = turned
+            .iter()
+            .map(|value| if is_at_limit(value) { SampleUse::AtLimit } else { SampleUse::Used })
+            .collect();
         let offset = sign * offset;
         let amplitude = match quantity {
-            Measured::Velocity => start.abs().max(f64::MIN_POSITIVE),
+            Measured::Velocity => least.abs().max(most.abs()),
             _ => {
                 if is_reversed {
                     -least - offset
@@ -145,16 +162,20 @@ impl StartSignal {
                 }
             }
         };
-        Self { quantity, is_reversed, values: turned, is_used, clipped, limit, offset, amplitude }
+        Self { quantity, is_reversed, values: turned, uses, limit, offset, amplitude }
     }
 }
 
 impl StartSignal {
-    /// The signal without samples that are far from the median of their neighbours, from which the search would begin at a wrong place.
+    /// The signal without samples that are far from the median of their neighbours, for the first fit: the search would begin at a wrong
+    /// place.
     fn without_spikes(mut self) -> Self {
         let smooth = without_outliers(&self.values);
         for (number, value) in self.values.iter().enumerate() {
-            self.is_used[number] &= (value - smooth[number]).abs() < SPIKE * self.amplitude;
+            if self.uses[number] == SampleUse::Used && (value - smooth[number]).abs() > SPIKE * self.amplitude
+            {
+                self.uses[number] = SampleUse::Outlier;
+            }
         }
         self
     }
@@ -201,11 +222,13 @@ fn of_pulse(times: &[f64], values: &[f64]) -> Option<[f64; 2]> {
     (last > first + 2).then(|| [times[first] - beyond, times[last] + beyond])
 }
 
-/// Beginning and end of the reversal of a speed.
+/// Beginning and end of the reversal of a speed: from its largest value, which a free fall reaches at the touch.
 fn of_velocity(times: &[f64], values: &[f64]) -> Option<[f64; 2]> {
-    let start = values[0];
-    let first = values.iter().position(|value| value / start < 1.0 - THRESHOLD)?;
-    let turn = values.iter().position(|value| value / start < 0.0)?;
+    let last = values.len() - 1;
+    let peak = (0..last).max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs()))?;
+    let part = |at: usize| values[at] / values[peak];
+    let turn = (peak..=last).find(|at| part(*at) < 0.0)?;
+    let first = (peak..turn).rev().find(|at| part(*at) > 1.0 - THRESHOLD)?;
     (turn > first).then(|| [times[first], times[first] + 2.0 * (times[turn] - times[first])])
 }
 

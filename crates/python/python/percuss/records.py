@@ -191,8 +191,8 @@ class ComparedMass(Record):
     """m̄ of the model, or the given mass, kg."""
     difference: float
     """Identified mass minus the expected one, kg."""
-    agrees: bool
-    """True if the difference is at most two standard uncertainties."""
+    agrees: bool | None
+    """True if the difference is at most two standard uncertainties; None if these are above a fifth of the mass."""
     explanations: list[MassExplanation]
     """Links whose mass explains the difference, the smallest relative change first."""
 
@@ -532,7 +532,7 @@ class Estimate(Record):
     value: float
     """Value."""
     uncertainty: float
-    """Standard uncertainty; 0 for a known value. The value lies within two of them in 95 of 100 cases."""
+    """Standard uncertainty; 0 for a known value. The true value lies within two standard uncertainties in 95 of 100 cases."""
 
 
 class EstimateRecord(Record):
@@ -872,7 +872,7 @@ class IdentifiedSignal(Record):
     quantity: Literal["force", "acceleration", "velocity", "displacement"]
     """Quantity."""
     is_reversed: bool
-    """True if its positive direction is against that of a pushing force, a deceleration or a penetration."""
+    """True if the values fall where a pushing force, the deceleration, the closing speed or the penetration grows."""
     offset: Estimate | None
     """Value of the sensor without force or penetration, at the touch; None for a velocity."""
     drift: Estimate | None

@@ -56,6 +56,7 @@ finding_kinds! {
     BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
     BehindDeadCentre = "behind-dead-centre", Warning, Report;
+    ContactGuessed = "contact-guessed", Warning, Report;
     CurveNotUsed = "curve-not-used", Note, Report;
     DefaultDistance = "default-distance", Note, Report;
     DrawnOpen = "drawn-open", Warning, Model;

@@ -9,10 +9,11 @@ use percuss_units::{Dimension, Unit};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use std::fs;
+use std::fs::File;
+use std::io::Read;
 
-/// Largest file, bytes: a million samples of four signals.
-const MOST_BYTES: u64 = 256 << 20;
+/// Largest file, bytes: 200,000 rows of 300 bytes.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// Column of a record and what it is taken for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -82,11 +83,16 @@ pub(crate) fn read_record(
     ignore: &[String],
 ) -> Result<(Record, Vec<RecordColumn>, Input), TableError> {
     let unreadable = |error| TableError::unreadable(path, &error);
-    let size = fs::metadata(path).map_err(unreadable)?.len();
-    if size > MOST_BYTES {
-        return Err(TableError::in_file(path, format!("{size} bytes; expected at most {MOST_BYTES}")));
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    // A pipe has no size.
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(TableError::in_file(
+            path,
+            format!("more than {MOST_BYTES} bytes; cut the file around the impact"),
+        ));
     }
-    let bytes = fs::read(path).map_err(unreadable)?;
     let input = Input { path: path.to_owned(), sha256: hexadecimal(&Sha256::digest(&bytes)) };
     let mut rows = CsvRecords::new(&bytes[..]);
     let read = |rows: &mut CsvRecords<&[u8]>| {
@@ -101,6 +107,10 @@ pub(crate) fn read_record(
     let line = rows.line;
     let names: Vec<String> = rows.cells().map(str::to_owned).collect();
     check_separator(&names).map_err(|fault| TableError::at_line(path, line, fault))?;
+    if let Some(unknown) = ignore.iter().find(|name| !names.contains(name)) {
+        let why = format!("it has no column \"{unknown}\" to ignore; its columns are {}", names.join(", "));
+        return Err(TableError::at_line(path, line, why));
+    }
     let mut record = Record::default();
     let (mut columns, mut targets) = (Vec::new(), Vec::new());
     let mut has_time = false;

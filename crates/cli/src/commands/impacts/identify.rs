@@ -16,6 +16,8 @@ use percuss_study::{
     ComparedMass, IdentificationReport, MeasuredImpact, identify_contact, identify_contact_of,
 };
 
+/// Ratio of mean square residuals below which both forms of a damper fit.
+const SAME_FORM: f64 = 1.02;
 /// Standard uncertainties behind ±.
 const SHOWN: f64 = 2.0;
 
@@ -110,19 +112,28 @@ fn facts(report: &IdentificationReport) -> Vec<(&'static str, String)> {
         let unit = format!("N·s/m{}", power(0.5 * (p + 1.0)));
         facts.push(("damping", plus_minus(damping, 1.0, &unit)));
     }
+    let time =
+        report.impacts.iter().flat_map(|impact| &impact.columns).find(|column| column.quantity == "time");
+    let time = time.map(|column| ("time", format!("{} in {}", column.column, column.unit)));
     facts.extend(report.dissipation.map(|d| ("dissipation", plus_minus(d, 1.0, "s/m"))));
     let other = report.other_form.map_or_else(String::new, |ratio| {
+        if ratio < SAME_FORM {
+            return "; the data do not distinguish the two forms".to_owned();
+        }
         format!("; the other form has {} times its mean square residual", number(ratio))
     });
     facts.push(("damper", format!("{}{other}", form_name(report.damper))));
+    facts.extend(time);
     facts
 }
 
 /// Expected mass, difference, and what would explain it.
 fn comparison(compared: &ComparedMass) -> String {
     let expected = number(compared.expected);
-    if compared.agrees {
-        return format!("{expected} kg, agrees");
+    match compared.agrees {
+        Some(true) => return format!("{expected} kg, agrees"),
+        None => return format!("{expected} kg; the identified mass is too uncertain for a comparison"),
+        Some(false) => {}
     }
     let difference = signed(compared.difference, 3);
     let each = compared.explanations.iter().map(|found| {
@@ -188,7 +199,7 @@ fn signals(report: &IdentificationReport) -> Table {
     Table::from_rows(rows.into_iter().map(|row| row[usize::from(is_one)..].to_vec()))
 }
 
-/// What of each file is not used, and how far residuals are correlated.
+/// Samples of a file that are not used, and the time over which residuals are correlated.
 fn left_out(impact: &MeasuredImpact) -> Vec<String> {
     let mut texts = Vec::new();
     let found = &impact.identified;
@@ -212,10 +223,10 @@ fn left_out(impact: &MeasuredImpact) -> Vec<String> {
             let plural = if count == 1 { " is" } else { "s are" };
             texts.push(format!("{name}: {count} outlier{plural} not used, at {} ms{more}", times.join(", ")));
         }
-        if signal.correlation_time > 0.0 {
+        if signal.correlation_time > 0.0 && !signal.contradicts(found.contact_duration.value) {
             let time = number(1e3 * signal.correlation_time);
             texts.push(format!(
-                "{name}: residuals are correlated over {time} ms; the uncertainties contain that"
+                "{name}: residuals are correlated over {time} ms; the uncertainties include the correlation"
             ));
         }
     }
@@ -234,13 +245,14 @@ fn correlations(report: &IdentificationReport) -> Table {
 
 /// Data and fit of all impacts as a table, SI units.
 fn cells(report: &IdentificationReport) -> contents::Cells {
-    let names =
-        ["impact", "time [s]", "quantity", "measured", "fitted", "residual"].map(str::to_owned).to_vec();
+    let names = ["impact", "time [s]", "quantity", "measured", "fitted", "residual", "use"]
+        .map(str::to_owned)
+        .to_vec();
     let mut rows = Vec::new();
     for impact in &report.impacts {
-        for (quantity, times, data, fit) in impact.signals() {
+        for (quantity, times, data, fit, uses) in impact.signals() {
             let (name, unit) = quantity.name_and_unit();
-            for ((time, data), fit) in times.iter().zip(data).zip(fit) {
+            for (((time, data), fit), state) in times.iter().zip(data).zip(fit).zip(uses) {
                 rows.push(vec![
                     Cell::Text(impact.file.clone().into()),
                     Cell::Number(*time),
@@ -248,6 +260,7 @@ fn cells(report: &IdentificationReport) -> contents::Cells {
                     Cell::Number(*data),
                     Cell::Number(*fit),
                     Cell::Number(data - fit),
+                    Cell::Text(state.name().into()),
                 ]);
             }
         }
@@ -259,7 +272,7 @@ fn cells(report: &IdentificationReport) -> contents::Cells {
 fn sheet(report: &IdentificationReport) -> Sheet {
     let figures = report.impacts.iter().map(|impact| {
         let mut panels = Vec::new();
-        for (quantity, times, data, fit) in impact.signals() {
+        for (quantity, times, data, fit, _) in impact.signals() {
             let (name, unit) = quantity.name_and_unit();
             let curve = |name: &str, style, values: Vec<f64>| Series {
                 name: name.into(),

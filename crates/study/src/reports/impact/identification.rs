@@ -16,13 +16,16 @@ use crate::question::tables::identify::IdentifyQuestion;
 use crate::reports::explain::explain_parts;
 use crate::tables::records::{RecordColumn, read_record};
 use percuss_contact::ContactLawError;
-use percuss_contact::identification::{DamperForm, Estimate, IdentifiedRecord, Measured, Record, identify};
+use percuss_contact::identification::{
+    DamperForm, Estimate, Identification, IdentifiedRecord, MOST_SAMPLES, Measured, Record, SampleUse,
+    identify,
+};
 use percuss_dynamics::EffectiveMass;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Part of the largest value above which correlated residuals contradict the law.
-const CONTRADICTION: f64 = 0.02;
+/// Relative residual, and relative uncertainty, above which a result is a guess.
+const GUESS: f64 = 0.2;
 /// Standard uncertainties within which a mass agrees: 95 of 100 cases.
 const AGREEMENT: f64 = 2.0;
 /// Number of links that are listed as explanations.
@@ -44,12 +47,18 @@ pub struct MeasuredImpact {
 }
 
 impl MeasuredImpact {
-    /// Quantity, times (s), data and fit of each signal in the used times.
-    pub fn signals(&self) -> impl Iterator<Item = (Measured, &[f64], &[f64], &[f64])> {
+    /// Quantity, times (s), data, fit and use of each signal in the used times.
+    pub fn signals(&self) -> impl Iterator<Item = (Measured, &[f64], &[f64], &[f64], &[SampleUse])> {
         let first = self.identified.first;
         self.record.signals.iter().zip(&self.identified.signals).map(move |(data, signal)| {
             let range = first..first + signal.fitted.len();
-            (signal.quantity, &self.record.times[range.clone()], &data.values[range], &signal.fitted[..])
+            (
+                signal.quantity,
+                &self.record.times[range.clone()],
+                &data.values[range],
+                &signal.fitted[..],
+                &signal.uses[..],
+            )
         })
     }
 }
@@ -72,8 +81,8 @@ pub struct ComparedMass {
     pub expected: f64,
     /// Identified mass minus the expected one, kg.
     pub difference: f64,
-    /// True if the difference is at most two standard uncertainties.
-    pub agrees: bool,
+    /// True if the difference is at most two standard uncertainties; null if these are above a fifth of the mass.
+    pub agrees: Option<bool>,
     /// Links whose mass explains the difference, the smallest relative change first.
     pub explanations: Vec<MassExplanation>,
 }
@@ -127,8 +136,19 @@ pub fn identify_contact(
     asked.check()?;
     let in_file = |error| StudyError::input(Field::Data, Fault::Table(Box::new(error)));
     let (mut records, mut columns, mut inputs) = (Vec::new(), Vec::new(), Vec::new());
+    let mut samples = 0;
     for path in &asked.data {
         let (record, of_file, input) = read_record(path, &asked.ignore).map_err(in_file)?;
+        samples += record.times.len() * record.signals.len();
+        if samples > MOST_SAMPLES {
+            let why =
+                format!("more than {MOST_SAMPLES} samples with this file; cut the files around the impacts");
+            return Err(in_file(TableError::in_file(path, why)));
+        }
+        if inputs.iter().any(|other: &Input| other.sha256 == input.sha256) {
+            let why = "it has the contents of another of the files; give each impact once";
+            return Err(in_file(TableError::in_file(path, why)));
+        }
         records.push(Record { speed: asked.approach_speed(), ..record });
         columns.push(of_file);
         inputs.push(input);
@@ -141,7 +161,8 @@ pub fn identify_contact(
         ContactLawError::Record { record: None, why } => StudyError::input(Field::Data, why),
         error => error.into(),
     })?;
-    let diagnostics = contradictions(&asked.data, &found.records);
+    let mut diagnostics = contradictions(&asked.data, &found.records);
+    diagnostics.extend(guesses(&found));
     let parts = asked.data.iter().zip(columns).zip(records).zip(found.records);
     let impacts = parts.map(|(((file, columns), record), identified)| MeasuredImpact {
         file: file.clone(),
@@ -151,7 +172,8 @@ pub fn identify_contact(
     });
     let compared = mass.filter(|_| found.finds_mass).map(|expected| {
         let difference = found.mass.value - expected;
-        let agrees = difference.abs() <= AGREEMENT * found.mass.uncertainty;
+        let is_known = found.mass.uncertainty <= GUESS * found.mass.value;
+        let agrees = is_known.then_some(difference.abs() <= AGREEMENT * found.mass.uncertainty);
         ComparedMass { expected, difference, agrees, explanations: Vec::new() }
     });
     let of_form = |form| (found.damper == form).then_some(found.damping);
@@ -195,7 +217,7 @@ pub fn identify_contact_of(
         other => return Err(StudyError::NoDamper(no_damper(Status::classify(other).0))),
     };
     let mut report = identify_contact(asked, Some(mass))?;
-    if let Some(compared) = report.compared.as_mut().filter(|compared| !compared.agrees)
+    if let Some(compared) = report.compared.as_mut().filter(|compared| compared.agrees == Some(false))
         && let Some(explanation) = explain_parts(&evaluated, question, false)?
     {
         let changes = explanation.links.into_iter().map(|link| {
@@ -218,20 +240,44 @@ pub fn identify_contact_of(
     Ok(report)
 }
 
+/// Finding about values whose uncertainty is above a fifth of the value, and about a restitution above 1.
+fn guesses(found: &Identification) -> Option<DiagnosticRecord> {
+    let first = &found.records[0];
+    let values = [
+        ("the effective mass", found.mass),
+        ("the stiffness", found.stiffness),
+        ("the restitution", first.restitution),
+    ];
+    let is_guess = |estimate: &Estimate| estimate.uncertainty > GUESS * estimate.value.abs();
+    let names: Vec<&str> =
+        values.iter().filter(|(_, estimate)| is_guess(estimate)).map(|(name, _)| *name).collect();
+    let gains = first.restitution.value - AGREEMENT * first.restitution.uncertainty > 1.0;
+    let message = match (names.is_empty(), gains) {
+        (false, _) => format!(
+            "the data hardly determine {}: the uncertainty is above a fifth of the value, and is itself too small; give the exponent, the \
+             approach speed or another signal",
+            names.join(" and ")
+        ),
+        (true, true) => {
+            "the restitution is above 1: the contact gains energy; check signs, units and the drop height"
+                .to_owned()
+        }
+        (true, false) => return None,
+    };
+    Some(Finding::about_result(FindingKind::ContactGuessed, message).into())
+}
+
 /// Findings about signals from which the identified contact differs by more than noise.
 fn contradictions(files: &[String], records: &[IdentifiedRecord]) -> Vec<DiagnosticRecord> {
     let mut findings = Vec::new();
     for (file, record) in files.iter().zip(records) {
         for signal in &record.signals {
-            let lasts = signal.correlation_time / record.contact_duration.value;
-            if signal.relative_residual > CONTRADICTION && lasts > CONTRADICTION {
+            if signal.contradicts(record.contact_duration.value) || signal.relative_residual > GUESS {
                 let (name, _) = signal.quantity.name_and_unit();
                 let message = format!(
-                    "{file}: the identified contact differs from the {name} by {:.1} % of its largest value, in the same direction for {:.2} ms; \
-                     the contact has another law, something acts beside it, or the data were filtered (state the filter): the \
-                     uncertainties do not contain this",
-                    100.0 * signal.relative_residual,
-                    1e3 * signal.correlation_time
+                    "{file}: the identified contact differs from the {name} by {:.1} % of its largest value; the contact has another law, \
+                     something acts beside it, or the data are filtered (give the filter), and the uncertainties do not include that",
+                    100.0 * signal.relative_residual
                 );
                 findings.push(Finding::about_result(FindingKind::LawContradicted, message).into());
             }
