@@ -241,6 +241,30 @@ fn errors_name_their_parameter() {
     }
 }
 
+/// The largest step of Drake's integrator falls with the root of the accuracy, and in units of 1/ω it does not depend on the contact. That of
+/// Adams is a part of the time in which the ramp of the damping is crossed.
+#[test]
+fn largest_steps_scale_with_the_contact() {
+    let drake = |accuracy: f64, stiffness: f64| {
+        let mut request = hinged(0.5, 24.0);
+        request.contact = CompliantContact::new(request.contact.mass(), stiffness).unwrap();
+        request.options.accuracy = accuracy;
+        Tool::DRAKE.export(&request).unwrap().number("max_step_size").unwrap() * stiffness.sqrt()
+    };
+    let usual = drake(1e-3, 1e4);
+    assert!((drake(1e-3, 1e6) / usual - 1.0).abs() < 1e-12);
+    assert!((drake(1e-5, 1e4) / usual / 0.1 - 1.0).abs() < 1e-12);
+    let adams = |speed: f64, stiffness: f64| {
+        let mut request = hinged(0.5, 24.0);
+        request.contact = CompliantContact::new(request.contact.mass(), stiffness).unwrap();
+        request.speed = Some(speed);
+        let export = Tool::ADAMS.export(&request).unwrap();
+        ["HMAX", "d"].map(|name| export.number(name).unwrap())
+    };
+    let ([first, ramp], [other, longer]) = (adams(1.0, 1e6), adams(3.0, 1e4));
+    assert!(longer > 2.0 * ramp && (other * 3.0 / longer / (first / ramp) - 1.0).abs() < 1e-12);
+}
+
 /// A smaller required error reduces the accuracy of OpenSim's integrator in proportion, and its largest step by the square root.
 #[test]
 fn opensim_integrates_as_accurately_as_required() {

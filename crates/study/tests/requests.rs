@@ -1,7 +1,7 @@
 //! Requests about a model in memory.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
-use percuss_study::{CodeQuestion, LanguageName, MassQuestion, Model, Normal};
+use percuss_study::{Changes, CodeQuestion, LanguageName, MassQuestion, Model, Normal};
 use percuss_study::{ask, check, explain, generate_code, study_keys, study_schema};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -81,4 +81,18 @@ fn files_are_in_the_report() {
     assert!(names == ["model.xml", "model.py"] && report.effective_mass > 4.7, "{report:?}");
     let message = ask(&model, r#"{"convert": {}}"#).expect_err("no format").message();
     assert!(message.starts_with("convert.to: the format is missing"), "{message}");
+}
+
+/// A changed mass is implausible above fifty times the old mass and fifty times the mass of all other links.
+#[test]
+fn a_changed_mass_is_compared_with_all_other_links() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/planar_2r.urdf");
+    let arm = Model::load(path, DEFAULT_MAX_SIZE, &LoadOptions::default()).expect("a model");
+    // The other link has 4 kg, and this one had 2 kg.
+    for (mass, is_implausible) in [(150.0, false), (199.0, false), (201.0, true)] {
+        let changes = Changes { link_mass: vec![("outer".to_owned(), mass)], ..Changes::default() };
+        let changed = arm.with_changes(&changes).expect("a model");
+        let warns = changed.diagnostics.iter().any(|found| found.code == "implausible-mass");
+        assert_eq!(warns, is_implausible, "{mass} kg: {:?}", changed.diagnostics);
+    }
 }

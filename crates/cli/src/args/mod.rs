@@ -148,7 +148,7 @@ pub enum Command {
     /// compared with that of a model.
     #[command(
         after_help = examples::IDENTIFY,
-        override_usage = "percuss identify DATA.csv… [--mass-from MODEL (--at NAME | --link L …) | --mass KG]\n                        [--speed V | --drop H] [--exponent P] …"
+        override_usage = "percuss identify DATA.csv… [--mass-from MODEL --at NAME | --mass KG]\n                        [--speed V | --drop H] [--exponent P] …"
     )]
     Identify(Box<IdentifyArgs>),
     /// Largest safe speed of a robot that may hit a person.

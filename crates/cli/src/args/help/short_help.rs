@@ -135,23 +135,7 @@ const EXPLAINED: [(&str, &[&str]); 23] = [
             "set",
         ],
     ),
-    (
-        "identify",
-        &[
-            "mass",
-            "mass_from",
-            "speed",
-            "drop",
-            "exponent",
-            "damper",
-            "filter",
-            "ignore",
-            "output",
-            "at",
-            "link",
-            "set",
-        ],
-    ),
+    ("identify", &["mass_from", "speed", "drop", "exponent", "damper", "filter", "output", "at"]),
     (
         "safe-speed",
         &[
