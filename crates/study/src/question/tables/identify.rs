@@ -33,7 +33,7 @@ pub enum DamperFormName {
 pub struct IdentifyQuestion {
     /// CSV files, each of one impact: time, and force, acceleration, velocity or displacement.
     ///
-    /// The head names the columns with their units, such as time [ms], force [kN], acceleration [g]. Signs and offsets are found. Several
+    /// The head names the columns with their units, such as time (ms), force (kN), acceleration (g). Signs and offsets are found. Several
     /// files are impacts of the same contact.
     #[cfg_attr(feature = "flags", arg(value_name = "DATA.csv", required = true))]
     #[serde(deserialize_with = "value::words")]
