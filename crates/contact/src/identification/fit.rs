@@ -27,7 +27,7 @@ pub(super) const OUTLIER: f64 = 6.0;
 const MOST_OUTLIERS: f64 = 0.02;
 /// Lengths of the used record over which a filter may reach.
 const MOST_REACH: usize = 3;
-/// Time after which the answer to a step is within 1e-3 of its end, multiplied by the channel frequency class.
+/// Rise time of the filter multiplied by its channel frequency class: after it, the response to a step is within 1e-3 of the end value.
 const FILTER_RISE: f64 = 0.5;
 /// Standard deviations below the limit of a sensor within which samples are not used.
 pub(super) const NEAR_LIMIT: f64 = 3.0;
@@ -299,8 +299,8 @@ impl<'a> Fit<'a> {
         Some(DVector::from_vec(all))
     }
 
-    /// Weight of a sample at a time after the touch, s: 0 near the jump of a damper's force, which neither a sensor nor samples follow. Near is
-    /// within a sample, or within the rise of the filter; from twice that on the weight is 1.
+    /// Weight of a sample at a time after the touch, s. The force of a damper jumps at the touch, and no sensor follows the jump: the weight is 0
+    /// within one distance of samples, or within the rise of the filter, and 1 beyond twice that time.
     fn weight_beside_jump(&self, quantity: Measured, record: usize, time: f64) -> f64 {
         let has_jump = self.form == DamperForm::KelvinVoigt
             && matches!(quantity, Measured::Force | Measured::Acceleration);

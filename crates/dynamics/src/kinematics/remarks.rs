@@ -65,8 +65,7 @@ impl RemarkFlags {
     /// Flags for the error of m̄, kg: [`UNCERTAIN_MASS`](Self::UNCERTAIN_MASS), [`UNKNOWN_ERROR`](Self::UNKNOWN_ERROR), or none.
     pub fn of_error(mass: EffectiveMass, error: Option<f64>) -> Self {
         let EffectiveMass::Finite(m) = mass else { return Self::NONE };
-        // NaN in place of a match: the compiler compares the number of an absent error before it looks whether there is one, which memory
-        // checkers report.
+        // An absent error is NaN, which no comparison accepts.
         match error.unwrap_or(f64::NAN) {
             error if error <= WARNED_RELATIVE_ERROR * m => Self::NONE,
             error if error.is_finite() => Self::UNCERTAIN_MASS,
