@@ -141,6 +141,17 @@ pub(crate) fn no_damper(status: Status) -> String {
     format!("the contact is {}: a damper for a restitution does not exist", status.name())
 }
 
+/// Finite effective mass that holds for every branch, kg.
+///
+/// # Errors
+/// [`StudyError`]: a contact without a finite mass, or with different masses on different branches.
+pub(crate) fn finite_mass(evaluated: &EvaluatedQuestion) -> Result<f64, StudyError> {
+    match mass_for_all_branches(&evaluated.result, evaluated.prepared.other_mass())? {
+        EffectiveMass::Finite(mass) => Ok(mass),
+        other => Err(StudyError::NoDamper(no_damper(Status::classify(other).0))),
+    }
+}
+
 /// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
 /// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
 /// of a free body on the other side, kg.

@@ -1,16 +1,14 @@
 //! Restitution of a given spring and damper, or of given parameters of a simulator.
 
-use crate::damper::damped_contact::{mass_for_all_branches, no_damper};
+use crate::damper::damped_contact::finite_mass;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::evaluation::status::Status;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::restitution::RestitutionQuestion;
 use percuss_contact::exports::SimulatedContact;
-use percuss_dynamics::EffectiveMass;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -120,10 +118,7 @@ pub fn restitution_at(
     question.refuse_moment("restitution")?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, result, .. } = &evaluated;
-    let mass = match mass_for_all_branches(result, prepared.other_mass())? {
-        EffectiveMass::Finite(mass) => mass,
-        other => return Err(StudyError::NoDamper(no_damper(Status::classify(other).0))),
-    };
+    let mass = finite_mass(&evaluated)?;
     let findings = result.findings.iter().cloned().map(DiagnosticRecord::from);
     Ok(RestitutionReport {
         inputs: prepared.inputs(),

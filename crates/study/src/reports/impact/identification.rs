@@ -2,10 +2,9 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::damped_contact::{mass_for_all_branches, no_damper};
+use crate::damper::damped_contact::finite_mass;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::evaluation::status::Status;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
@@ -20,7 +19,6 @@ use percuss_contact::identification::{
     DamperForm, Estimate, Identification, IdentifiedRecord, MOST_SAMPLES, Measured, Record, SampleUse,
     identify,
 };
-use percuss_dynamics::EffectiveMass;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -212,10 +210,7 @@ pub fn identify_contact_of(
     question.refuse_moment("contact of measured impacts")?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, result, .. } = &evaluated;
-    let mass = match mass_for_all_branches(result, prepared.other_mass())? {
-        EffectiveMass::Finite(mass) => mass,
-        other => return Err(StudyError::NoDamper(no_damper(Status::classify(other).0))),
-    };
+    let mass = finite_mass(&evaluated)?;
     let mut report = identify_contact(asked, Some(mass))?;
     if let Some(compared) = report.compared.as_mut().filter(|compared| compared.agrees == Some(false))
         && let Some(explanation) = explain_parts(&evaluated, question, false)?
