@@ -44,6 +44,7 @@ pub struct ErrorBudget {
 impl ErrorBudget {
     /// Sum of the known parts, kg: rounding, closing, and the file's part if redundant rows measure this part. `None`
     /// if rounding or closing is unknown; both normally have a measure.
+    #[inline(never)] // Inlined, the comparison of an absent part may precede the test of its presence.
     pub fn known(&self) -> Option<f64> {
         Some(self.rounding? + self.closing? + self.file.unwrap_or(0.0))
     }
