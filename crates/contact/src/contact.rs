@@ -2,6 +2,7 @@
 
 use crate::ContactLawError;
 use crate::error::{LawParameter, positive, representable};
+use crate::limits;
 
 /// Effective mass of a contact, and the stiffness between the two surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,15 +81,20 @@ impl<'a> CompliantContact<'a> {
     }
 }
 
-/// Force curve of a stop: points of penetration and force, linear between the points. Beyond the last point the last slope continues, but the
-/// force does not fall below zero.
+/// Force curve of a stop: force over penetration, by points with lines between them, or by a sum of powers Σ cᵢ x^pᵢ from the touch to a last
+/// penetration. Beyond the last point the last slope continues, but the force does not fall below zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceCurve {
     deflections: Vec<f64>,
     forces: Vec<f64>,
     /// Work ∫ F dx from the touch to each point, J.
     works: Vec<f64>,
+    /// cᵢ (N/m^pᵢ) and pᵢ between the two points; empty for lines.
+    powers: Vec<(f64, f64)>,
 }
+
+/// Parts of a sum of powers that are examined for its sign and for a maximum of the contact force.
+const PARTS_OF_POWERS: u32 = 64;
 
 impl ForceCurve {
     /// Creates a curve from penetrations (m), increasing from 0, and the force (N) at each.
@@ -112,7 +118,48 @@ impl ForceCurve {
         for i in 1..x.len() {
             works.push(works[i - 1] + 0.5 * (x[i] - x[i - 1]) * (f[i] + f[i - 1]));
         }
-        Ok(Self { deflections, forces, works })
+        Ok(Self { deflections, forces, works, powers: Vec::new() })
+    }
+
+    /// Creates the curve F = Σ cᵢ x^pᵢ up to the penetration `to` (m) from pairs of cᵢ (N/m^pᵢ) and pᵢ: a polynomial, or k xᵖ.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Curve`]: no pair, infinite numbers, exponents that do not increase or are not from 1 to 10, `to` not above 0, a
+    /// negative force between 0 and `to`.
+    pub fn powers(powers: Vec<(f64, f64)>, to: f64) -> Result<Self, ContactLawError> {
+        let refuse = |why: String| Err(ContactLawError::Curve { why });
+        if powers.is_empty() || !powers.iter().all(|(c, _)| c.is_finite()) {
+            return refuse("the coefficients of a sum of powers are expected, finite numbers".to_owned());
+        }
+        if let Some((_, p)) = powers.iter().find(|(_, p)| !CompliantContact::EXPONENTS.contains(p)) {
+            return refuse(format!("an exponent of {p} is given; expected numbers from 1 to 10"));
+        }
+        if let Some(pair) = powers.windows(2).find(|pair| pair[0].1 >= pair[1].1) {
+            let (a, b) = (pair[0].1, pair[1].1);
+            return refuse(format!("an exponent of {b} follows {a}; expected increasing exponents"));
+        }
+        if !(to.is_finite() && to > 0.0) {
+            return refuse(format!("the last deflection is {to} m; expected a number above 0"));
+        }
+        let mut curve =
+            Self { deflections: vec![0.0, to], forces: vec![0.0; 2], works: vec![0.0; 2], powers };
+        for part in 1..=PARTS_OF_POWERS {
+            let x = to * f64::from(part) / f64::from(PARTS_OF_POWERS);
+            let force = curve.sum(x, |p| p);
+            if !(force.is_finite() && force >= 0.0) {
+                return refuse(format!(
+                    "the force is {force} N at {x} m; expected a compression up to {to} m"
+                ));
+            }
+        }
+        curve.forces[1] = curve.sum(to, |p| p);
+        curve.works[1] = curve.work(0.0, to);
+        if curve.works[1] > 0.0 { Ok(curve) } else { refuse("the force is 0 everywhere".to_owned()) }
+    }
+
+    /// Σ cᵢ x^r, with r a function of pᵢ.
+    fn sum(&self, x: f64, exponent: impl Fn(f64) -> f64) -> f64 {
+        self.powers.iter().map(|(c, p)| c * x.powf(exponent(*p))).sum()
     }
 
     /// Penetrations of the points, m.
@@ -125,20 +172,34 @@ impl ForceCurve {
         &self.forces
     }
 
+    /// Pairs of cᵢ (N/m^pᵢ) and pᵢ of a sum of powers; empty for points with lines.
+    pub fn terms(&self) -> &[(f64, f64)] {
+        &self.powers
+    }
+
     /// Last point of the curve: penetration (m) and force (N).
     pub fn end(&self) -> (f64, f64) {
         let last = self.forces.len() - 1;
         (self.deflections[last], self.forces[last])
     }
 
-    /// Slope of the piece after point `i`, N/m.
+    /// Slope of the piece after point `i`, N/m: a line.
     fn slope(&self, i: usize) -> f64 {
+        if !self.powers.is_empty() {
+            return self.powers.iter().map(|(c, p)| c * p * self.deflections[1].powf(p - 1.0)).sum();
+        }
         (self.forces[i + 1] - self.forces[i]) / (self.deflections[i + 1] - self.deflections[i])
     }
 
-    /// Index of the point before the piece with the penetration `x`; the next piece at a point.
-    fn piece(&self, x: f64) -> usize {
-        self.deflections.partition_point(|at| *at <= x).clamp(1, self.deflections.len() - 1) - 1
+    /// Index of the point from which a line passes through the penetration `x`; the next line at a point.
+    fn line(&self, x: f64) -> usize {
+        let last = self.deflections.len() - if self.powers.is_empty() { 1 } else { 0 };
+        self.deflections.partition_point(|at| *at <= x).clamp(1, last) - 1
+    }
+
+    /// True if the force at the penetration `x` is the sum of powers.
+    fn is_power(&self, x: f64) -> bool {
+        !self.powers.is_empty() && x <= self.deflections[1]
     }
 
     /// Force (N) and its slope (N/m) at a penetration (m); zero before the touch. At a point of the curve, the slope is that of the next
@@ -147,7 +208,11 @@ impl ForceCurve {
         if penetration < 0.0 {
             return (0.0, 0.0);
         }
-        let i = self.piece(penetration);
+        if self.is_power(penetration) {
+            let slope = self.powers.iter().map(|(c, p)| c * p * penetration.powf(p - 1.0)).sum();
+            return (self.sum(penetration, |p| p).max(0.0), slope);
+        }
+        let i = self.line(penetration);
         let slope = self.slope(i);
         let force = self.forces[i] + slope * (penetration - self.deflections[i]);
         if force < 0.0 { (0.0, 0.0) } else { (force, slope) }
@@ -155,7 +220,11 @@ impl ForceCurve {
 
     /// Penetration (m) at which the work ∫ F dx is `work` (J); `None` if the curve never does this work.
     pub(crate) fn depth(&self, work: f64) -> Option<f64> {
-        let i = self.works.partition_point(|w| *w <= work).clamp(1, self.works.len() - 1) - 1;
+        if !self.powers.is_empty() && work < self.works[1] {
+            return Some(self.depth_of_powers(work));
+        }
+        let last = self.works.len() - if self.powers.is_empty() { 1 } else { 0 };
+        let i = self.works.partition_point(|w| *w <= work).clamp(1, last) - 1;
         let (force, slope, rest) = (self.forces[i], self.slope(i), work - self.works[i]);
         if rest <= 0.0 {
             return Some(self.deflections[i]);
@@ -166,21 +235,79 @@ impl ForceCurve {
         (root.is_finite() && beyond.is_finite()).then_some(self.deflections[i] + beyond)
     }
 
+    /// Penetration (m) at which the work of the sum of powers is `work` (J): Newton's method within a bracket, because the work increases.
+    fn depth_of_powers(&self, work: f64) -> f64 {
+        let (mut low, mut high) = (0.0, self.deflections[1]);
+        let mut x = high;
+        for _ in 0..limits::MAX_SEARCH_STEPS {
+            let excess = self.work(0.0, x) - work;
+            *(if excess > 0.0 { &mut high } else { &mut low }) = x;
+            let newton = x - excess / self.sum(x, |p| p);
+            let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+            let is_found = (next - x).abs() <= limits::CONVERGED * x;
+            x = next;
+            if is_found {
+                break;
+            }
+        }
+        x
+    }
+
+    /// Smallest penetration (m) with a force (N); `None` if the curve never has it.
+    pub(crate) fn penetration(&self, force: f64) -> Option<f64> {
+        let (last, at_last) = self.end();
+        let mut from = 0.0;
+        for to in self.parts(last) {
+            if self.at(from).0 >= force {
+                return Some(from);
+            }
+            if self.at(to).0 >= force {
+                let (mut low, mut high) = (from, to);
+                for _ in 0..limits::MAX_ITERATIONS {
+                    let middle = 0.5 * (low + high);
+                    *(if self.at(middle).0 < force { &mut low } else { &mut high }) = middle;
+                }
+                return Some(high);
+            }
+            from = to;
+        }
+        let slope = self.slope(self.line(last));
+        let depth = last + (force - at_last) / slope;
+        (slope > 0.0 && depth.is_finite()).then_some(depth)
+    }
+
     /// Work ∫ F dx (J) from the penetration `from` over the distance `by`, both in m. No difference of large numbers.
     pub(crate) fn work(&self, from: f64, by: f64) -> f64 {
         let to = from + by;
         let inner: Vec<f64> = self.corners(from, to).collect();
-        let trapezoid = |a: f64, b: f64, length: f64| 0.5 * length * (self.at(a).0 + self.at(b).0);
-        let (Some(&first), Some(&last)) = (inner.first(), inner.last()) else {
-            return trapezoid(from, to, by);
+        let piece = |a: f64, b: f64, length: f64| {
+            if !self.is_power(b) || length == 0.0 {
+                return 0.5 * length * (self.at(a).0 + self.at(b).0);
+            }
+            // b^q − (b − length)^q = −b^q ((1 − length/b)^q − 1), q = p + 1.
+            let rest = (-(length / b).min(1.0)).ln_1p();
+            let term = |(c, p): &(f64, f64)| -c / (p + 1.0) * b.powf(p + 1.0) * ((p + 1.0) * rest).exp_m1();
+            self.powers.iter().map(term).sum()
         };
-        let between: f64 = inner.windows(2).map(|p| trapezoid(p[0], p[1], p[1] - p[0])).sum();
-        trapezoid(from, first, first - from) + between + trapezoid(last, to, to - last)
+        let (Some(&first), Some(&last)) = (inner.first(), inner.last()) else {
+            return piece(from, to, by);
+        };
+        let between: f64 = inner.windows(2).map(|p| piece(p[0], p[1], p[1] - p[0])).sum();
+        piece(from, first, first - from) + between + piece(last, to, to - last)
     }
 
     /// Points of the curve between two penetrations, m.
     pub(crate) fn corners(&self, from: f64, to: f64) -> impl DoubleEndedIterator<Item = f64> + '_ {
         self.deflections.iter().copied().filter(move |x| from < *x && *x < to)
+    }
+
+    /// Ends of the parts up to the penetration `to` (m) in which the contact force has at most one maximum: the points of the curve, and parts
+    /// of a sum of powers.
+    pub(crate) fn parts(&self, to: f64) -> Vec<f64> {
+        let count = if self.powers.is_empty() { 1 } else { PARTS_OF_POWERS };
+        let of_powers = to.min(self.deflections[1]) / f64::from(count);
+        let within = (1..count).map(|part| of_powers * f64::from(part));
+        within.chain(self.corners(0.0, to)).chain([to]).collect()
     }
 }
 

@@ -7,8 +7,21 @@ use percuss_contact::{
 };
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-/// Curve with random pieces; sometimes with a force at the touch or without a force at its start.
+/// Curve with random pieces, sometimes with a force at the touch or without a force at its start; or a cubic polynomial, which can soften, or a
+/// power.
 fn random_curve(rng: &mut StdRng) -> ForceCurve {
+    if rng.random_bool(0.3) {
+        let (to, force) = (rng.random_range(2e-3..3e-2f64), rng.random_range(500.0..1e4));
+        let (c, turn) = (rng.random_range(0.3..4.0f64), rng.random_range(-1.9..1.9));
+        // F = f s (1 + turn √c s + c s²), s = x/to: no zero above s = 0.
+        let cubic = [1.0, turn * c.sqrt(), c]
+            .into_iter()
+            .zip(1..)
+            .map(|(c, p)| (force * c / to.powi(p), f64::from(p)));
+        let p = rng.random_range(1.0..3.0);
+        let powers = if rng.random_bool(0.6) { cubic.collect() } else { vec![(force / to.powf(p), p)] };
+        return ForceCurve::powers(powers, to).expect("a curve");
+    }
     let count = rng.random_range(2..8);
     let (mut x, mut f) = (vec![0.0], vec![if rng.random_bool(0.2) { 150.0 } else { 0.0 }]);
     for i in 1..count {
@@ -209,4 +222,50 @@ fn a_damper_resists() {
     assert!(refused(&[-1.0, 1.0], &[1.0, 2.0]).contains("drives the motion"));
     assert!(refused(&[0.5, 1.0], &[5.0, 6.0]).contains("at rest"));
     assert!(refused(&[0.0, f64::NAN], &[0.0, 1.0]).contains("finite"));
+}
+
+/// A sum with one power is the power law, whose restitution and duration come from another formula; a sum of several has the work of its terms.
+#[test]
+fn a_power_is_the_power_law() {
+    let mut rng = StdRng::seed_from_u64(41);
+    for _ in 0..40 {
+        let (k, p) = (rng.random_range(1e4..1e7), rng.random_range(1.0..3.0));
+        let (mass, speed) = (rng.random_range(5.0..120.0), rng.random_range(0.3..2.0));
+        let law = CompliantContact::new(mass, k).and_then(|c| c.with_exponent(p)).expect("a contact");
+        let damper = Damper::hunt_crossley(rng.random_range(0.05..3.0)).expect("a damper");
+        let expected = damper.impact(law, speed).expect("an impact");
+        let to = rng.random_range(1.0..3.0) * expected.max_penetration;
+        let curve = ForceCurve::powers(vec![(k, p)], to).expect("a curve");
+        let found = CompliantContact::on_curve(mass, &curve).and_then(|c| damper.impact(c, speed));
+        let found = found.expect("an impact");
+        for (found, expected) in [
+            (found.restitution, expected.restitution),
+            (found.max_penetration, expected.max_penetration),
+            (found.peak_force, expected.peak_force),
+            (found.duration.expect("an end"), expected.duration.expect("an end")),
+        ] {
+            // Quadrature over a singular end.
+            assert!(
+                (found / expected - 1.0).abs() < 1e-9,
+                "k {k} p {p} m {mass} v {speed}: {found} {expected}"
+            );
+        }
+        // Beyond the last penetration the slope continues: less force than the power.
+        let short = ForceCurve::powers(vec![(k, p)], 0.5 * expected.max_penetration).expect("a curve");
+        let softer = CompliantContact::on_curve(mass, &short).and_then(|c| damper.impact(c, speed));
+        let softer = softer.expect("an impact");
+        assert!(softer.max_penetration >= expected.max_penetration * (1.0 - 1e-12), "p {p}");
+        assert!((softer.restitution - expected.restitution).abs() < 1e-12, "no influence of the curve");
+    }
+    for (powers, to) in [
+        (vec![], 0.01),
+        (vec![(1e5, 0.5)], 0.01),
+        (vec![(1e5, 2.0), (1e3, 1.0)], 0.01),
+        (vec![(1e5, 1.0), (-2e7, 2.0)], 0.01),
+        (vec![(1e5, 1.0)], 0.0),
+        (vec![(f64::NAN, 1.0)], 0.01),
+        (vec![(0.0, 1.0)], 0.01),
+    ] {
+        assert!(ForceCurve::powers(powers.clone(), to).is_err(), "{powers:?}");
+    }
 }

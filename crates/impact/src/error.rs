@@ -138,6 +138,19 @@ pub enum ImpactError {
         /// Force of the drive, N.
         drive: f64,
     },
+    /// A number of a support is out of range.
+    #[error(
+        "a support with the stiffness {rate} N/m, the damping {damping} N·s/m and the force {force} N; expected a direction of length 1 and \
+         finite numbers of at least 0"
+    )]
+    Support {
+        /// Stiffness, N/m.
+        rate: f64,
+        /// Damping, N·s/m.
+        damping: f64,
+        /// Force at the touch, N.
+        force: f64,
+    },
     /// The motion of an impact in time leads to a pose without a contact normal, or out of the range of numbers.
     #[error(
         "the motion of the impact leads to a pose at which the contact has no normal or the loops break; expected a stiffer contact"

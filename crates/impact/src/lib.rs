@@ -55,7 +55,7 @@ pub use ranges::reflected_range::{
     RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over, reflected_inertia_over_with,
 };
 pub use reactions::bearing::Bearing;
-pub use reactions::force_elements::{JointSpring, PointSpring};
+pub use reactions::force_elements::{JointSpring, PointSpring, Support};
 pub use reactions::reaction::{
     Component, DriveImpulse, JointConstraint, JointConstraintReaction, JointReaction, Reaction, Reactions,
 };

@@ -103,15 +103,15 @@ pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
+pub use reports::impact::forces_in_time::{
+    AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
+};
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::identification::{
     ComparedMass, IdentificationReport, MassExplanation, MeasuredImpact, identify_contact,
     identify_contact_of,
 };
-pub use reports::impact::in_time::{
-    BearingForceRecord, DriveRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, PointDamperRecord,
-    PointSpringRecord,
-};
+pub use reports::impact::in_time::{BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,

@@ -12,6 +12,17 @@ pub struct SpringForce {
     pub preload: Option<f64>,
 }
 
+/// Vertical force of a tyre on the wheel centre. It never pulls: the tyre leaves the road.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TyreForce {
+    /// Vertical stiffness, N/m.
+    pub rate: f64,
+    /// Damping, N·s/m.
+    pub damping: f64,
+    /// Force at the touch of a contact, N; `None`: the force that balances the springs of the sheet.
+    pub load: Option<f64>,
+}
+
 /// Forces of one side, by the section of the sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForceElements {
@@ -21,4 +32,8 @@ pub struct ForceElements {
     pub dampers: Vec<(String, Arc<DamperCurve>)>,
     /// Stops: force over the compression after the touch.
     pub stops: Vec<(String, ForceCurve)>,
+    /// Tyre.
+    pub tyre: Option<TyreForce>,
+    /// Torsional stiffness of the anti-roll bar between its two arms, N·m/rad.
+    pub anti_roll_bar: Option<f64>,
 }

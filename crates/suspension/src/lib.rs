@@ -32,7 +32,7 @@ pub use corner::drawing::{Line, WheelCircle};
 use corner::plausibility::masses_in_grams;
 use corner::{Annotations, Body, CHASSIS, Corner, RACK};
 use findings::{Findings, Spot};
-pub use forces::{ForceElements, SpringForce};
+pub use forces::{ForceElements, SpringForce, TyreForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::encoding::{self, Decoded};

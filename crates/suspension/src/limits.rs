@@ -45,6 +45,8 @@ pub(crate) const MIN_REPORTED_LENGTH: f64 = 0.6;
 pub(crate) const MAX_SHIFT: f64 = 0.3;
 /// Largest number of points of the curve of a stop: more than a data sheet has.
 pub(crate) const MAX_CURVE_POINTS: usize = 64;
+/// Greatest number of powers of a stop.
+pub(crate) const MAX_POWERS: usize = 10;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Plausible radii of a loaded wheel, m: from karts to trucks.
@@ -89,6 +91,8 @@ pub(crate) const MAX_TOE: f64 = 5.0 * RADIANS_PER_DEGREE;
 const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Usual rates of springs, N/m: from a light motorcycle or kart to the leaf springs of trucks and the heave springs of racing cars.
 pub(crate) const SPRING_RATES: RangeInclusive<f64> = 1e3..=2e6;
+/// Usual vertical stiffnesses of tyres, N/m: from a bicycle to a truck with dual tyres.
+pub(crate) const TYRE_RATES: RangeInclusive<f64> = 5e4..=3e6;
 /// Usual magnitudes of the force of a spring at the design position, N: up to the springs of trucks. A smaller one is in kN.
 pub(crate) const PRELOADS: RangeInclusive<f64> = 20.0..=1e5;
 /// Usual compressions at the end of the curve of a stop, m: from 1 mm for a hard one to 300 mm for a long foam stop.

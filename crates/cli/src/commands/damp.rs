@@ -274,15 +274,22 @@ pub fn stiffness_text(
     units: &ContactUnits,
 ) -> String {
     let ContactUnits { length, small_length, force, .. } = units;
-    let Some(ForceCurveRecord { stop, deflections, forces }) = curve else {
+    let Some(curve) = curve else {
         let (k, p) = (stiffness.unwrap_or_default(), exponent.unwrap_or(1.0));
         return number::stiffness(k, force, length, p);
     };
+    let ForceCurveRecord { stop, deflections, forces, coefficients, exponents } = curve;
     let of = stop.as_ref().map_or_else(|| "as given".to_owned(), |stop| format!("of {stop} in the sheet"));
     let [depth, last] = [deflections, forces].map(|values| values.last().copied().unwrap_or_default());
+    let term = |(c, p): (&f64, &f64)| format!("{} x{}", number(*c), unit_power(*p));
+    let form = match coefficients.is_empty() {
+        true => format!("{} points", forces.len()),
+        false => {
+            coefficients.iter().zip(exponents).map(term).collect::<Vec<_>>().join(" + ").replace("+ -", "− ")
+        }
+    };
     format!(
-        "force curve {of}, {} points to {} {force} at {} {small_length}",
-        forces.len(),
+        "force curve {of}, {form} to {} {force} at {} {small_length}",
         number(last),
         number(SMALL * depth)
     )

@@ -52,7 +52,7 @@ macro_rules! tools {
         const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$(simulators::$module::export),*];
 
         /// Contacts of given parameters in the order of [`Tool::ALL`].
-        const SIMULATED: [fn(&mut Given) -> Result<Vec<SimulatedContact>, ExportError>; Tool::ALL.len()] =
+        const SIMULATED: [fn(&mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError>; Tool::ALL.len()] =
             [$(simulators::$module::simulated),*];
     };
 }
@@ -130,7 +130,7 @@ impl Tool {
         self,
         mass: f64,
         parameters: &[(String, Vec<f64>)],
-    ) -> Result<Vec<SimulatedContact>, ExportError> {
+    ) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
         let mut given = Given::new(self, mass, parameters)?;
         let (_, simulated) = Self::ALL
             .into_iter()

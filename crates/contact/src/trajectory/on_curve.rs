@@ -138,16 +138,17 @@ impl Trajectory for OnCurve<'_> {
         self.depth / self.unit
     }
 
-    /// Largest of the forces at the points of the curve and at the maximum within a piece, where k m̄ w = d² F_s², k the slope of the piece.
-    /// The left side falls and the right side rises over a piece with k > 0; a piece with k ≤ 0 has no maximum inside.
+    /// Largest of the forces at the ends of the parts and at the maximum within a part, where k m̄ w = d² F_s², k the slope of the curve.
+    /// The left side falls and the right side rises over a line with k > 0; a line with k ≤ 0 has no maximum inside. The parts of a sum of
+    /// powers are so short that a part has at most one maximum.
     fn peak(&self) -> (f64, f64) {
         let force = |x: f64| self.curve.at(x).0 * self.log(self.depth - x, true).exp();
         let mut best = (0.0, force(0.0));
         let mut from = 0.0;
-        for to in self.curve.corners(0.0, self.depth).chain([self.depth]) {
-            let (_, slope) = self.curve.at(from);
+        for to in self.curve.parts(self.depth) {
             let rises = |x: f64| {
-                let scaled = self.dissipation * self.curve.at(x).0;
+                let (force, slope) = self.curve.at(x);
+                let scaled = self.dissipation * force;
                 slope * self.mass * self.log(self.depth - x, true).exp_m1() > scaled * scaled
             };
             let (mut low, mut high) = (from, to);

@@ -101,8 +101,24 @@ impl TreeFrames {
     ) {
         self.applied.fill(0.0);
         self.of_lines.clear();
-        let has_dampers = springs.lines.iter().any(|spring| spring.damper.is_some());
+        let has_dampers =
+            !springs.supports.is_empty() || springs.lines.iter().any(|spring| spring.damper.is_some());
         let twists = if has_dampers { self.link_twists(velocities, base) } else { Vec::new() };
+        let velocity = |link: LinkId, point: &Vector3<f64>| {
+            let twist = &twists[link.index()];
+            self.frames[link.index()].vector(&(twist.linear + twist.angular.cross(point)))
+        };
+        for (support, start) in &springs.supports {
+            let frame = &self.frames[support.link.index()];
+            let direction = pose.base().inverse_vector(&support.direction);
+            let displacement =
+                support.direction.dot(&pose.base().point(&frame.point(&support.point))) - start;
+            let rate = direction.dot(&velocity(support.link, &support.point));
+            let balanced = if support.is_balanced { support.force } else { 0.0 };
+            let load = balanced - support.force_at(displacement, rate);
+            let load = frame.inverse_vector(&(direction * load));
+            self.of_lines.push((support.link, Wrench::new(support.point.cross(&load), load)));
+        }
         for spring in &springs.lines {
             let ends = &spring.ends;
             let [a, b] = ends.map(|(link, point)| self.frames[link.index()].point(&point));
@@ -111,10 +127,7 @@ impl TreeFrames {
             let line = if length > 0.0 { (b - a) / length } else { Vector3::zeros() };
             let mut push = spring.rate * (spring.free_length.unwrap_or(length) - length) + spring.drive;
             if let Some(damper) = &spring.damper {
-                let [va, vb] = ends.map(|(link, point)| {
-                    let twist = &twists[link.index()];
-                    self.frames[link.index()].vector(&(twist.linear + twist.angular.cross(&point)))
-                });
+                let [va, vb] = ends.map(|(link, point)| velocity(link, &point));
                 push -= damper.force(line.dot(&(vb - va)));
             }
             for ((link, point), force) in ends.iter().zip([line * push, line * -push]) {
@@ -124,9 +137,15 @@ impl TreeFrames {
         }
         for spring in &springs.joints {
             let first = self.first_column(spring.joint);
-            let elongation = pose.joint(spring.joint)[0] - spring.free_position;
-            self.applied[first] +=
-                spring.stiffness * elongation + spring.damping * velocities[first] - spring.drive;
+            let second = spring.other.map(|other| (self.first_column(other), pose.joint(other)[0]));
+            let position = pose.joint(spring.joint)[0] - second.map_or(0.0, |(_, position)| position);
+            let rate = velocities[first] - second.map_or(0.0, |(column, _)| velocities[column]);
+            let load =
+                spring.stiffness * (position - spring.free_position) + spring.damping * rate - spring.drive;
+            self.applied[first] += load;
+            if let Some((column, _)) = second {
+                self.applied[column] -= load;
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Conditions of an impact in time.
 
 use crate::error::ImpactError;
-use crate::reactions::force_elements::{JointSpring, PointSpring, SpringAtJoint, SpringForces};
+use crate::reactions::force_elements::{JointSpring, PointSpring, SpringAtJoint, SpringForces, Support};
 use nalgebra::Vector3;
 use percuss_dynamics::Pose;
 
@@ -18,11 +18,16 @@ pub struct TimeConditions {
     pub springs: Vec<JointSpring>,
     /// Springs, dampers and drives between points.
     pub point_springs: Vec<PointSpring>,
+    /// Supports of points by the ground.
+    pub supports: Vec<Support>,
     /// Penetrations (m) at which the slope of the contact force jumps: points of a force curve. The steps of the integration end there.
     pub corners: Vec<f64>,
     /// Number of additional samples within each step of the integration, for smooth curves and for maxima between the steps.
     pub samples_within_steps: usize,
 }
+
+/// Largest difference of the length of a direction from 1: rounding of a given direction.
+const UNIT_DIRECTION: f64 = 1e-9;
 
 /// Springs with their free positions; refuses values out of range and joints without exactly one velocity.
 pub(crate) fn spring_forces(pose: &Pose, conditions: &TimeConditions) -> Result<SpringForces, ImpactError> {
@@ -36,24 +41,37 @@ pub(crate) fn spring_forces(pose: &Pose, conditions: &TimeConditions) -> Result<
         }
     };
     let lines = conditions.point_springs.iter().map(on_line).collect::<Result<_, _>>()?;
-    Ok(SpringForces { joints: springs_at_joints(pose, &conditions.springs)?, lines })
+    let support = |support: &Support| {
+        let Support { rate, damping, force, .. } = *support;
+        let start = support.direction.dot(&pose.link(support.link).point(&support.point));
+        let is_valid = [rate, damping, force].iter().all(|x| x.is_finite() && *x >= 0.0);
+        match is_valid && (support.direction.norm() - 1.0).abs() < UNIT_DIRECTION {
+            true => Ok((*support, start)),
+            false => Err(ImpactError::Support { rate, damping, force }),
+        }
+    };
+    let supports = conditions.supports.iter().map(support).collect::<Result<_, _>>()?;
+    Ok(SpringForces { joints: springs_at_joints(pose, &conditions.springs)?, lines, supports })
 }
 
 /// Springs and dampers of joints.
 fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringAtJoint>, ImpactError> {
     let at_joint = |spring: &JointSpring| {
-        let JointSpring { joint, stiffness, damping, free_position, drive } = *spring;
+        let JointSpring { joint, other, stiffness, damping, free_position, drive } = *spring;
         let declared = pose.mechanism().joint(joint);
-        if declared.kind().dofs() != 1 {
-            return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
+        for declared in [Some(joint), other].into_iter().flatten().map(|id| pose.mechanism().joint(id)) {
+            if declared.kind().dofs() != 1 {
+                return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
+            }
         }
-        let free_position = free_position.unwrap_or_else(|| pose.joint(joint)[0]);
+        let position = |joint| pose.joint(joint)[0];
+        let free_position = free_position.unwrap_or_else(|| position(joint) - other.map_or(0.0, position));
         let is_valid = |x: f64| x.is_finite() && x >= 0.0;
         if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite() && drive.is_finite()) {
             let joint = declared.name().to_owned();
             return Err(ImpactError::Spring { joint, stiffness, damping, free_position, drive });
         }
-        Ok(SpringAtJoint { joint, stiffness, damping, free_position, drive })
+        Ok(SpringAtJoint { joint, other, stiffness, damping, free_position, drive })
     };
     springs.iter().map(at_joint).collect()
 }

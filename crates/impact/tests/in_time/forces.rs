@@ -3,7 +3,7 @@
 use super::{at, body, motion};
 use nalgebra::Vector3;
 use percuss_contact::DamperCurve;
-use percuss_impact::{ImpactError, JointSpring, PointSpring, TimeConditions, impact_in_time};
+use percuss_impact::{ImpactError, JointSpring, PointSpring, Support, TimeConditions, impact_in_time};
 use percuss_mechanism::JointKind;
 use std::sync::Arc;
 
@@ -29,8 +29,14 @@ fn forces_between_points_act() {
     let hinge = mechanism.find_joint("joint").expect("a joint");
     let mut restitutions = Vec::new();
     for (spring, torque, is_conservative) in [(&alone, 0.0, true), (&with_damper, 35.0, false)] {
-        let drive =
-            JointSpring { joint: hinge, stiffness: 0.0, damping: 0.0, free_position: None, drive: torque };
+        let drive = JointSpring {
+            joint: hinge,
+            other: None,
+            stiffness: 0.0,
+            damping: 0.0,
+            free_position: None,
+            drive: torque,
+        };
         let conditions = TimeConditions {
             gravity,
             springs: vec![drive],
@@ -94,4 +100,71 @@ fn forces_between_points_act() {
         let refused = impact_in_time(&pose, &contact, speed, &before, &force, &wrong);
         assert!(matches!(refused, Err(ImpactError::PointSpring { .. })), "{refused:?}");
     }
+}
+
+/// A block on a slide with a support of an inner point by the ground across it, on which it stands with a force at the touch: the support is left
+/// during the contact, or not. The reference is integrated by the Runge-Kutta method of order 4.
+#[test]
+fn a_support_is_left() {
+    let (mass, speed, k) = (40.0, 1.2, 9e4);
+    let mechanism = body(JointKind::Prismatic, mass);
+    let (pose, contact) = at(&mechanism, 0.2, Vector3::x());
+    let force = |x: f64, v: f64| (k * x.max(0.0) + 600.0 * v).max(0.0);
+    let before = motion(&pose, &contact, speed);
+    for (rate, damping, load, is_balanced) in [
+        (2.1e5, 300.0, 1500.0, true),
+        (2.1e5, 300.0, 1500.0, false),
+        (3e4, 0.0, 4e3, true),
+        (3e4, 900.0, 0.0, true),
+    ] {
+        let support = Support {
+            link: contact.link,
+            point: Vector3::new(0.3, 0.1, 0.0),
+            direction: Vector3::x(),
+            rate,
+            damping,
+            force: load,
+            is_balanced,
+        };
+        let conditions =
+            TimeConditions { supports: vec![support], ends_without_force: true, ..TimeConditions::default() };
+        let found = impact_in_time(&pose, &contact, speed, &before, &force, &conditions).expect("an impact");
+        let rates = |[x, v]: [f64; 2]| {
+            let of_support = (load - rate * x - damping * v).max(0.0) - if is_balanced { load } else { 0.0 };
+            [v, (of_support - force(x, v)) / mass]
+        };
+        let along = |y: [f64; 2], d: [f64; 2], h: f64| [y[0] + h * d[0], y[1] + h * d[1]];
+        let h = found.duration * 1e-5;
+        let (mut y, mut deepest) = ([0.0, speed], 0.0f64);
+        let end = loop {
+            let a = rates(y);
+            let b = rates(along(y, a, 0.5 * h));
+            let c = rates(along(y, b, 0.5 * h));
+            let d = rates(along(y, c, h));
+            let next: [f64; 2] =
+                std::array::from_fn(|i| y[i] + h * (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0);
+            if next[1] < 0.0 && force(next[0], next[1]) <= 0.0 {
+                let (f, g) = (force(y[0], y[1]), k * next[0] + 600.0 * next[1]);
+                break y[1] + f / (f - g) * (next[1] - y[1]);
+            }
+            deepest = deepest.max(next[0]);
+            y = next;
+        };
+        // Steps of the reference across the kink: 1e-5 of the duration, squared, times the change of the slope.
+        assert!((found.restitution + end / speed).abs() < 1e-8, "{} {}", found.restitution, -end / speed);
+        assert!((found.max_penetration / deepest - 1.0).abs() < 1e-8, "{} {deepest}", found.max_penetration);
+        assert!(found.energy.residual().abs() < 1e-9 * found.energy.kinetic_before, "{:?}", found.energy);
+    }
+    let wrong = Support {
+        link: contact.link,
+        point: Vector3::zeros(),
+        direction: Vector3::new(2.0, 0.0, 0.0),
+        rate: 1.0,
+        damping: 0.0,
+        force: 0.0,
+        is_balanced: true,
+    };
+    let wrong = TimeConditions { supports: vec![wrong], ..TimeConditions::default() };
+    let refused = impact_in_time(&pose, &contact, speed, &before, &force, &wrong);
+    assert!(matches!(refused, Err(ImpactError::Support { .. })), "{refused:?}");
 }

@@ -422,7 +422,7 @@ fn springs_and_dampers_of_joints_act() {
     let (pose, contact) = at(&body(JointKind::Prismatic, mass), 0.2, Vector3::x());
     let joint =
         pose.mechanism().joint_ids().find(|id| pose.motion_subspace(*id).len() == 1).expect("a joint");
-    let spring = JointSpring { joint, stiffness: own, damping, free_position: None, drive: 0.0 };
+    let spring = JointSpring { joint, other: None, stiffness: own, damping, free_position: None, drive: 0.0 };
     let conditions = |spring| TimeConditions {
         ends_without_force: true,
         springs: vec![spring],
@@ -493,7 +493,8 @@ fn contacts_without_pull_end_at_zero_penetration() {
     let before = motion(&pose, &contact, speed);
     for (exponent, largest) in [(1.0, 411.0), (1.5, 150.0), (3.0, 15.0)] {
         for damping in [0.0, 0.3 * largest, largest] {
-            let spring = JointSpring { joint, stiffness: 0.0, damping, free_position: None, drive: 0.0 };
+            let spring =
+                JointSpring { joint, other: None, stiffness: 0.0, damping, free_position: None, drive: 0.0 };
             let (duration, ratio) = damped_block(mass, stiffness, exponent, damping, speed);
             for ends_without_force in [true, false].into_iter().take(if damping > 0.0 { 1 } else { 2 }) {
                 let conditions =

@@ -5,8 +5,8 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::curvature::motion_curvature;
 use crate::damper::damping::{
-    DamperRecord, DampingReport, Drift, beyond_curve, compare_with_body_mass, damper, exports,
-    impact_over_stroke, law_mismatch_diagnostic, require_stiffness,
+    DamperRecord, DampingReport, Drift, beyond_curve, compare_with_body_mass, contact, contact_damper,
+    damper, exports, impact_over_stroke, law_mismatch_diagnostic, require_stiffness,
 };
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
 use crate::damper::sheet_forces::{springs_finding, with_sheet_curve};
@@ -107,7 +107,12 @@ pub(crate) fn damping_report(
     diagnostics.extend(of_curve.map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
     diagnostics.extend(beyond_curve(damping, &record));
-    diagnostics.extend(springs_finding(evaluated, damping, mass, &record)?.map(DiagnosticRecord::from));
+    if let Some((speed, duration)) = damping.speed().zip(record.contact_duration) {
+        let compliant = contact(damping, mass)?;
+        let law = (compliant, contact_damper(damping, compliant)?);
+        let alone = (duration, record.achieved_restitution);
+        diagnostics.extend(springs_finding(evaluated, law, speed, alone)?.map(DiagnosticRecord::from));
+    }
     let unit = if is_moment { "mrad" } else { "mm" };
     let reached = ended.zip(record.max_penetration);
     diagnostics.extend(drift_diagnostic(

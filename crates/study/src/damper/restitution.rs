@@ -1,6 +1,7 @@
 //! Restitution of a given spring and damper, or of given parameters of a simulator.
 
 use crate::damper::damped_contact::finite_mass;
+use crate::damper::sheet_forces::{sheet_curve, springs_finding};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::{Input, Model};
@@ -8,7 +9,8 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::restitution::RestitutionQuestion;
-use percuss_contact::exports::SimulatedContact;
+use crate::values::force_curve::ForceCurveRecord;
+use percuss_contact::exports::{ContactModel, SimulatedContact};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -62,6 +64,8 @@ pub struct RestitutionReport {
     pub named_contact: Option<NamedContactRecord>,
     /// Simulator; null for a given spring and damper.
     pub tool: Option<String>,
+    /// Force curve of the contact; null for a stiffness or a simulator.
+    pub stiffness_curve: Option<ForceCurveRecord>,
     /// Impacts, for each solver in the order of the speeds.
     pub impacts: Vec<ReboundRecord>,
     /// Penetration at rest in each solver; empty without a load.
@@ -97,6 +101,7 @@ pub fn restitution(asked: &RestitutionQuestion, mass: f64) -> Result<Restitution
         effective_mass: mass,
         named_contact: None,
         tool: asked.tool.clone(),
+        stiffness_curve: asked.stiffness_curve.as_ref().map(Into::into),
         impacts,
         at_rest,
         diagnostics: Vec::new(),
@@ -119,12 +124,32 @@ pub fn restitution_at(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, result, .. } = &evaluated;
     let mass = finite_mass(&evaluated)?;
-    let findings = result.findings.iter().cloned().map(DiagnosticRecord::from);
+    let stiffness_curve = if asked.has_law() { None } else { sheet_curve(&evaluated)? };
+    let asked = &RestitutionQuestion {
+        stiffness_curve: stiffness_curve.or(asked.stiffness_curve.clone()),
+        ..asked.clone()
+    };
+    let report = restitution(asked, mass)?;
+    let contacts = asked.contacts(mass)?;
+    let compliant = contacts.iter().find_map(|contact| match contact.model {
+        ContactModel::Compliant(compliant, damper) => Some((contact.solver, (compliant, damper))),
+        _ => None,
+    });
+    // The springs change the slowest impact most.
+    let slowest = compliant.and_then(|(solver, law)| {
+        let rows = report.impacts.iter().filter(|row| row.solver == solver);
+        rows.min_by(|a, b| a.speed.total_cmp(&b.speed)).map(|row| (law, row))
+    });
+    let springs =
+        slowest.and_then(|(law, row)| Some((law, row.speed, (row.contact_duration?, row.restitution))));
+    let springs =
+        springs.map(|(law, speed, alone)| springs_finding(&evaluated, law, speed, alone)).transpose()?;
+    let findings = result.findings.iter().cloned().chain(springs.flatten()).map(DiagnosticRecord::from);
     Ok(RestitutionReport {
         inputs: prepared.inputs(),
         named_contact: named_contact(&evaluated)?,
         diagnostics: model.diagnostics.iter().cloned().chain(findings).collect(),
-        ..restitution(asked, mass)?
+        ..report
     })
 }
 

@@ -2,7 +2,6 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::damping::{DamperRecord, contact, contact_damper};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
@@ -11,11 +10,11 @@ use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::SPRING_EFFECT;
 use crate::values::force_curve::GivenCurve;
-use percuss_contact::{DamperCurve, restitution_beside_forces};
-use percuss_dynamics::PointVelocity;
-use percuss_mechanism::{ContactKind, ContactNormal, LinkId};
+use percuss_contact::{CompliantContact, Damper, DamperCurve, restitution_beside_forces};
+use percuss_dynamics::{PointVelocity, Pose};
+use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId};
 use percuss_spatial::Vector3;
-use percuss_suspension::SpringForce;
+use percuss_suspension::{SpringForce, TyreForce};
 use std::sync::Arc;
 
 /// Spring or damper of a sheet: named contact, and ends (link, and point in its axes, m).
@@ -67,37 +66,159 @@ pub(crate) fn sheet_elements(model: &Model) -> Vec<SheetElement<'_>> {
     found.collect()
 }
 
-/// Warning about springs and dampers of the sheet that act during the contact, with both restitutions. To first order they act on the contact
-/// as the change Σ k i² x of the spring forces since the touch and the damper forces Σ i F(i ẋ); i is the change of the length per penetration.
+/// Tyre of a sheet.
+pub(crate) struct SheetTyre<'a> {
+    /// Name of the link at the wheel centre.
+    pub name: &'a str,
+    pub link: LinkId,
+    pub force: TyreForce,
+}
+
+/// Anti-roll bar of a sheet.
+pub(crate) struct SheetBar {
+    /// Hinge of a half of the bar.
+    pub joint: JointId,
+    /// Hinge of the other half; `None`: the model has one side, and the other half is at rest.
+    pub other: Option<JointId>,
+    /// N·m/rad.
+    pub stiffness: f64,
+}
+
+/// Links of a section, with one side or both.
+fn links_of<'a>(model: &'a Model, name: &'static str) -> impl Iterator<Item = (LinkId, &'a str)> {
+    let links = model.mechanism.link_ids().map(|id| (id, model.mechanism.link(id).name()));
+    links.filter(move |(_, link)| section(link) == name)
+}
+
+/// Tyres in the suspension sheet of a model, at the wheel centres.
+pub(crate) fn sheet_tyres(model: &Model) -> Vec<SheetTyre<'_>> {
+    let sheet = model.origin.sheet.as_deref();
+    let Some(force) = sheet.and_then(|sheet| sheet.understood.forces.tyre) else { return Vec::new() };
+    links_of(model, "wheel_centre").map(|(link, name)| SheetTyre { name, link, force }).collect()
+}
+
+/// Anti-roll bar with a stiffness in the suspension sheet of a model.
+pub(crate) fn sheet_bars(model: &Model) -> Option<SheetBar> {
+    let stiffness = model.origin.sheet.as_deref()?.understood.forces.anti_roll_bar?;
+    let hinges = links_of(model, "anti_roll_bar").filter_map(|(link, _)| model.mechanism.parent_joint(link));
+    let hinges: Vec<JointId> = hinges.collect();
+    Some(SheetBar { joint: *hinges.first()?, other: hinges.get(1).copied(), stiffness })
+}
+
+impl SheetElement<'_> {
+    /// Ends at a pose, world axes, m.
+    fn points(&self, pose: &Pose) -> [Vector3<f64>; 2] {
+        self.ends.map(|(link, point)| pose.link(link).point(&point))
+    }
+
+    /// Length at a pose, m.
+    pub(crate) fn length(&self, pose: &Pose) -> f64 {
+        let [a, b] = self.points(pose);
+        (b - a).norm()
+    }
+
+    /// Change of the length per penetration of the contact; `None` if the motion does not determine it.
+    fn length_rate(&self, evaluated: &EvaluatedQuestion) -> Option<f64> {
+        let [a, b] = self.points(&evaluated.pose);
+        let line = evaluated.pose.base().inverse_vector(&(b - a).try_normalize(0.0)?);
+        let [va, vb] = self.ends.map(|(link, point)| velocity(evaluated, link, &point));
+        Some(line.dot(&(vb? - va?)))
+    }
+
+    /// Whole force of a spring at the pose of the contact, N; `None` if the sheet has no preload.
+    pub(crate) fn whole_force(&self, evaluated: &EvaluatedQuestion) -> Option<f64> {
+        let ElementForce::Spring(spring) = self.force else { return None };
+        let system = &evaluated.prepared.system;
+        let drawn = system.pose(&system.configuration()).ok()?;
+        Some(spring.preload? + spring.rate * (self.length(&drawn) - self.length(&evaluated.pose)))
+    }
+}
+
+/// Velocity of a point of a link over the ground per closing speed of the contact, root axes.
+fn velocity(evaluated: &EvaluatedQuestion, link: LinkId, point: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let response = evaluated.result.mechanism_response();
+    match evaluated.pose.point_velocity_over_ground(response, link, point)? {
+        PointVelocity::Known(velocity) => Some(velocity),
+        PointVelocity::Undetermined => None,
+    }
+}
+
+impl SheetTyre<'_> {
+    /// Rise of the wheel centre per penetration of the contact: over the ground, and over the root link.
+    fn rise(&self, evaluated: &EvaluatedQuestion) -> Option<(f64, f64)> {
+        let pose = &evaluated.pose;
+        let up = pose.base().inverse_vector(&Vector3::z());
+        let own = velocity(evaluated, self.link, &Vector3::zeros())?;
+        let root = pose.mechanism().root();
+        let place = pose.link(root).inverse().point(&pose.link(self.link).point(&Vector3::zeros()));
+        let of_root = velocity(evaluated, root, &place)?;
+        Some((up.dot(&own), up.dot(&(own - of_root))))
+    }
+
+    /// Force at the touch, N: as given, or the force that balances the springs on the same side along the motion of the contact, without the
+    /// weight of the wheel. Error: the reason why the tyre does not act.
+    pub(crate) fn force_at_touch(&self, evaluated: &EvaluatedQuestion) -> Result<f64, String> {
+        let rise = self.rise(evaluated).map(|(_, rise)| rise);
+        if rise.is_some_and(|rise| rise < 0.0) {
+            return Err("the closing motion lowers the wheel".to_owned());
+        }
+        if let Some(load) = self.force.load {
+            return Ok(load);
+        }
+        let at_rest = || "its wheel is at rest in the motion of the contact: give tyre.load".to_owned();
+        let rise = rise.filter(|rise| *rise > 0.0).ok_or_else(at_rest)?;
+        let unknown = || "its force at the touch is unknown: give tyre.load, or spring.preload".to_owned();
+        let side = self.name.strip_prefix("wheel_centre").unwrap_or_default();
+        let elements = sheet_elements(evaluated.prepared.model);
+        let springs = elements.iter().filter(|element| {
+            matches!(element.force, ElementForce::Spring(_)) && element.name.ends_with(side)
+        });
+        let mut sum = None;
+        for spring in springs {
+            let force = spring.whole_force(evaluated).ok_or_else(unknown)?;
+            let rate = spring.length_rate(evaluated).ok_or_else(unknown)?;
+            sum = Some(sum.unwrap_or(0.0) - force * rate / rise);
+        }
+        sum.map(|force| force.max(0.0)).ok_or_else(unknown)
+    }
+}
+
+/// Warning about springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, with both restitutions. To first order
+/// they act on the contact as the change Σ k i² x of the spring forces since the touch, the damper forces Σ i F(i ẋ), and the same for a tyre
+/// until it leaves the road; i is the change of the length, the twist or the height of the wheel per penetration. `duration` (s) and `alone`:
+/// duration and restitution without these forces.
 pub(crate) fn springs_finding(
     evaluated: &EvaluatedQuestion,
-    damping: &DampingQuestion,
-    mass: f64,
-    record: &DamperRecord,
+    (compliant, damper): (CompliantContact, Damper),
+    speed: f64,
+    (duration, alone): (f64, f64),
 ) -> Result<Option<Finding>, StudyError> {
-    let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
-    let (Some(speed), Some(duration)) = (damping.speed(), record.contact_duration) else { return Ok(None) };
+    let EvaluatedQuestion { prepared, result, .. } = evaluated;
     if result.response.contact.is_moment {
         return Ok(None);
     }
-    let ratio = |element: &SheetElement| {
-        let [a, b] = element.ends.map(|(link, point)| pose.link(link).point(&point));
-        let line = pose.base().inverse_vector(&(b - a).try_normalize(0.0)?);
-        let [va, vb] = element.ends.map(|(link, point)| {
-            match pose.point_velocity_over_ground(result.mechanism_response(), link, &point)? {
-                PointVelocity::Known(velocity) => Some(velocity),
-                PointVelocity::Undetermined => None,
-            }
-        });
-        Some(line.dot(&(vb? - va?)))
-    };
     let elements = sheet_elements(prepared.model);
     let acting: Vec<(f64, &SheetElement)> = elements
         .iter()
-        .filter_map(|element| Some((ratio(element)?, element)))
+        .filter_map(|element| Some((element.length_rate(evaluated)?, element)))
         .filter(|(ratio, _)| *ratio != 0.0)
         .collect();
-    if acting.is_empty() {
+    let tyres = sheet_tyres(prepared.model);
+    let tyres: Vec<(f64, f64, &SheetTyre)> = tyres
+        .iter()
+        .filter_map(|tyre| Some((tyre.rise(evaluated)?.0, tyre.force_at_touch(evaluated).ok()?, tyre)))
+        .filter(|(rise, _, _)| *rise != 0.0)
+        .collect();
+    let rates = &result.mechanism_response().joint_velocities;
+    let bar = sheet_bars(prepared.model).and_then(|bar| {
+        let rate = |joint: JointId| rates.get(joint.index()).and_then(|rates| rates.first().copied());
+        let twist = rate(bar.joint)? - bar.other.map_or(Some(0.0), rate)?;
+        (twist != 0.0).then_some(bar.stiffness * twist * twist)
+    });
+    let mut names: Vec<&str> = acting.iter().map(|(_, element)| element.name).collect();
+    names.extend(bar.map(|_| "anti-roll bar"));
+    names.extend(tyres.first().map(|_| "tyre"));
+    if names.is_empty() {
         return Ok(None);
     }
     let beside = |x: f64, v: f64| -> f64 {
@@ -105,17 +226,20 @@ pub(crate) fn springs_finding(
             ElementForce::Spring(spring) => spring.rate * i * i * x,
             ElementForce::Damper(curve) => i * curve.force(i * v),
         };
-        acting.iter().map(force).sum()
+        let of_tyre = |(i, force, tyre): &(f64, f64, &SheetTyre)| {
+            let TyreForce { rate, damping, .. } = tyre.force;
+            i * (force - (force - i * (rate * x + damping * v)).max(0.0))
+        };
+        acting.iter().map(force).sum::<f64>()
+            + tyres.iter().map(of_tyre).sum::<f64>()
+            + bar.unwrap_or(0.0) * x
     };
-    let compliant = contact(damping, mass)?;
-    let beside = restitution_beside_forces(contact_damper(damping, compliant)?, compliant, speed, &beside)?;
-    let alone = record.achieved_restitution;
+    let beside = restitution_beside_forces(damper, compliant, speed, &beside)?;
     let message = match beside {
         Some(e) if (e - alone).abs() <= SPRING_EFFECT => return Ok(None),
         Some(e) => format!("the restitution is about {e:.3} in place of {alone:.3}"),
         None => format!("the contact does not end; without them the restitution is {alone:.3}"),
     };
-    let names: Vec<&str> = acting.iter().map(|(_, element)| element.name).collect();
     let message = format!(
         "the contact lasts {:.1} ms, in which springs and dampers of the sheet act ({}): {message}; an impact in time includes them",
         1e3 * duration,
@@ -165,7 +289,7 @@ pub(crate) fn with_sheet_curve(
 }
 
 /// Force curve of the named contact in the suspension sheet of the model.
-fn sheet_curve(evaluated: &EvaluatedQuestion) -> Result<Option<GivenCurve>, StudyError> {
+pub(crate) fn sheet_curve(evaluated: &EvaluatedQuestion) -> Result<Option<GivenCurve>, StudyError> {
     let model = evaluated.prepared.model;
     let Some(sheet) = model.origin.sheet.as_deref() else { return Ok(None) };
     let Some(contact) = evaluated.prepared.question.named_contact(&model.mechanism)? else { return Ok(None) };

@@ -21,14 +21,21 @@ pub struct GivenCurve {
     pub(crate) stop: Option<String>,
 }
 
-/// Points of a curve.
+/// Points of a curve, or a sum of powers Σ cᵢ x^pᵢ.
 #[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
+#[derive(Default)]
 struct CurveText {
     /// Penetrations (m), increasing from 0.
     deflections: Vec<Length>,
     /// Force at each penetration (N).
     forces: Vec<Force>,
+    /// Coefficients of powers (N/m^p), in place of points.
+    coefficients: Vec<f64>,
+    /// Exponents of the powers; default: 1, 2, 3, ….
+    exponents: Vec<f64>,
+    /// Last penetration of the sum of powers (m); its slope continues beyond.
+    to: Option<Length>,
 }
 
 schema_of!(GivenCurve, CurveText);
@@ -36,11 +43,74 @@ schema_of!(GivenCurve, CurveText);
 impl TryFrom<CurveText> for GivenCurve {
     type Error = String;
     fn try_from(text: CurveText) -> Result<Self, String> {
-        let x = text.deflections.into_iter().map(|length| length.0).collect();
-        let f = text.forces.into_iter().map(|force| force.0).collect();
-        let curve = ForceCurve::new(x, f).map_err(|error| error.to_string())?;
-        Ok(Self { curve: Arc::new(curve), stop: None })
+        let CurveText { deflections, forces, coefficients, exponents, to } = text;
+        let is_points = coefficients.is_empty() && exponents.is_empty() && to.is_none();
+        let curve = if is_points {
+            let x = deflections.into_iter().map(|length| length.0).collect();
+            ForceCurve::new(x, forces.into_iter().map(|force| force.0).collect())
+        } else {
+            let count = coefficients.len();
+            let exponents =
+                if exponents.is_empty() { (1..=count).map(|p| p as f64).collect() } else { exponents };
+            let (Some(to), true, true) =
+                (to, exponents.len() == count, deflections.is_empty() && forces.is_empty())
+            else {
+                return Err(
+                    "expected `coefficients` and `to`, with an exponent for each or none, without points"
+                        .into(),
+                );
+            };
+            ForceCurve::powers(coefficients.into_iter().zip(exponents).collect(), to.0)
+        };
+        Ok(Self { curve: Arc::new(curve.map_err(|error| error.to_string())?), stop: None })
     }
+}
+
+/// Curve in one text: points `0:0,10mm:500N,20mm:3kN`, or powers with their last penetration `x:200N/mm,x^3:0.4N/mm^3,to:40mm`. `None` for a
+/// text of another form, such as the name of a file.
+fn curve_in_text(text: &str) -> Option<Result<ForceCurve, String>> {
+    let pairs: Vec<(&str, &str)> =
+        text.split(',').map(|pair| pair.split_once(':')).collect::<Option<Vec<_>>>()?;
+    let is_curve =
+        |(x, _): &(&str, &str)| *x == "to" || x.starts_with(|c: char| c == 'x' || c.is_ascii_digit());
+    pairs.iter().all(is_curve).then(|| {
+        let wrong = |error: QuantityError| error.to_string();
+        if !pairs[0].0.starts_with('x') {
+            let x = pairs.iter().map(|(x, _)| x.parse::<Length>().map(|x| x.0)).collect::<Result<_, _>>();
+            let f = pairs.iter().map(|(_, f)| f.parse::<Force>().map(|f| f.0)).collect::<Result<_, _>>();
+            return ForceCurve::new(x.map_err(wrong)?, f.map_err(wrong)?).map_err(|error| error.to_string());
+        }
+        let Some((("to", last), powers)) = pairs.split_last() else {
+            return Err("expected the last penetration of this law at the end, such as to:40mm".into());
+        };
+        let power = |(x, c): &(&str, &str)| {
+            let exponent = match *x {
+                "x" => "1",
+                other => other.strip_prefix("x^").ok_or_else(|| format!("\"{x}\"; expected x or x^P"))?,
+            };
+            let p = exponent.parse::<f64>().map_err(|_| format!("\"{exponent}\" is not an exponent"))?;
+            coefficient(c, exponent, p).map(|c| (c, p)).ok_or_else(|| {
+                format!("\"{c}\"; expected a number in N/m^{exponent}, or with N/mm^{exponent} behind")
+            })
+        };
+        let powers = powers.iter().map(power).collect::<Result<Vec<_>, String>>()?;
+        ForceCurve::powers(powers, last.parse::<Length>().map_err(wrong)?.0)
+            .map_err(|error| error.to_string())
+    })
+}
+
+/// Coefficient of x^p in N/m^p, from a number without unit or with `N/m^p`, `N/mm^p`, `kN/mm^p`.
+fn coefficient(text: &str, exponent: &str, p: f64) -> Option<f64> {
+    let (number, unit) = percuss_units::split(text);
+    let number = number.trim().parse::<f64>().ok()?;
+    let power = if p == 1.0 { String::new() } else { format!("^{exponent}") };
+    let units =
+        [("", 1.0, 0.0), ("N/m", 1.0, 0.0), ("N/mm", 1.0, 3.0), ("kN/m", 1e3, 0.0), ("kN/mm", 1e3, 3.0)];
+    let (_, factor, digits) = units.into_iter().find(|(name, ..)| match *name {
+        "" => unit.is_empty(),
+        name => unit == format!("{name}{power}"),
+    })?;
+    Some(number * factor * 10f64.powf(digits * p))
 }
 
 impl GivenCurve {
@@ -49,12 +119,15 @@ impl GivenCurve {
         Self { curve: Arc::new(curve.clone()), stop: Some(name.to_owned()) }
     }
 
-    /// Reads a table of two columns, deflection and force, separated by commas, semicolons or tabs. Lines from `#` on are ignored. Numbers
+    /// Reads the points or powers of a text (`0:0,10mm:500N`, `x:200N/mm,x^3:0.4N/mm^3,to:40mm`), or a file with a table of two columns, deflection and force, separated by commas, semicolons or tabs. Lines from `#` on are ignored. Numbers
     /// have units (`2mm`, `1.5kN`), or the units in brackets of a header (`deflection (mm), force (N)`), or are in m and N.
     ///
     /// # Errors
     /// A message: an unreadable file, a line without two quantities, points that are no curve.
     pub fn read(path: &str) -> Result<Self, String> {
+        if let Some(curve) = curve_in_text(path) {
+            return curve.map(|curve| Self { curve: Arc::new(curve), stop: None });
+        }
         refuse_pipe(path).map_err(|error| error.to_string())?;
         let mut text = String::new();
         let read =
@@ -118,12 +191,17 @@ pub struct ForceCurveRecord {
     pub deflections: Vec<f64>,
     /// Force at each penetration, N.
     pub forces: Vec<f64>,
+    /// Coefficients of the sum of powers between both penetrations, N/m^p; empty for points with lines.
+    pub coefficients: Vec<f64>,
+    /// Exponents p of the powers.
+    pub exponents: Vec<f64>,
 }
 
 impl From<&GivenCurve> for ForceCurveRecord {
     fn from(given: &GivenCurve) -> Self {
         let (deflections, forces) = (given.curve.deflections().to_vec(), given.curve.forces().to_vec());
-        Self { stop: given.stop.clone(), deflections, forces }
+        let (coefficients, exponents) = given.curve.terms().iter().copied().unzip();
+        Self { stop: given.stop.clone(), deflections, forces, coefficients, exponents }
     }
 }
 
@@ -145,6 +223,18 @@ mod tests {
                 assert!((a - b).abs() < 1e-15, "{text}");
             }
             assert_eq!(found.forces(), expected.forces(), "{text}");
+        }
+        for text in
+            ["x:200N/mm,x^3:0.4N/mm^3,to:40mm", "x:2e5,x^3:4e8,to:0.04", "x:0.2kN/mm,x^3:4e8N/m^3,to:4cm"]
+        {
+            let found = GivenCurve::read(text).expect("powers").curve;
+            assert!((found.at(0.01).0 - 2400.0).abs() < 1e-9, "{text}: {:?}", found.at(0.01));
+        }
+        let points = GivenCurve::read("0:0,2mm:80N,1cm:1.5kN").expect("points").curve;
+        assert_eq!(points.forces(), expected.forces());
+        for wrong in ["x:200N/mm", "x^2:3N/mm,to:1cm", "y:3,to:1", "x^11:1,to:1cm", "x:-3,to:1cm", "0:0,1cm"]
+        {
+            assert!(GivenCurve::read(wrong).is_err(), "{wrong}");
         }
         for (text, line) in [("", 1), ("0,0\n1,2,3", 2), ("0,0\n1N,5", 2), ("0,0\nx,y", 2), ("0,0\n1,-1", 2)]
         {

@@ -136,10 +136,14 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     for section in force_sections(template) {
         let own: &[&str] = match section {
             DAMPER => &["damping", "speeds", "forces"],
-            stop if STOPS.contains(&stop) => &["deflections", "forces"],
+            stop if STOPS.contains(&stop) => &["deflections", "forces", "coefficients", "exponents", "to"],
             _ => &["rate", "preload"],
         };
         keys.extend(own.iter().map(|key| format!("{section}.{key}")));
+    }
+    keys.extend(["vertical", "damping", "load"].map(|key| format!("tyre.{key}")));
+    if template.bodies.iter().any(|(body, _)| body == "anti_roll_bar") {
+        keys.push("anti_roll_bar.stiffness".to_owned());
     }
     if template.has_rack() {
         keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));

@@ -327,8 +327,25 @@ pub fn template_keys() -> String {
     row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
         "the stop's force over its compression: two lists of the same length, the compressions from 0; for `percuss kinematics`, and the \
-         stiffness of the contact in `percuss damp` and `percuss impact`",
+         stiffness of the contact in `percuss damp`, `percuss restitution` and `percuss impact`",
         "all",
+    );
+    row(
+        "bump_stop.coefficients`, `.exponents`, `.to`, and those of `rebound_stop",
+        "in place of the lists: the force Σ cᵢ x^pᵢ, a polynomial or k xᵖ, with x in the unit of the sheet and the force in N. `exponents`: \
+         default 1, 2, 3 …; `to`: the last deflection of this law, beyond which its slope continues",
+        "all",
+    );
+    row(
+        "tyre.vertical`, `.damping`, `.load",
+        "vertical stiffness and damping of the tyre (N/mm, N·s/m): in an impact in time it acts on the wheel centre and leaves the road; `load`: its \
+         force at the touch, N; default: the force that balances the spring",
+        "all",
+    );
+    row(
+        "anti_roll_bar.stiffness",
+        "torsional stiffness of the bar between its two arms (`\"12 N·m/deg\"`), for impacts in time; with one side the other half is at rest",
+        &of(&|t| t.bodies.iter().any(|(body, _)| body == "anti_roll_bar")),
     );
     row(
         "contact.NAME.point`, `.on`, `.direction`, `.against`, `.gap",

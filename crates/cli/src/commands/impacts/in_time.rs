@@ -10,7 +10,10 @@ use crate::terminal::number::{load, number, signed, with_unit};
 use crate::terminal::report::details_are_shown;
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
-use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, PointSpringRecord, ReactionPlace};
+use percuss_study::{
+    AntiRollBarRecord, BearingForceRecord, ImpactReport, ImpactTimeRecord, PointSpringRecord, ReactionPlace,
+    TyreRecord,
+};
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
 const SHOWN_FORCE: f64 = 1e-3;
@@ -79,6 +82,8 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
     };
     let mut parts: Vec<String> = found.springs.iter().map(spring).collect();
     parts.extend(found.dampers.iter().map(|damper| damper_name(&damper.name)));
+    parts.extend(found.tyres.iter().map(tyre));
+    parts.extend(found.anti_roll_bars.iter().map(bar));
     parts.extend(
         found
             .drives
@@ -89,6 +94,21 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
         parts.push(format!("left out: {}", found.springs_left_out.join(", ")));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// Tyre with its forces.
+fn tyre(tyre: &TyreRecord) -> String {
+    let rate = number(1e-3 * tyre.rate);
+    let leaves = tyre
+        .leaves_road_at
+        .map_or_else(String::new, |time| format!(", off the road after {} ms", number(1e3 * time)));
+    format!("tyre at {} ({rate} N/mm, {} N at the touch{leaves})", tyre.name, number(tyre.force_at_touch))
+}
+
+/// Anti-roll bar with its stiffness and its other half.
+fn bar(bar: &AntiRollBarRecord) -> String {
+    let other = if bar.hinges.len() == 1 { ", other wheel at rest" } else { "" };
+    format!("anti-roll bar ({} N·m/deg{other})", number(bar.stiffness.to_radians()))
 }
 
 /// Damper with its name.
@@ -104,6 +124,8 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
         parts.insert(0, "gravity".to_owned());
     }
     parts.extend(found.dampers.iter().map(|damper| format!("the {}", damper_name(&damper.name))));
+    parts.extend(found.tyres.iter().map(|tyre| format!("the tyre at {}", tyre.name)));
+    parts.extend(found.anti_roll_bars.first().map(|_| "the anti-roll bar".to_owned()));
     parts.extend(found.drives.iter().map(|drive| format!("the drive of {}", drive.name)));
     if report.has_joint_springs {
         parts.push("the given joint springs".to_owned());

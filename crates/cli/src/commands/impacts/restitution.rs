@@ -1,12 +1,14 @@
 //! Command `percuss restitution`.
 
 use crate::args::{CheckFormat, RestitutionArgs};
+use crate::commands::damp::stiffness_text;
 use crate::document::{self, Document};
 use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::number::{number, upper_bound};
 use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::text::Table;
+use crate::terminal::units::ContactUnits;
 use percuss_study::{ReboundRecord, RestitutionReport, restitution, restitution_at};
 
 /// Runs the command.
@@ -38,6 +40,12 @@ pub fn document(report: &RestitutionReport) -> Document<'_> {
     let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
     let mut facts = vec![("effective mass", format!("{} kg", number(report.effective_mass)))];
     facts.extend(contact);
+    facts.extend(
+        report
+            .stiffness_curve
+            .as_ref()
+            .map(|curve| ("stiffness", stiffness_text(None, None, Some(curve), &ContactUnits::new(false)))),
+    );
     facts.extend(report.tool.iter().map(|tool| ("simulator", tool.clone())));
     for rest in &report.at_rest {
         let depth = rest

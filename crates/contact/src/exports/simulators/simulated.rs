@@ -3,14 +3,14 @@
 use crate::error::{LawParameter, not_negative, positive};
 use crate::exports::linear::Linear;
 use crate::exports::{ExportError, ImpactFunction, Options, Request, Tool};
-use crate::{CompliantContact, ContactLawError, Damper, Separation, limits};
+use crate::{CompliantContact, ContactLawError, Damper, Separation, StiffnessLaw, limits};
 
 /// Contact as a simulator integrates it, in the limit of small time steps. Implicit Euler adds the damping of its step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum ContactModel {
+pub enum ContactModel<'a> {
     /// Spring and damper.
-    Compliant(CompliantContact<'static>, Damper),
+    Compliant(CompliantContact<'a>, Damper),
     /// Spring, and a damper that acts only during the approach.
     ApproachDamper(CompliantContact<'static>, Damper),
     /// Spring k xᵖ, and a damping that increases to c over the depth d (the function IMPACT of Adams).
@@ -33,11 +33,11 @@ pub enum ContactModel {
 
 /// Contact in one solver of a simulator.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SimulatedContact {
+pub struct SimulatedContact<'a> {
     /// Solver or mode of the tool, empty if there is only one.
     pub solver: &'static str,
     /// Law of the contact.
-    pub model: ContactModel,
+    pub model: ContactModel<'a>,
     step: Step,
 }
 
@@ -66,9 +66,9 @@ pub struct SimulatedImpact {
     pub energy_lost: f64,
 }
 
-impl SimulatedContact {
+impl<'a> SimulatedContact<'a> {
     /// Contact of the only solver, without an error bound.
-    pub fn of(model: ContactModel) -> Self {
+    pub fn of(model: ContactModel<'a>) -> Self {
         Self { solver: "", model, step: Step::Unknown }
     }
 
@@ -169,16 +169,26 @@ impl SimulatedContact {
         }
     }
 
-    /// Penetration at rest under a force (N) along the normal: k xᵖ = F, m. `None` for a rigid contact. Error: the force is negative or not
-    /// finite.
+    /// Penetration at rest under a force (N) along the normal: k xᵖ = F, m, or the first of a force curve. `None` for a rigid contact. Error: the
+    /// force is negative, not finite, or beyond the curve.
     pub fn penetration_at_rest(&self, force: f64) -> Result<Option<f64>, ContactLawError> {
         let force = not_negative(LawParameter::Load, force)?;
         Ok(match self.model {
             ContactModel::Compliant(contact, _)
             | ContactModel::ApproachDamper(contact, _)
-            | ContactModel::ImpactFunction { contact, .. } => {
-                contact.power_law().map(|(stiffness, exponent)| (force / stiffness).powf(1.0 / exponent))
-            }
+            | ContactModel::ImpactFunction { contact, .. } => match contact.stiffness() {
+                StiffnessLaw::Power { coefficient, exponent } => {
+                    Some((force / coefficient).powf(1.0 / exponent))
+                }
+                StiffnessLaw::Curve(curve) => {
+                    let depth = curve.penetration(force);
+                    Some(depth.ok_or(ContactLawError::OutOfRange {
+                        what: LawParameter::Load,
+                        got: force,
+                        valid: "a force that the curve reaches",
+                    })?)
+                }
+            },
             ContactModel::Rigid { .. } => None,
         })
     }

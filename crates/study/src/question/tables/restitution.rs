@@ -5,6 +5,7 @@ use super::headings::IMPACT;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::tables::damping::SeparationName;
+use crate::values::force_curve::GivenCurve;
 use crate::values::quantities::{Force, Plain, Speed, Stiffness};
 use crate::values::value;
 use percuss_contact::exports::{ContactModel, ExportError, SimulatedContact, Tool};
@@ -62,6 +63,20 @@ pub struct RestitutionQuestion {
         arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "tool", help_heading = IMPACT)
     )]
     pub stiffness: Option<Stiffness>,
+    /// Force curve of the contact in place of a stiffness: a file, points or powers.
+    ///
+    /// As --stiffness-curve of `percuss damp`. Default without a stiffness: the curve of the stop in a suspension sheet.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "CURVE",
+            value_parser = GivenCurve::read,
+            conflicts_with_all = ["stiffness", "exponent", "tool"],
+            help_heading = IMPACT
+        )
+    )]
+    pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p; default 1.
     #[cfg_attr(
         feature = "flags",
@@ -73,7 +88,7 @@ pub struct RestitutionQuestion {
     /// With an exponent p the unit is N·s/m^((p+1)/2).
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "C", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
+        arg(long, value_name = "C", allow_hyphen_values = true, conflicts_with = "tool", help_heading = IMPACT)
     )]
     pub damping: Option<Plain>,
     /// Dissipation d of k x^p (1 + d v), s/m.
@@ -83,8 +98,7 @@ pub struct RestitutionQuestion {
             long,
             value_name = "D",
             allow_hyphen_values = true,
-            requires = "stiffness",
-            conflicts_with = "damping",
+            conflicts_with_all = ["damping", "tool"],
             help_heading = IMPACT
         )
     )]
@@ -122,13 +136,22 @@ impl RestitutionQuestion {
     /// [`InvalidKey`]: neither or both of a stiffness and a simulator, a value out of range, or no speed.
     pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: String| Err(InvalidKey::with_names(key, why));
-        let expected = "give `stiffness` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
-        match (self.stiffness.is_some(), self.tool.is_some()) {
-            (false, false) => return refuse("restitution", format!("nothing is given; {expected}")),
-            (true, true) => {
-                return refuse("restitution.tool", format!("a stiffness is given too; {expected}"));
-            }
-            _ => {}
+        let expected = "give `stiffness` or `stiffness_curve` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
+        let has_stiffness = self.stiffness.is_some() || self.stiffness_curve.is_some();
+        if has_stiffness && self.tool.is_some() {
+            return refuse("restitution.tool", format!("a stiffness is given too; {expected}"));
+        }
+        if self.stiffness_curve.is_some() && (self.stiffness.is_some() || self.exponent.is_some()) {
+            return refuse(
+                "restitution.stiffness_curve",
+                "a stiffness or an exponent is given too; remove one".into(),
+            );
+        }
+        if self.exponent.is_some() && self.stiffness.is_none() {
+            return refuse(
+                "restitution.exponent",
+                "it is the exponent of a stiffness; give `stiffness` too".into(),
+            );
         }
         if self.damping.is_some() && self.hunt_crossley.is_some() {
             return refuse("restitution.hunt_crossley", "`damping` is given too; remove one".into());
@@ -181,11 +204,20 @@ impl RestitutionQuestion {
         self.exponent.map_or(1.0, |exponent| exponent.0)
     }
 
+    /// True if a stiffness, a force curve or a simulator is given.
+    pub(crate) fn has_law(&self) -> bool {
+        self.stiffness.is_some() || self.stiffness_curve.is_some() || self.tool.is_some()
+    }
+
     /// Contacts with an effective mass, kg: that of the spring and damper, or one for each solver of the simulator.
     ///
     /// # Errors
     /// [`StudyError`]: a number out of range, an unknown simulator or an invalid parameter.
-    pub(crate) fn contacts(&self, mass: f64) -> Result<Vec<SimulatedContact>, StudyError> {
+    pub(crate) fn contacts(&self, mass: f64) -> Result<Vec<SimulatedContact<'_>>, StudyError> {
+        if !self.has_law() {
+            let why = "nothing is given; give `stiffness` or `stiffness_curve` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
+            return Err(InvalidKey::with_names("restitution", why.into()).into());
+        }
         if let Some(name) = &self.tool {
             let parameters = self.parameter.iter().map(|given| (given.name.clone(), given.values.clone()));
             let contacts =
@@ -198,8 +230,13 @@ impl RestitutionQuestion {
                 _ => InvalidKey::new("restitution.parameter", error.to_string()).into(),
             });
         }
-        let stiffness = self.stiffness.map_or(f64::NAN, |given| given.0.value);
-        let contact = CompliantContact::new(mass, stiffness)?.with_exponent(self.exponent())?;
+        let contact = match &self.stiffness_curve {
+            Some(given) => CompliantContact::on_curve(mass, &given.curve)?,
+            None => {
+                let stiffness = self.stiffness.map_or(f64::NAN, |given| given.0.value);
+                CompliantContact::new(mass, stiffness)?.with_exponent(self.exponent())?
+            }
+        };
         let damper = match self.hunt_crossley {
             Some(dissipation) => Damper::hunt_crossley(dissipation.0)?,
             None => {

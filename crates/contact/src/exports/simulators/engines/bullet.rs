@@ -131,7 +131,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let stiffness = given.positive("contactStiffness")? / 2.0;
     let damping = 2.0 * given.number("contactDamping")?;
     let step = given.positive("fixedTimeStep")?;

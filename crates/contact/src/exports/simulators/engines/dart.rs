@@ -88,7 +88,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let restitution =
         given.restitution("RestitutionCoeff")? * given.optional("RestitutionCoeff_other")?.unwrap_or(1.0);
     given.assume("FrictionCoeff", 0.0)?;

@@ -110,7 +110,7 @@ fn sdf_document(e: f64, step: Option<f64>) -> String {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let other = given.optional("other_restitution_coefficient")?.unwrap_or(1.0);
     let restitution = given.restitution("restitution_coefficient")? * other;
     given.assume("mu", 0.0)?;

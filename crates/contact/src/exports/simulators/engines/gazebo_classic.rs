@@ -89,7 +89,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (stiffness, damping) = (given.positive("kp")? / 2.0, 2.0 * given.number("kd")?);
     let step = given.positive("max_step_size")?;
     given.assume("min_depth", 0.0)?;

@@ -171,7 +171,7 @@ fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let restitution = given.restitution("mRestitution")?;
     let slowest = given.optional("mMinVelocityForRestitution")?.unwrap_or(1.0);
     for name in ["mFriction", "mLinearDamping", "mAngularDamping"] {

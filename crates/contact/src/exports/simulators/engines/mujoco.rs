@@ -215,7 +215,7 @@ fn add_assumptions(export: &mut Export, request: &Request, linear: &Linear) {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let solref = given.numbers::<2>("solref")?.ok_or_else(|| given.refuse("solref", "it is required"))?;
     let [d, dw, _] = given.numbers::<3>("solimp")?.unwrap_or([0.9, 0.95, 0.001]);
     if d != dw || !(0.0001..=0.9999).contains(&d) {

@@ -179,7 +179,7 @@ pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (stiffness, damping) = (given.positive("ke")?, given.number("kd")?);
     let restitution = given.optional("restitution")?;
     given.assume("kf", 0.0)?;

@@ -156,7 +156,7 @@ pub(crate) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64)
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (erp, cfm) = (given.positive("soft_erp")?, given.positive("soft_cfm")?);
     let step = given.positive("time_step")?;
     if erp > 1.0 {

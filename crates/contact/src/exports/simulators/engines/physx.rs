@@ -204,7 +204,7 @@ pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let stiffness = given.positive("compliant_contact_stiffness")?;
     let step = given.positive("dt")?;
     let position_iterations =

@@ -79,7 +79,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let restitution = given.restitution("restitution")?;
     given.assume("multibody_damping", 0.0)?;
     given.optional("dt")?;

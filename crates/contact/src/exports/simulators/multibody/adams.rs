@@ -91,7 +91,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (stiffness, exponent) = (given.positive("stiffness")?, given.positive("exponent")?);
     let contact = given.contact(stiffness, exponent)?;
     let (damping, depth) = (given.number("cmax")?, given.positive("d")?);

@@ -206,7 +206,7 @@ fn add_assumptions(export: &mut Export, own: f64, other: f64) {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let effective = given.positive("m_eff")?;
     let step = given.optional("step")?;
     let modulus = given.optional("E_eff·sqrt(R_eff)")?;

@@ -228,7 +228,7 @@ fn add_assumptions(export: &mut Export, request: &Request, number: f64) {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let stiffness = given.positive("point_contact_stiffness")? / 2.0;
     let dissipation = given.optional("hunt_crossley_dissipation")?;
     let relaxation = given.optional("relaxation_time")?;

@@ -105,7 +105,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (stiffness, damping) = (given.positive("contactStiffness")?, given.number("contactDamping")?);
     given.assume("contactStiffnessExponent", 1.0)?;
     given.assume("impactModel", 0.0)?;

@@ -92,7 +92,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let stiffness = given.positive("stiffness·sqrt(R)")? * std::f64::consts::SQRT_2 / 3.0;
     let dissipation = 1.5 * given.number("dissipation")?;
     given.optional("integrator_accuracy")?;

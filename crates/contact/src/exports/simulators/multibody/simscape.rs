@@ -77,7 +77,7 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
 }
 
 /// Contact of given parameters.
-pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact>, ExportError> {
+pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let (stiffness, damping) = (given.positive("Stiffness")?, given.number("Damping")?);
     for name in ["Transition Region Width", "RelTol", "AbsTol"] {
         given.optional(name)?;

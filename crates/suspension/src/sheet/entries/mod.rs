@@ -1,17 +1,15 @@
 //! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
-use super::catalogue::{DAMPER, near_keys};
-use crate::corner::design::STOPS;
+mod forces;
+
+use super::catalogue::near_keys;
 use crate::findings::{Findings, Spot};
-use crate::forces::{ForceElements, SpringForce};
-use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES};
+use crate::limits::MAX_SHEET_KEYS;
 use crate::options::Side;
 use crate::units::{Frame, short};
-use percuss_contact::{DamperCurve, ForceCurve};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
-use std::sync::Arc;
 
 /// Single value.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +77,8 @@ pub(super) enum Quantity {
     Component,
     /// Stiffness; the unit is mandatory.
     Stiffness,
+    /// Stiffness about an axis; the unit is mandatory.
+    RotationalStiffness,
     /// Force; N for values without a unit.
     Force,
     /// Speed; m/s for values without a unit.
@@ -96,6 +96,7 @@ impl Quantity {
             Quantity::Angle => Dimension::Angle,
             Quantity::Component => Dimension::Plain,
             Quantity::Stiffness => Dimension::Stiffness,
+            Quantity::RotationalStiffness => Dimension::RotationalStiffness,
             Quantity::Force => Dimension::Force,
             Quantity::Speed => Dimension::Speed,
             Quantity::Damping => Dimension::Damping,
@@ -111,6 +112,9 @@ impl Quantity {
             Quantity::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
             Quantity::Component => "a number without unit, such as 0.5".to_owned(),
             Quantity::Stiffness => "a stiffness with its unit, such as \"28 N/mm\"".to_owned(),
+            Quantity::RotationalStiffness => {
+                "a torsional stiffness with its unit, such as \"12 N·m/deg\"".to_owned()
+            }
             Quantity::Force => "a force in N, such as 3200 or \"3.2 kN\"".to_owned(),
             Quantity::Speed => "a speed in m/s, such as 0.1 or \"100 mm/s\"".to_owned(),
             Quantity::Damping => "a damping with its unit, such as \"1500 N·s/m\"".to_owned(),
@@ -131,7 +135,10 @@ impl Quantity {
             (Quantity::Length(default), "") => default.to_metres(number),
             (Quantity::Mass | Quantity::Component | Quantity::Force | Quantity::Speed, "") => number,
             (Quantity::Inertia(default), "") => default.to_si(number),
-            (Quantity::Angle | Quantity::Stiffness | Quantity::Damping, "") => return None,
+            (
+                Quantity::Angle | Quantity::Stiffness | Quantity::RotationalStiffness | Quantity::Damping,
+                "",
+            ) => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
         };
         value.is_finite().then_some(value)
@@ -336,153 +343,6 @@ impl Entries {
             findings.warning("implausible-angle", &spot, message);
         }
         values[0]
-    }
-
-    /// Reads the forces of springs, dampers and stops, by the sections of a template.
-    pub fn force_elements(
-        &mut self,
-        findings: &mut Findings,
-        sections: &[&str],
-        unit: LengthUnit,
-    ) -> ForceElements {
-        let mut elements = ForceElements::default();
-        for section in sections {
-            if STOPS.contains(section) {
-                let stop = self.stop_force(findings, section, unit);
-                elements.stops.extend(stop.map(|stop| ((*section).to_owned(), stop)));
-            } else if *section == DAMPER {
-                let damper = self.damper_force(findings);
-                elements.dampers.extend(damper.map(|damper| ((*section).to_owned(), Arc::new(damper))));
-            } else {
-                let spring = self.spring_force(findings, section);
-                elements.springs.extend(spring.map(|spring| ((*section).to_owned(), spring)));
-            }
-        }
-        elements
-    }
-
-    /// Reads the rate and the preload of a spring.
-    fn spring_force(&mut self, findings: &mut Findings, section: &str) -> Option<SpringForce> {
-        let [rate_key, preload_key] = ["rate", "preload"].map(|key| format!("{section}.{key}"));
-        let rate = self.numbers(findings, &rate_key, Quantity::Stiffness, &[1]);
-        let preload = self.numbers(findings, &preload_key, Quantity::Force, &[1]);
-        let preload = preload.map(|(values, spot)| (values[0], spot));
-        match (rate, preload) {
-            (Some((rate, spot)), _) if rate[0] < 0.0 => {
-                findings.error(
-                    "bad-rate",
-                    &spot,
-                    format!("{} N/m; a rate of at least 0 is expected", rate[0]),
-                );
-                None
-            }
-            (Some((rate, spot)), preload) => {
-                if rate[0] > 0.0 && !SPRING_RATES.contains(&rate[0]) {
-                    let usual = SPRING_RATES.start() / 1e3..=SPRING_RATES.end() / 1e3;
-                    let message = format!(
-                        "{}; a rate from {} to {} N/mm is usual: check its unit",
-                        self.given(&rate_key),
-                        usual.start(),
-                        usual.end()
-                    );
-                    findings.warning("implausible-force", &spot, message);
-                }
-                if let Some((force, spot)) = &preload
-                    && *force != 0.0
-                    && !PRELOADS.contains(&force.abs())
-                {
-                    let message = format!(
-                        "{}; a preload from {} N to {} kN is usual: check its unit, N without one",
-                        self.given(&preload_key),
-                        PRELOADS.start(),
-                        PRELOADS.end() / 1e3
-                    );
-                    findings.warning("implausible-force", spot, message);
-                }
-                Some(SpringForce { rate: rate[0], preload: preload.map(|(force, _)| force) })
-            }
-            (None, Some((_, spot))) if !self.has(&rate_key) => {
-                let message = format!("a preload without {rate_key}: the rate of the spring is expected");
-                findings.error("missing-key", &spot, message);
-                None
-            }
-            (None, _) => None,
-        }
-    }
-
-    /// Reads the damping or the curve of the damper.
-    fn damper_force(&mut self, findings: &mut Findings) -> Option<DamperCurve> {
-        let counts: Vec<usize> = (2..=MAX_CURVE_POINTS).collect();
-        let damping = self.numbers(findings, "damper.damping", Quantity::Damping, &[1]);
-        let speeds = self.numbers(findings, "damper.speeds", Quantity::Speed, &counts);
-        let forces = self.numbers(findings, "damper.forces", Quantity::Force, &counts);
-        let spot = [&damping, &speeds, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next()?;
-        let curve = match (damping, speeds, forces) {
-            (Some((damping, _)), None, None) => DamperCurve::linear(damping[0]),
-            (None, Some((speeds, _)), Some((forces, _))) => DamperCurve::new(speeds, forces),
-            _ => {
-                let message = "damper.damping, or damper.speeds and damper.forces are expected";
-                findings.error("bad-curve", &spot, message.to_owned());
-                return None;
-            }
-        };
-        curve.map_err(|error| findings.error("bad-curve", &spot, error.to_string())).ok()
-    }
-
-    /// Reads the curve of a stop.
-    fn stop_force(&mut self, findings: &mut Findings, section: &str, unit: LengthUnit) -> Option<ForceCurve> {
-        let counts: Vec<usize> = (2..=MAX_CURVE_POINTS).collect();
-        let [deflections_key, forces_key] = ["deflections", "forces"].map(|key| format!("{section}.{key}"));
-        let is_given = self.has(&deflections_key) || self.has(&forces_key);
-        let deflections = self.numbers(findings, &deflections_key, Quantity::Length(unit), &counts);
-        let forces = self.numbers(findings, &forces_key, Quantity::Force, &counts);
-        let spot = [&deflections, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next();
-        let ends = deflections.as_ref().zip(forces.as_ref());
-        if let Some(([.., depth], depth_spot, [.., force], force_spot)) =
-            ends.map(|((x, at_x), (f, at_f))| (&x[..], at_x, &f[..], at_f))
-        {
-            if !STOP_DEPTHS.contains(depth) {
-                let message = format!(
-                    "the last deflection is {} {1}; a stop is usually compressed by {2} to {3} {1}: check the unit",
-                    short(unit.of_metres(*depth)),
-                    unit.name(),
-                    short(unit.of_metres(*STOP_DEPTHS.start())),
-                    short(unit.of_metres(*STOP_DEPTHS.end()))
-                );
-                findings.warning("implausible-curve", depth_spot, message);
-            }
-            if !STOP_FORCES.contains(&force.abs()) {
-                let message = format!(
-                    "the last force is {} N; the force of a stop is usually {} N to {} kN: check the unit, N without one",
-                    short(*force),
-                    STOP_FORCES.start(),
-                    STOP_FORCES.end() / 1e3
-                );
-                findings.warning("implausible-curve", force_spot, message);
-            }
-        }
-        let has_negative = forces.iter().any(|(forces, _)| forces.iter().any(|force| *force < 0.0));
-        if let Some((forces, spot)) = &forces {
-            if has_negative {
-                let message = "the forces of a stop are compressions: numbers of 0 or more are expected";
-                findings.error("bad-curve", spot, message.to_owned());
-            } else if let Some(pair) = forces.windows(2).find(|pair| pair[1] < pair[0]) {
-                let [high, low] = [pair[0], pair[1]].map(short);
-                let message = format!(
-                    "the force decreases from {high} N to {low} N while the stop is compressed: check the values"
-                );
-                findings.warning("implausible-curve", spot, message);
-            }
-        }
-        let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| ForceCurve::new(x, f).ok());
-        if let (None, true, Some(spot)) = (&curve, is_given && !has_negative, spot) {
-            let message = format!(
-                "{deflections_key} and {forces_key} are expected as two lists of the same length, the deflections from 0 and \
-                 increasing"
-            );
-            findings.error("bad-curve", &spot, message);
-        }
-        curve
     }
 
     /// Reads a point, m, in the axes of ISO 8855.

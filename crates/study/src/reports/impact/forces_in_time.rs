@@ -1,0 +1,389 @@
+//! Springs, dampers, tyres, anti-roll bars and drives during an impact in time.
+
+use crate::damper::sheet_forces::{ElementForce, SheetElement, sheet_bars, sheet_elements, sheet_tyres};
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::tables::impact::{ImpactQuestion, SheetSprings};
+use crate::reports::impact::additions::find_joint;
+use crate::values::drives::GivenSpring;
+use crate::values::point_force::{Ends, GivenDrive};
+use crate::values::rates::rate_dimension;
+use percuss_dynamics::Pose;
+use percuss_impact::{ImpactInTime, ImpactSample, JointSpring, PointSpring, Support, peak_over_time};
+use percuss_mechanism::{JointId, LinkId};
+use percuss_spatial::Vector3;
+use percuss_units::Dimension;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::sync::Arc;
+
+/// Spring between two points during an impact in time.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PointSpringRecord {
+    /// Named contact of the suspension sheet, or both links of a given spring.
+    pub name: String,
+    /// Rate, N/m.
+    pub rate: f64,
+    /// Force at the touch, N, positive in compression; 0 if only the change of the force acts.
+    pub force_at_touch: f64,
+    /// Force at the end of the contact, N.
+    pub force_at_end: f64,
+}
+
+/// Damper between two points during an impact in time.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PointDamperRecord {
+    /// Named contact of the suspension sheet, or both links of a given damper.
+    pub name: String,
+    /// Speeds of the force curve, m/s, positive in rebound.
+    pub speeds: Vec<f64>,
+    /// Force at each speed, N.
+    pub forces: Vec<f64>,
+}
+
+/// Drive with a constant force during an impact in time.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DriveRecord {
+    /// Joint, or both links of a line.
+    pub name: String,
+    /// Force (N) or moment (N·m): along the motion of the joint, or apart along the line.
+    pub value: f64,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Work until the largest penetration, J.
+    pub work: f64,
+}
+
+/// Tyre during an impact in time: a vertical force on the wheel centre that never pulls.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct TyreRecord {
+    /// Link of the wheel centre.
+    pub name: String,
+    /// Vertical stiffness, N/m.
+    pub rate: f64,
+    /// Damping, N·s/m.
+    pub damping: f64,
+    /// Force at the touch, N: as given, or the force that balances the springs of this side.
+    pub force_at_touch: f64,
+    /// Time of the first sample without force, s: the tyre has left the road; null if it keeps contact.
+    pub leaves_road_at: Option<f64>,
+}
+
+/// Anti-roll bar during an impact in time: the moment of its twist since the touch.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AntiRollBarRecord {
+    /// Hinges of the halves of the bar: one if the model has one side, with the other half at rest.
+    pub hinges: Vec<String>,
+    /// Torsional stiffness, N·m/rad.
+    pub stiffness: f64,
+}
+
+/// Spring, damper or drive between points with its name.
+type NamedSpring = (String, PointSpring);
+
+/// Forces beside the contact during an impact in time.
+pub(super) struct ActingForces {
+    /// Springs, dampers and drives between points.
+    pub lines: Vec<NamedSpring>,
+    /// Springs and drives of joints, and anti-roll bars.
+    pub joints: Vec<JointSpring>,
+    pub tyres: Vec<(String, Support)>,
+    pub bars: Vec<AntiRollBarRecord>,
+    drives: Vec<NamedDrive>,
+    /// Elements of the sheet that do not act.
+    pub left_out: Vec<String>,
+}
+
+impl ActingForces {
+    /// Forces of the sheet and of the question.
+    pub fn new(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<Self, StudyError> {
+        let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+        let (lines, left_out) = point_springs(evaluated, impact)?;
+        let (drives, joints) = (drives(pose, impact)?, springs(pose, impact)?);
+        let mut acting = Self { lines, joints, drives, left_out, tyres: Vec::new(), bars: Vec::new() };
+        for drive in &acting.drives {
+            match drive.acts {
+                Drive::Points(ends) => {
+                    let line = PointSpring { drive: drive.value, ..PointSpring::new(ends, 0.0, None) };
+                    acting.lines.push((drive.name.clone(), line));
+                }
+                Drive::Joint(joint) => {
+                    acting.joints.push(JointSpring { drive: drive.value, ..twist_spring(joint, None, 0.0) });
+                }
+            }
+        }
+        let mode = impact.springs.unwrap_or_default();
+        match sheet_bars(prepared.model) {
+            Some(_) if mode == SheetSprings::None => acting.left_out.push("anti-roll bar".to_owned()),
+            Some(bar) => {
+                acting.joints.push(twist_spring(bar.joint, bar.other, bar.stiffness));
+                let name = |joint| pose.mechanism().joint(joint).name().to_owned();
+                let hinges = [Some(bar.joint), bar.other].into_iter().flatten().map(name).collect();
+                acting.bars.push(AntiRollBarRecord { hinges, stiffness: bar.stiffness });
+            }
+            None => {}
+        }
+        for tyre in sheet_tyres(prepared.model) {
+            let force = match mode {
+                SheetSprings::None => Err(String::new()),
+                _ => tyre.force_at_touch(evaluated).map_err(|why| format!(" ({why})")),
+            };
+            match force {
+                Ok(force) => acting.tyres.push((
+                    tyre.name.to_owned(),
+                    Support {
+                        link: tyre.link,
+                        point: Vector3::zeros(),
+                        direction: Vector3::z(),
+                        rate: tyre.force.rate,
+                        damping: tyre.force.damping,
+                        force,
+                        is_balanced: mode == SheetSprings::Change,
+                    },
+                )),
+                Err(why) => acting.left_out.push(format!("tyre at {}{why}", tyre.name)),
+            }
+        }
+        Ok(acting)
+    }
+
+    /// True without any force.
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty() && self.joints.is_empty() && self.tyres.is_empty()
+    }
+
+    /// Drives with their work until the largest penetration.
+    pub fn drive_records(&self, touch: &Pose, found: &ImpactInTime) -> Vec<DriveRecord> {
+        if self.drives.is_empty() {
+            return Vec::new();
+        }
+        let samples = &found.samples;
+        let times: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
+        let depths: Vec<f64> = samples.iter().map(|sample| sample.penetration).collect();
+        let deepest = peak_over_time(&times, &depths).map_or(0.0, |(_, time)| time);
+        let mut pose = touch.clone();
+        let mut travel = |acts: &Drive, sample: &ImpactSample| {
+            let moved = pose.move_to(&sample.positions, sample.base).is_ok();
+            let value = |pose: &Pose| match acts {
+                Drive::Joint(joint) => pose.joint(*joint)[0],
+                Drive::Points(ends) => {
+                    let [a, b] = ends.map(|(link, point)| pose.link(link).point(&point));
+                    (b - a).norm()
+                }
+            };
+            if moved { value(&pose) - value(touch) } else { f64::NAN }
+        };
+        // The travel at the largest penetration, by the parabola through the nearest three samples.
+        let after = times.partition_point(|time| *time < deepest);
+        let first = after.saturating_sub(1).min(samples.len().saturating_sub(3));
+        let near = first..(first + 3).min(samples.len());
+        let mut record = |drive: &NamedDrive| {
+            let weight = |i: usize| {
+                near.clone()
+                    .filter(|j| *j != i)
+                    .map(|j| (deepest - times[j]) / (times[i] - times[j]))
+                    .product::<f64>()
+            };
+            let travel: f64 = near.clone().map(|i| weight(i) * travel(&drive.acts, &samples[i])).sum();
+            DriveRecord {
+                name: drive.name.clone(),
+                value: drive.value,
+                unit: drive.unit,
+                work: drive.value * travel,
+            }
+        };
+        self.drives.iter().map(&mut record).collect()
+    }
+
+    /// Dampers between points.
+    pub fn damper_records(&self) -> Vec<PointDamperRecord> {
+        let record = |(name, line): &NamedSpring| {
+            let curve = line.damper.as_ref()?;
+            let (speeds, forces) = (curve.speeds().to_vec(), curve.forces().to_vec());
+            Some(PointDamperRecord { name: name.clone(), speeds, forces })
+        };
+        self.lines.iter().filter_map(record).collect()
+    }
+
+    /// Springs between points with their forces at the touch and at the end.
+    pub fn spring_records(&self, touch: &Pose, found: &ImpactInTime) -> Vec<PointSpringRecord> {
+        let mut end = touch.clone();
+        let moved = found.samples.last().is_some_and(|last| end.move_to(&last.positions, last.base).is_ok());
+        let record = |(name, spring): &NamedSpring| {
+            let length = |pose: &Pose| {
+                let [a, b] = spring.ends.map(|(link, point)| pose.link(link).point(&point));
+                (b - a).norm()
+            };
+            let free = spring.free_length.unwrap_or_else(|| length(touch));
+            let force = |pose: &Pose| spring.rate * (free - length(pose));
+            let force_at_end = if moved { force(&end) } else { f64::NAN };
+            PointSpringRecord {
+                name: name.clone(),
+                rate: spring.rate,
+                force_at_touch: force(touch),
+                force_at_end,
+            }
+        };
+        self.lines.iter().filter(|(_, spring)| spring.rate > 0.0).map(record).collect()
+    }
+
+    /// Tyres with their forces at the touch.
+    pub fn tyre_records(&self, touch: &Pose, found: &ImpactInTime) -> Vec<TyreRecord> {
+        let mut pose = touch.clone();
+        let mut record = |(name, support): &(String, Support)| {
+            let height = |pose: &Pose| support.direction.dot(&pose.link(support.link).point(&support.point));
+            let start = height(touch);
+            let mut last = None;
+            let mut has_left = |sample: &&ImpactSample| {
+                let moved = pose.move_to(&sample.positions, sample.base).is_ok();
+                let at = if moved { height(&pose) - start } else { f64::NAN };
+                let rate = last.replace((sample.time, at)).map_or(0.0, |(time, before): (f64, f64)| {
+                    if sample.time > time { (at - before) / (sample.time - time) } else { 0.0 }
+                });
+                support.force > 0.0 && support.force_at(at, rate) == 0.0
+            };
+            TyreRecord {
+                name: name.clone(),
+                rate: support.rate,
+                damping: support.damping,
+                force_at_touch: support.force,
+                leaves_road_at: found.samples.iter().find(&mut has_left).map(|sample| sample.time),
+            }
+        };
+        self.tyres.iter().map(&mut record).collect()
+    }
+}
+
+/// Spring that resists the change of the position of a joint since the touch, or of the difference of two.
+fn twist_spring(joint: JointId, other: Option<JointId>, stiffness: f64) -> JointSpring {
+    JointSpring { joint, other, stiffness, damping: 0.0, free_position: None, drive: 0.0 }
+}
+
+/// Springs and dampers between points: those of the sheet and the given ones, each with its name; and those of the sheet that are left out.
+fn point_springs(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+) -> Result<(Vec<NamedSpring>, Vec<String>), StudyError> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let (mut acting, mut left_out) = (Vec::new(), Vec::new());
+    let mode = impact.springs.unwrap_or_default();
+    for element in sheet_elements(prepared.model) {
+        let SheetElement { name, ends, force } = &element;
+        let line = match (mode, force) {
+            (SheetSprings::None, _) => {
+                left_out.push((*name).to_owned());
+                continue;
+            }
+            (_, ElementForce::Damper(curve)) => {
+                PointSpring { damper: Some(Arc::clone(curve)), ..PointSpring::new(*ends, 0.0, None) }
+            }
+            (SheetSprings::Change, ElementForce::Spring(spring)) => {
+                PointSpring::new(*ends, spring.rate, None)
+            }
+            (SheetSprings::Full, ElementForce::Spring(spring)) => {
+                let missing = || {
+                    let why = format!(
+                        "{name}: the sheet has no preload, which determines the whole force of the spring"
+                    );
+                    StudyError::input(Field::SheetSprings, why)
+                };
+                let force = element.whole_force(evaluated).ok_or_else(missing)?;
+                PointSpring::new(*ends, spring.rate, Some(element.length(pose) + force / spring.rate))
+            }
+        };
+        acting.push(((*name).to_owned(), line));
+    }
+    for given in &impact.spring {
+        let ends = find_ends(pose, &given.ends, Field::PointSpring)?;
+        acting.push((name_of(&given.ends), PointSpring::new(ends, given.rate, given.free_length)));
+    }
+    for given in &impact.damper {
+        let ends = find_ends(pose, &given.ends, Field::PointDamper)?;
+        let damper = Some(Arc::clone(&given.curve));
+        acting.push((name_of(&given.ends), PointSpring { damper, ..PointSpring::new(ends, 0.0, None) }));
+    }
+    Ok((acting, left_out))
+}
+
+/// Ends of a line in the mechanism of a pose.
+fn find_ends(pose: &Pose, ends: &Ends, field: Field) -> Result<[(LinkId, Vector3<f64>); 2], StudyError> {
+    let find = |(link, point): &(String, [f64; 3])| match pose.mechanism().find_link(link) {
+        Ok(link) => Ok((link, Vector3::from(*point))),
+        Err(error) => Err(StudyError::input(field, error)),
+    };
+    Ok([find(&ends[0])?, find(&ends[1])?])
+}
+
+/// Name of a line: both links.
+fn name_of([(a, _), (b, _)]: &Ends) -> String {
+    format!("{a} to {b}")
+}
+
+/// Place at which a drive acts.
+enum Drive {
+    Joint(JointId),
+    Points([(LinkId, Vector3<f64>); 2]),
+}
+
+/// Drive with its name and its force or moment.
+struct NamedDrive {
+    name: String,
+    value: f64,
+    unit: &'static str,
+    acts: Drive,
+}
+
+/// Given drives.
+fn drives(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<NamedDrive>, StudyError> {
+    let drive = |given: &GivenDrive| match given {
+        GivenDrive::Points(ends, force) => Ok(NamedDrive {
+            name: name_of(ends),
+            value: *force,
+            unit: "N",
+            acts: Drive::Points(find_ends(pose, ends, Field::Drive)?),
+        }),
+        GivenDrive::Joint(name, value) => {
+            let joint = find_joint(pose.mechanism(), Field::Drive, name)?;
+            let kind = pose.mechanism().joint(joint).kind();
+            if kind.dofs() != 1 {
+                let why =
+                    format!("joint \"{name}\" has {} velocities; expected a joint with one", kind.dofs());
+                return Err(StudyError::input(Field::Drive, why));
+            }
+            let turns = rate_dimension(kind, 0) == Dimension::AngularSpeed;
+            let (dimension, unit) = if turns { (Dimension::Moment, "N·m") } else { (Dimension::Force, "N") };
+            let wrong =
+                |source| StudyError::input(Field::Drive, Fault::Position { joint: name.clone(), source });
+            let value = value.in_dimension(dimension, &value.to_string()).map_err(wrong)?;
+            Ok(NamedDrive { name: name.clone(), value, unit, acts: Drive::Joint(joint) })
+        }
+    };
+    impact.drive.iter().map(drive).collect()
+}
+
+/// Springs of the joints.
+fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, StudyError> {
+    let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
+        if impact.joint_spring[..number].iter().any(|(earlier, _)| earlier == name) {
+            let why = format!("joint \"{name}\" is given twice; give it once");
+            return Err(StudyError::input(Field::JointSpring, why));
+        }
+        let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
+        let refuse = |fault: Fault| StudyError::input(Field::JointSpring, fault);
+        let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
+        let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
+        let (stiffness, damping, free_position) = match values[..] {
+            [stiffness] => (stiffness, 0.0, None),
+            [stiffness, damping] => (stiffness, damping, None),
+            [stiffness, damping, free] => (stiffness, damping, Some(free)),
+            _ => {
+                let got = values.len();
+                let why = format!("joint \"{name}\": {got} numbers are given; expected K, K,D or K,D,FREE");
+                return Err(refuse(why.into()));
+            }
+        };
+        Ok(JointSpring { joint, other: None, stiffness, damping, free_position, drive: 0.0 })
+    };
+    impact.joint_spring.iter().enumerate().map(spring).collect()
+}
