@@ -120,6 +120,13 @@ pub const LARGEST_TIME_STEP: f64 = 0.0625;
 /// Largest number of steps of an impact in time: about 80 times the duration of an elastic impact.
 pub const MOST_TIME_STEPS: usize = 4_000;
 
+/// Speeds over the closing speed below which a contact is without rebound: the first ends the integration, the second applies at its last step,
+/// for a slow return.
+pub const NO_REBOUND: [f64; 2] = [1e-3, 1e-2];
+
+/// Steps in a row with these speeds: longer than a half oscillation, in which the speed passes through zero.
+pub const STEPS_WITHOUT_REBOUND: usize = 64;
+
 /// Distance from a point of the force curve, over the penetration without damping, within which the integration is at the point: its location
 /// has an error of [`CONTACT_ENDS`].
 pub const CORNER_DISTANCE: f64 = 1e-12;

@@ -193,6 +193,10 @@ pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
 /// Least step, relative to the penetration. Near a dead centre accepted steps are a hundredth of the remaining motion, and the
 /// end is found to a few ten-thousandths after some thousand steps.
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
+/// Difference from the wanted restitution at which the search for the damping ends: above the error of the integration, below every shown digit.
+pub(crate) const REACHED_RESTITUTION: f64 = 1e-9;
+/// Greatest number of impacts of each part of this search.
+pub(crate) const STEPS_TO_REACH: usize = 60;
 /// Change of the restitution by springs during the contact above which there is a warning: the second digit.
 pub(crate) const SPRING_EFFECT: f64 = 0.01;
 /// Relative change of m̄ over the penetration that causes a warning: restitutions are measured to some per cent.

@@ -91,6 +91,8 @@ pub(crate) const MAX_TOE: f64 = 5.0 * RADIANS_PER_DEGREE;
 const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Usual rates of springs, N/m: from a light motorcycle or kart to the leaf springs of trucks and the heave springs of racing cars.
 pub(crate) const SPRING_RATES: RangeInclusive<f64> = 1e3..=2e6;
+/// Usual last speeds of the force curve of a damper, m/s.
+pub(crate) const DAMPER_SPEEDS: RangeInclusive<f64> = 0.05..=20.0;
 /// Usual vertical stiffnesses of tyres, N/m: from a bicycle to a truck with dual tyres.
 pub(crate) const TYRE_RATES: RangeInclusive<f64> = 5e4..=3e6;
 /// Usual magnitudes of the force of a spring at the design position, N: up to the springs of trucks. A smaller one is in kN.

@@ -296,7 +296,7 @@ pub fn stiffness_text(
 }
 
 /// Exponent of a unit, if any.
-fn unit_power(exponent: f64) -> String {
+pub fn unit_power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 

@@ -30,7 +30,7 @@ pub use error::ExportError;
 pub use export::{Export, Parameter, Penetration, Snippet, Value};
 pub use impact_function::ImpactFunction;
 pub use request::{MassDrift, Options, Request, StopMotion};
-pub use simulators::simulated::{ContactModel, SimulatedContact, SimulatedImpact};
+pub use simulators::simulated::{ContactModel, Impedance, SimulatedContact, SimulatedImpact};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;

@@ -160,7 +160,8 @@ fn wrong_parameters_are_refused() {
     assert_eq!(of(&[spring[0], spring[1], ("friction", &[0.5])], Tool::SIMSCAPE), "friction");
     assert_eq!(of(&[spring[0], spring[0]], Tool::SIMSCAPE), "Stiffness");
     assert_eq!(of(&[spring[0]], Tool::SIMSCAPE), "Damping");
-    assert_eq!(of(&[("solref", &[0.02, 1.0])], Tool::MUJOCO), "solimp");
+    assert_eq!(of(&[("solref", &[0.02, 1.0]), ("solimp", &[0.9, 1.2, 0.1])], Tool::MUJOCO), "solimp");
+    assert_eq!(of(&[("solref", &[0.02, 1.0]), ("solimp", &[0.9, 0.9])], Tool::MUJOCO), "solimp");
     assert_eq!(of(&[("solref", &[-1e4, 1.0]), ("solimp", &[0.9, 0.9, 1.0])], Tool::MUJOCO), "solref");
     assert_eq!(
         of(&[("soft_erp", &[1.2]), ("soft_cfm", &[0.1]), ("time_step", &[1e-3])], Tool::ODE),
@@ -168,4 +169,38 @@ fn wrong_parameters_are_refused() {
     );
     assert_eq!(of(&[("RestitutionCoeff", &[0.5]), ("FrictionCoeff", &[1.0])], Tool::DART), "FrictionCoeff");
     assert_eq!(of(&[("restitution", &[1.5])], Tool::RAPIER), "restitution");
+}
+
+/// MuJoCo 4.0.0 (RK4, time step 1e-5 s, ball of 2 kg, condim 1): restitution, largest penetration and force at a speed, and the penetration at rest
+/// under the weight, with the default impedance and with others.
+#[test]
+fn impedances_of_mujoco_are_as_measured() {
+    type Measured<'a> = (&'a [f64], Option<&'a [f64]>, f64, [f64; 3], f64);
+    let cases: [Measured; 6] = [
+        (&[-1e4, -50.0], Some(&[0.9, 0.9, 0.001]), 1.0, [0.506234, 7.11472e-3, 162.1272], 9.81000e-5),
+        (&[0.02, 1.0], None, 1.0, [0.135675, 7.37608e-3, 189.4737], 3.671818e-4),
+        (&[0.02, 1.0], None, 0.1, [0.137689, 7.58806e-4, 18.94737], 3.671818e-4),
+        (&[-1e4, -50.0], None, 0.1, [0.508992, 7.32437e-4, 16.24358], 1.0775542e-4),
+        (&[0.02, 0.3], None, 1.0, [0.452286, 4.04099e-3, 271.9225], 3.927484e-5),
+        (
+            &[0.02, 0.3],
+            Some(&[0.5, 0.9, 0.01, 0.3, 3.0]),
+            1.0,
+            [0.488968, 5.411155e-3, 278.2093],
+            5.6931170e-4,
+        ),
+    ];
+    for (solref, solimp, speed, expected, at_rest) in cases {
+        let mut given = vec![("solref".to_owned(), solref.to_vec())];
+        given.extend(solimp.map(|solimp| ("solimp".to_owned(), solimp.to_vec())));
+        let simulated = Tool::MUJOCO.simulated(2.0, &given).expect("a contact")[0];
+        let found = simulated.impact(2.0, speed).expect("an impact");
+        let found = [found.restitution, found.max_penetration.unwrap(), found.peak_force.unwrap()];
+        // A step of MuJoCo is 1e-3 of the contact; the touch is within one step.
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!(relative_difference(found, expected) < 1e-3, "{solref:?} {solimp:?}: {found} {expected}");
+        }
+        let rest = simulated.penetration_at_rest(2.0 * 9.81).expect("a force").expect("a depth");
+        assert!(relative_difference(rest, at_rest) < 1e-6, "{solref:?} {solimp:?}: {rest} {at_rest}");
+    }
 }

@@ -2,8 +2,9 @@
 
 use crate::error::ImpactError;
 use crate::reactions::force_elements::{JointSpring, PointSpring, SpringAtJoint, SpringForces, Support};
+use crate::tolerances::{MOST_DOUBLINGS, WORK_INTERVALS};
 use nalgebra::Vector3;
-use percuss_dynamics::Pose;
+use percuss_dynamics::{ConstraintAction, ConstraintSource, Pose};
 
 /// Conditions of an impact in time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -74,4 +75,37 @@ fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringA
         Ok(SpringAtJoint { joint, other, stiffness, damping, free_position, drive })
     };
     springs.iter().map(at_joint).collect()
+}
+
+/// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
+pub(crate) fn refuse_grounded_base(pose: &Pose) -> Result<(), ImpactError> {
+    let is_floating = pose.coordinate_joints().first().is_some_and(|(joint, _)| joint.is_none());
+    let constraints = pose.constraint_groups().into_iter().flat_map(|group| group.constraints);
+    let on_ground = |c: &ConstraintAction| {
+        !matches!(c.source, ConstraintSource::Coupling(_))
+            && (c.successor.is_none() || c.predecessor.is_none())
+    };
+    if is_floating && constraints.into_iter().any(|c| on_ground(&c)) {
+        return Err(ImpactError::GroundedBase);
+    }
+    Ok(())
+}
+
+/// Penetration at which the force at rest has done the work `energy`.
+pub(crate) fn stopping_depth(force: &dyn Fn(f64, f64) -> f64, energy: f64) -> Result<f64, ImpactError> {
+    let work = |depth: f64| {
+        let part = depth / f64::from(WORK_INTERVALS);
+        (0..WORK_INTERVALS).map(|k| force((f64::from(k) + 0.5) * part, 0.0) * part).sum::<f64>()
+    };
+    let mut depth = 1.0;
+    for _ in 0..MOST_DOUBLINGS {
+        if work(depth) < energy {
+            depth *= 2.0;
+        } else if work(0.5 * depth) >= energy {
+            depth *= 0.5;
+        } else {
+            return Ok(depth);
+        }
+    }
+    Err(ImpactError::EndlessContact { time: f64::INFINITY })
 }

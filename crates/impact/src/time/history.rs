@@ -52,10 +52,13 @@ impl EnergyBalance {
 /// Impact in time, from the touch to the separation.
 #[derive(Clone, Debug)]
 pub struct ImpactInTime {
-    /// Separation speed divided by closing speed.
+    /// Separation speed divided by closing speed; 0 if the sides do not separate.
     pub restitution: f64,
-    /// Duration of the contact, s.
+    /// Duration of the contact, s; time of the last sample if the sides do not separate.
     pub duration: f64,
+    /// False if the sides do not separate: a strongly damped return, or a load that presses them together. The motion ends when the closing and
+    /// opening speed stay below a thousandth of the closing speed at the touch.
+    pub separates: bool,
     /// Largest penetration, m.
     pub max_penetration: f64,
     /// Largest force, N.

@@ -9,17 +9,15 @@ use crate::reactions::force_elements::SpringForces;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::{ReactionBuffers, ReactionMap};
 
-use crate::time::conditions::{TimeConditions, spring_forces};
+use crate::time::conditions::{TimeConditions, refuse_grounded_base, spring_forces, stopping_depth};
 use crate::time::equations::{MotionEquations, base_motion, rates_of};
 use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
-    CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS,
-    TIME_STEP_ERROR, WORK_INTERVALS,
+    CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_TIME_STEPS, NO_REBOUND,
+    STEPS_WITHOUT_REBOUND, TIME_STEP_ERROR,
 };
 use nalgebra::{DVector, Vector3};
-use percuss_dynamics::{
-    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
-};
+use percuss_dynamics::{Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption};
 use percuss_spatial::quaternion_product;
 use std::cell::{Cell, RefCell};
 
@@ -65,39 +63,6 @@ pub fn impact_in_time(
     let energy = 0.5 * mass * closing_speed * closing_speed;
     let depth = stopping_depth(force, energy)?;
     Motion::new(pose, contact, closing_speed, before, force, conditions, (depth, energy), springs).run()
-}
-
-/// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
-fn refuse_grounded_base(pose: &Pose) -> Result<(), ImpactError> {
-    let is_floating = pose.coordinate_joints().first().is_some_and(|(joint, _)| joint.is_none());
-    let constraints = pose.constraint_groups().into_iter().flat_map(|group| group.constraints);
-    let on_ground = |c: &ConstraintAction| {
-        !matches!(c.source, ConstraintSource::Coupling(_))
-            && (c.successor.is_none() || c.predecessor.is_none())
-    };
-    if is_floating && constraints.into_iter().any(|c| on_ground(&c)) {
-        return Err(ImpactError::GroundedBase);
-    }
-    Ok(())
-}
-
-/// Penetration at which the force at rest has done the work `energy`.
-fn stopping_depth(force: &dyn Fn(f64, f64) -> f64, energy: f64) -> Result<f64, ImpactError> {
-    let work = |depth: f64| {
-        let part = depth / f64::from(WORK_INTERVALS);
-        (0..WORK_INTERVALS).map(|k| force((f64::from(k) + 0.5) * part, 0.0) * part).sum::<f64>()
-    };
-    let mut depth = 1.0;
-    for _ in 0..MOST_DOUBLINGS {
-        if work(depth) < energy {
-            depth *= 2.0;
-        } else if work(0.5 * depth) >= energy {
-            depth *= 0.5;
-        } else {
-            return Ok(depth);
-        }
-    }
-    Err(ImpactError::EndlessContact { time: f64::INFINITY })
 }
 
 /// Motion in scaled variables, each of order one: displacements of the joints and of the base over `depth`, rates over the largest
@@ -291,6 +256,8 @@ impl<'a> Motion<'a> {
         let mut deepest: Option<(f64, Option<f64>)> = None;
         let (mut closing, mut penetration) = (at.closing, at.penetration);
         let mut integrator = self.integrator(rate);
+        // Steps in a row with a speed below each of two parts of the closing speed: a step is a part of the time of a half oscillation.
+        let mut slow = [0; 2];
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
             let passed = self.corner(&y, taken, (penetration, closing), &mut sampler.pose);
@@ -350,8 +317,19 @@ impl<'a> Motion<'a> {
             time += taken;
             y = next;
             sampler.add(self, time, &then, integrator.rate());
+            for (steps, part) in slow.iter_mut().zip(NO_REBOUND) {
+                *steps = if then.closing.abs() < part * self.speed { *steps + 1 } else { 0 };
+            }
+            if slow[0] > STEPS_WITHOUT_REBOUND {
+                break;
+            }
         }
-        Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
+        if slow[1] <= STEPS_WITHOUT_REBOUND {
+            return Err(ImpactError::EndlessContact { time: time * self.depth / self.speed });
+        }
+        let at = self.instant(&y, &mut sampler.pose).ok_or_else(lost)?;
+        let found = self.result(sampler, time, &y, deepest.unwrap_or((at.penetration, None)));
+        Ok(ImpactInTime { restitution: 0.0, separates: false, ..found })
     }
 
     /// First point of the force curve that the penetration passes within a step of length `h` from `y`, where it is `penetration` (m): state,
@@ -398,23 +376,35 @@ impl<'a> Motion<'a> {
         let mut rate = vec![0.0; end.len()];
         self.derivative(&end, &mut rate);
         sampler.add(self, time, &at, &rate);
-        let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
+        let found = self.result(sampler, time, &end, deepest.unwrap_or((at.penetration, None)));
+        Ok(ImpactInTime { restitution: -at.closing / self.speed, ..found })
+    }
+
+    /// Result with the restitution 0 at the scaled state `end`.
+    fn result(
+        &self,
+        sampler: Sampler,
+        time: f64,
+        end: &[f64],
+        (max_penetration, mass_at_max_penetration): (f64, Option<f64>),
+    ) -> ImpactInTime {
         let works = end.len() - 2;
         let energy = EnergyBalance {
             kinetic_before: self.kinetic_energy(&self.initial),
-            kinetic_after: self.kinetic_energy(&end),
+            kinetic_after: self.kinetic_energy(end),
             taken_by_contact: self.work * end[works],
             work_of_other_forces: self.work * end[works + 1],
         };
-        Ok(ImpactInTime {
-            restitution: -at.closing / self.speed,
+        ImpactInTime {
+            restitution: 0.0,
             duration: time * self.depth / self.speed,
+            separates: true,
             max_penetration,
             peak_force: sampler.peak_force(),
-            mass_at_max_penetration: mass,
+            mass_at_max_penetration,
             energy,
             samples: sampler.samples,
-        })
+        }
     }
 
     /// Kinetic energy at a scaled state, with a free body on the other side, J; 0 if the contact does not exist there.

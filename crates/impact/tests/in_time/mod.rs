@@ -519,7 +519,8 @@ fn contacts_without_pull_end_at_zero_penetration() {
     }
 }
 
-/// Forces that never stop the motion, and weights that keep the contact closed, are refused.
+/// Forces that never stop the motion are refused. Without a rebound, because a weight keeps the contact closed or the return is overdamped, the
+/// compression is that of the motion: for a critically damped oscillator x = v t e^(−ωt), with the maximum v/(ω e).
 #[test]
 fn contacts_without_an_end_are_refused() {
     let (pose, contact) = at(&body(JointKind::Prismatic, 1.0), 0.0, Vector3::x());
@@ -529,5 +530,28 @@ fn contacts_without_an_end_are_refused() {
     assert!(matches!(nothing, Err(ImpactError::EndlessContact { .. })), "{nothing:?}");
     let pressed = TimeConditions { gravity: Vector3::x() * 9.81, ..conditions };
     let damped = impact_in_time(&pose, &contact, 1.0, &before, &|x, v| 1e4 * x + 2e2 * v, &pressed);
-    assert!(matches!(damped, Err(ImpactError::EndlessContact { .. })), "{:?}", damped.map(|d| d.restitution));
+    let damped = damped.expect("a contact without rebound");
+    assert!(!damped.separates && damped.restitution == 0.0, "{damped:?}");
+    let rest = damped.samples.last().expect("samples").penetration;
+    assert!((rest / 9.81e-4 - 1.0).abs() < 0.1, "at rest under the weight: {rest}");
+    for ratio in [1.0, 3.0, 40.0] {
+        let force = |x: f64, v: f64| 1e4 * x + 2e2 * ratio * v;
+        let found = impact_in_time(&pose, &contact, 1.0, &before, &force, &TimeConditions::default());
+        let found = found.expect("a contact without rebound");
+        assert!(!found.separates && found.restitution == 0.0, "{}", found.restitution);
+        // x = v (e^(−at) − e^(−bt))/(b − a), with the roots of s² + 2ζω s + ω².
+        let root = (ratio * ratio - 1.0f64).sqrt() * 100.0;
+        let (a, b) = (1e4 / (100.0 * ratio + root), 100.0 * ratio + root);
+        let expected = if root == 0.0 {
+            (-1.0f64).exp() / 100.0
+        } else {
+            let t = (b / a).ln() / (b - a);
+            ((-a * t).exp() - (-b * t).exp()) / (b - a)
+        };
+        assert!(
+            (found.max_penetration / expected - 1.0).abs() < 1e-9,
+            "{ratio}: {} {expected}",
+            found.max_penetration
+        );
+    }
 }

@@ -25,6 +25,15 @@ class AlongRecord(Record):
     """Joint positions in this row."""
 
 
+class AntiRollBarRecord(Record):
+    """Anti-roll bar during an impact in time: the moment of its twist since the touch."""
+
+    hinges: list[str]
+    """Hinges of the halves of the bar: one if the model has one side, with the other half at rest."""
+    stiffness: float
+    """Torsional stiffness, N·m/rad."""
+
+
 class BaseRateRecord(Record):
     """Velocity of a floating base, world axes."""
 
@@ -763,6 +772,10 @@ class ForceCurveRecord(Record):
     """Penetrations, m."""
     forces: list[float]
     """Force at each penetration, N."""
+    coefficients: list[float]
+    """Coefficients of the sum of powers between both penetrations, N/m^p; empty for points with lines."""
+    exponents: list[float]
+    """Exponents p of the powers."""
 
 
 class FrictionRecord(Record):
@@ -986,9 +999,9 @@ class ImpactTimeRecord(Record):
     """Impact in time with a compliant contact."""
 
     restitution: float
-    """Restitution that is reached: separation speed divided by closing speed."""
-    duration: float
-    """Duration of the contact, s."""
+    """Restitution that is reached: separation speed divided by closing speed; 0 if the sides do not separate."""
+    duration: float | None
+    """Duration of the contact, s; None if the sides do not separate."""
     max_penetration: float
     """Largest penetration, m."""
     peak_force: float
@@ -996,6 +1009,13 @@ class ImpactTimeRecord(Record):
     mass_change: float | None
     """Relative change of m̄ from the touch to the largest penetration; None if m̄ is not finite there. The change is unbounded
     near a pose at which the contact is immovable."""
+    restitution_is_reached: bool
+    """True if the damping was found for the requested restitution of the impact in time, and false if it is that of the contact
+    alone."""
+    damping: float | None
+    """Damping of the contact law, N·s/m^((p+1)/2); None for Hunt–Crossley."""
+    dissipation: float | None
+    """Dissipation of the contact law, s/m; None for a Kelvin–Voigt damper."""
     one_freedom: VaryingMassImpact | None
     """The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; None for others, with gravity, or if
     the motion ends before."""
@@ -1005,13 +1025,17 @@ class ImpactTimeRecord(Record):
     """Springs between points that act."""
     dampers: list[PointDamperRecord]
     """Dampers between points that act."""
+    tyres: list[TyreRecord]
+    """Tyres that act."""
+    anti_roll_bars: list[AntiRollBarRecord]
+    """Anti-roll bars that act."""
     drives: list[DriveRecord]
     """Drives that act."""
     effective_weight: float | None
     """Effective weight of absorber catalogues, kg (kg·m² for a moment): m̄ + 2W/v² with the work W of the drives until the
     largest penetration and the closing speed v. It is no mass of the mechanism; None without drives."""
     springs_left_out: list[str]
-    """Springs and dampers of the suspension sheet that are left out."""
+    """Springs, dampers, tyres and anti-roll bars of the suspension sheet that are left out."""
     energy: EnergyRecord
     """Energies of the motion."""
     loop_gap: float
@@ -1950,6 +1974,8 @@ class RestitutionReport(Record):
     """Named contact; None for a contact given by link, point and normal."""
     tool: str | None
     """Simulator; None for a given spring and damper."""
+    stiffness_curve: ForceCurveRecord | None
+    """Force curve of the contact; None for a stiffness or a simulator."""
     impacts: list[ReboundRecord]
     """Impacts, for each solver in the order of the speeds."""
     at_rest: list[RestRecord]
@@ -2308,6 +2334,21 @@ class TravelRecord(Record):
     """Direction, world axes."""
     distance: float
     """Displacement, m."""
+
+
+class TyreRecord(Record):
+    """Tyre during an impact in time: a vertical force on the wheel centre that never pulls."""
+
+    name: str
+    """Link of the wheel centre."""
+    rate: float
+    """Vertical stiffness, N/m."""
+    damping: float
+    """Damping, N·s/m."""
+    force_at_touch: float
+    """Force at the touch, N: as given, or the force that balances the springs of this side."""
+    leaves_road_at: float | None
+    """Time of the first sample without force, s: the tyre has left the road; None if it keeps contact."""
 
 
 class VariedColumn(Record):

@@ -106,7 +106,7 @@ pub(crate) fn damping_report(
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(of_curve.map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
-    diagnostics.extend(beyond_curve(damping, &record));
+    diagnostics.extend(beyond_curve(damping.stiffness_curve.as_ref(), record.max_penetration));
     if let Some((speed, duration)) = damping.speed().zip(record.contact_duration) {
         let compliant = contact(damping, mass)?;
         let law = (compliant, contact_damper(damping, compliant)?);

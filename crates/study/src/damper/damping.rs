@@ -12,7 +12,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::spelled_contact::StopRecord;
 use crate::question::tables::damping::DampingQuestion;
-use crate::values::force_curve::ForceCurveRecord;
+use crate::values::force_curve::{ForceCurveRecord, GivenCurve};
 use percuss_contact::exports::{ExportError, Options, Request, StopMotion};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
@@ -318,7 +318,7 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         exports: exports(question, mass, options, is_moment)?,
         diagnostics: law_mismatch_diagnostic(question)
             .into_iter()
-            .chain(beyond_curve(question, &record))
+            .chain(beyond_curve(question.stiffness_curve.as_ref(), record.max_penetration))
             .collect(),
         damper: record,
         question: question.clone(),
@@ -335,9 +335,12 @@ pub(crate) fn require_stiffness(question: &DampingQuestion) -> Result<(), StudyE
 }
 
 /// Warning about a penetration beyond the end of the force curve.
-pub(crate) fn beyond_curve(question: &DampingQuestion, record: &DamperRecord) -> Option<DiagnosticRecord> {
-    let (depth, force) = question.stiffness_curve.as_ref()?.curve.end();
-    let reached = record.max_penetration.filter(|reached| *reached > depth)?;
+pub(crate) fn beyond_curve(
+    curve: Option<&GivenCurve>,
+    max_penetration: Option<f64>,
+) -> Option<DiagnosticRecord> {
+    let (depth, force) = curve?.curve.end();
+    let reached = max_penetration.filter(|reached| *reached > depth)?;
     let message = format!(
         "the penetration of {:.2} mm is beyond the end of the force curve ({force:.0} N at {:.2} mm); the last slope is extrapolated, but a real \
          stop becomes stiffer",

@@ -124,7 +124,7 @@ pub fn restitution_at(
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let EvaluatedQuestion { prepared, result, .. } = &evaluated;
     let mass = finite_mass(&evaluated)?;
-    let stiffness_curve = if asked.has_law() { None } else { sheet_curve(&evaluated)? };
+    let stiffness_curve = if asked.has_law() { None } else { sheet_curve(model, question)? };
     let asked = &RestitutionQuestion {
         stiffness_curve: stiffness_curve.or(asked.stiffness_curve.clone()),
         ..asked.clone()

@@ -7,6 +7,7 @@ use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::SPRING_EFFECT;
 use crate::values::force_curve::GivenCurve;
@@ -255,7 +256,8 @@ pub(crate) fn with_sheet_curve(
     damping: &DampingQuestion,
 ) -> Result<(DampingQuestion, Option<Finding>), StudyError> {
     let mut damping = damping.clone();
-    let of_sheet = sheet_curve(evaluated)?.filter(|_| damping.options.stop.is_none());
+    let of_sheet = sheet_curve(evaluated.prepared.model, evaluated.prepared.question)?
+        .filter(|_| damping.options.stop.is_none());
     let finding = match of_sheet {
         Some(given) if damping.has_stiffness() => (damping.stiffness_curve.as_ref() != Some(&given)).then(|| {
             let name = given.stop.as_deref().unwrap_or_default();
@@ -289,10 +291,9 @@ pub(crate) fn with_sheet_curve(
 }
 
 /// Force curve of the named contact in the suspension sheet of the model.
-pub(crate) fn sheet_curve(evaluated: &EvaluatedQuestion) -> Result<Option<GivenCurve>, StudyError> {
-    let model = evaluated.prepared.model;
+pub(crate) fn sheet_curve(model: &Model, question: &MassQuestion) -> Result<Option<GivenCurve>, StudyError> {
     let Some(sheet) = model.origin.sheet.as_deref() else { return Ok(None) };
-    let Some(contact) = evaluated.prepared.question.named_contact(&model.mechanism)? else { return Ok(None) };
+    let Some(contact) = question.named_contact(&model.mechanism)? else { return Ok(None) };
     let name = contact.name();
     let stop = sheet.understood.forces.stops.iter().find(|(stop, _)| stop == section(name));
     Ok(stop.map(|(_, curve)| GivenCurve::of_stop(name, curve)))

@@ -1,5 +1,8 @@
 //! Effective masses at all named contacts of a model.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::damper::sheet_forces::sheet_curve;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
@@ -84,12 +87,21 @@ pub fn contact_list_of(
 ) -> Result<ContactListReport, StudyError> {
     let mut found: Vec<(&String, DiagnosticRecord)> = Vec::new();
     let mut listed = Vec::with_capacity(contacts.len());
-    for (name, question) in contacts {
+    let curves = contacts.iter().map(|(_, question)| Ok(sheet_curve(model, question)?.is_some()));
+    let curves = curves.collect::<Result<Vec<bool>, StudyError>>()?;
+    // Without a stiffness, the contacts with a curve of the sheet have a damper.
+    let needs_curve = damping.is_some_and(|damping| !damping.has_stiffness()) && curves.contains(&true);
+    for ((name, question), has_curve) in contacts.iter().zip(curves) {
         let kind =
             question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
         let always_touches = matches!(kind, ContactKind::Spring | ContactKind::Damper);
         // No impact occurs between parts that always touch.
-        let answer = match damping.filter(|_| !always_touches) {
+        let is_soft = !needs_curve || has_curve;
+        if !always_touches && !is_soft {
+            let message = "no damper: the sheet has no force curve of this contact; give a stiffness, or its deflections and forces";
+            found.push((name, Finding::about_result(FindingKind::NoDamper, message.to_owned()).into()));
+        }
+        let answer = match damping.filter(|_| !always_touches && is_soft) {
             Some(damping) => mass_with_damper(model, question, damping),
             None => mass(model, question),
         };

@@ -150,6 +150,8 @@ quantities_of_a_motion! {
     Stiffness RotationalStiffness
     /// Speed, m/s or rad/s.
     Speed AngularSpeed
+    /// Damping, N·s/m or N·m·s/rad.
+    Damping RotationalDamping
 }
 
 /// Defines types for three numbers of a dimension, in SI units.

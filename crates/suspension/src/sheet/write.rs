@@ -1,6 +1,6 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
-use super::catalogue::HEAD;
+use super::catalogue::{DAMPER, HEAD};
 use super::catalogue::{description_of, keys, templates, universal_links};
 use super::template::{Shape, Template, symmetric_matrix};
 use crate::corner::CHASSIS;
@@ -204,6 +204,21 @@ impl SheetWriter<'_> {
         for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
             self.write_line(&format!("[{section}]"));
             self.write_key("on", &format!("\"{link}\""), "");
+            let forces = match &**section {
+                DAMPER => {
+                    "# damping = \"1500 N·s/m\"   or speeds = [-1.0, 0.0, 0.5] (m/s) and forces = [-900, 0, 1300] (N), positive in rebound"
+                }
+                stop if STOPS.contains(&stop) => {
+                    "# deflections and forces (N), [0, …] each; or coefficients, exponents and to: sum of c x^p in N"
+                }
+                spring if spring.ends_with("spring") => {
+                    "# rate = \"28 N/mm\" and preload = 3200 (N, compressed): for kinematics and impacts in time"
+                }
+                _ => "",
+            };
+            if !forces.is_empty() {
+                self.write_line(forces);
+            }
             let Some((_, gap)) = template.gaps.iter().find(|(stop, _)| stop == section) else { continue };
             let gap = self.length_text(*gap);
             self.write_key("gap", &gap, "at the design position; default: the distance of its points");
@@ -211,6 +226,7 @@ impl SheetWriter<'_> {
         self.write_line("# A stop may have the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
         self.write_line("# Any other contact: [contact.NAME] with point and direction, [x, y, z], on (a link); optional: against, gap.");
         self.write_line("# A stop on the rod of the damper has on = \"damper\", a gap (a change of the damper's length) and no points.");
+        self.write_line("# For impacts in time: [tyre] with vertical = \"210 N/mm\", damping; stiffness = \"12 N·m/deg\" in [anti_roll_bar].");
         if template.has_rack() {
             self.write_line("");
             self.write_line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
@@ -321,7 +337,7 @@ pub fn template_keys() -> String {
     row(
         "damper.damping`, or `damper.speeds`, `.forces",
         "with a unit: `\"1500 N·s/m\"`; or the force over the speed, two lists of the same length through 0, positive in rebound (the damper gets \
-         longer): for impacts in time",
+         longer; speeds in m/s, forces in N without a unit): for impacts in time",
         "all",
     );
     row(

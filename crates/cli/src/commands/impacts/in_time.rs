@@ -1,6 +1,6 @@
 //! Impact in time: facts, figure and CSV.
 
-use crate::commands::damp::{law_name, stiffness_text};
+use crate::commands::damp::{law_name, stiffness_text, unit_power};
 use crate::commands::impacts::bearings::place_name;
 use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
@@ -81,7 +81,7 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
         format!("{} ({rate} N/mm, {force})", spring.name)
     };
     let mut parts: Vec<String> = found.springs.iter().map(spring).collect();
-    parts.extend(found.dampers.iter().map(|damper| damper_name(&damper.name)));
+    parts.extend(found.dampers.iter().map(|damper| named("damper", &damper.name)));
     parts.extend(found.tyres.iter().map(tyre));
     parts.extend(found.anti_roll_bars.iter().map(bar));
     parts.extend(
@@ -111,19 +111,19 @@ fn bar(bar: &AntiRollBarRecord) -> String {
     format!("anti-roll bar ({} N·m/deg{other})", number(bar.stiffness.to_radians()))
 }
 
-/// Damper with its name.
-fn damper_name(name: &str) -> String {
-    if name.starts_with("damper") { name.to_owned() } else { format!("damper {name}") }
+/// Name of a spring or a damper, which starts with the kind.
+fn named(kind: &str, name: &str) -> String {
+    if name.starts_with(kind) { name.to_owned() } else { format!("{kind} {name}") }
 }
 
 /// What acts during the impact in time, as a sentence.
 pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> String {
     let mut parts: Vec<String> =
-        found.springs.iter().map(|spring| format!("the spring {}", spring.name)).collect();
+        found.springs.iter().map(|spring| format!("the {}", named("spring", &spring.name))).collect();
     if found.gravity_world != [0.0; 3] {
         parts.insert(0, "gravity".to_owned());
     }
-    parts.extend(found.dampers.iter().map(|damper| format!("the {}", damper_name(&damper.name))));
+    parts.extend(found.dampers.iter().map(|damper| format!("the {}", named("damper", &damper.name))));
     parts.extend(found.tyres.iter().map(|tyre| format!("the tyre at {}", tyre.name)));
     parts.extend(found.anti_roll_bars.first().map(|_| "the anti-roll bar".to_owned()));
     parts.extend(found.drives.iter().map(|drive| format!("the drive of {}", drive.name)));
@@ -140,6 +140,33 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
         ),
         false => format!("The impact in time includes {}.{left_out}", parts.join(", ")),
     }
+}
+
+/// Compression, contact time and damping: value and meaning.
+pub fn motion(report: &ImpactReport, found: &ImpactTimeRecord) -> Vec<(String, String)> {
+    let ContactUnits { force, length, small_length, .. } = ContactUnits::new(report.mass.contact.is_moment);
+    let depth = with_unit(1e3 * found.max_penetration, small_length);
+    let mut results = vec![(depth, format!("compression{}", mass_change(found)))];
+    results.push(match found.duration {
+        Some(duration) => (with_unit(1e3 * duration, "ms"), "contact time".to_owned()),
+        None => ("no rebound".to_owned(), "the sides do not separate".to_owned()),
+    });
+    let of = match found.restitution_is_reached {
+        true => "for this restitution with all forces",
+        false => "of the contact alone",
+    };
+    results.extend(found.dissipation.map(|d| (with_unit(d, "s/m"), format!("dissipation {of}"))));
+    results.extend(found.damping.map(|c| {
+        let exponent = report.contact_law.as_ref().and_then(|law| law.exponent).unwrap_or(1.0);
+        let power = unit_power(0.5 * (exponent + 1.0));
+        (format!("{} {force}·s/{length}{power}", number(c)), format!("damping {of}"))
+    }));
+    results
+}
+
+/// Name of the energy of a report.
+pub fn energy_name(report: &ImpactReport) -> &'static str {
+    if report.in_time.is_some() { "energy lost in the contact" } else { "energy lost" }
 }
 
 /// Energy that the contact takes, J: of the impact in time, if there is one.

@@ -200,7 +200,7 @@ fn has_drives(report: &ImpactReport) -> bool {
 pub fn results(report: &ImpactReport) -> Vec<(String, String)> {
     let is_moment = report.mass.contact.is_moment;
     let units = ContactUnits::new(is_moment);
-    let ContactUnits { mass: mass_unit, impulse, speed, force, small_length, .. } = units;
+    let ContactUnits { mass: mass_unit, impulse, speed, force, .. } = units;
     let what = if is_moment { "peak moment" } else { "peak force" };
     let at = report
         .mass
@@ -219,23 +219,20 @@ pub fn results(report: &ImpactReport) -> Vec<(String, String)> {
     if let Some(peak) = peak.or(report.contact_law.as_ref().map(|law| law.peak_force)) {
         results.push((load(peak, force), format!("{what}{at}{law}")));
     }
-    if let Some(found) = &report.in_time {
-        let depth = with_unit(1e3 * found.max_penetration, small_length);
-        results.push((depth, format!("compression{}", in_time::mass_change(found))));
-        results.push((with_unit(1e3 * found.duration, "ms"), "contact time".to_owned()));
-    }
+    results.extend(report.in_time.iter().flat_map(|found| in_time::motion(report, found)));
     let place = if results.is_empty() { &*at } else { "" };
     let instantaneous = if report.in_time.is_some() { " of the instantaneous impact" } else { "" };
     results.push((with_unit(report.impulse, impulse), format!("impulse{place}{instantaneous}")));
-    let reached = report.in_time.as_ref().map_or_else(
-        || number(report.restitution),
-        |found| format!("{} reached, {} requested", number(found.restitution), number(report.restitution)),
-    );
     let closing = with_unit(report.closing_speed, speed);
-    results.push((
-        with_unit(in_time::energy_lost(report), "J"),
-        format!("energy lost; closing speed {closing}, restitution {reached}"),
-    ));
+    let requested = number(report.restitution);
+    let lost = with_unit(in_time::energy_lost(report), "J");
+    if let Some(found) = &report.in_time {
+        let reached = format!("restitution reached, {requested} requested; closing speed {closing}");
+        results.push((number(found.restitution), reached));
+        results.push((lost, in_time::energy_name(report).to_owned()));
+    } else {
+        results.push((lost, format!("energy lost; closing speed {closing}, restitution {requested}")));
+    }
     if let Some(m) = report.mass.effective_mass {
         let sliding = match report.sticking_status {
             Some(Status::Finite) => "\n(sliding contact point)",

@@ -3,7 +3,7 @@
 use super::contact::uncertainty_words;
 use super::results::StudyResults;
 use crate::commands::damp::{self, law_name};
-use crate::commands::impacts::in_time::energy_lost;
+use crate::commands::impacts::in_time::{energy_lost, energy_name};
 use crate::commands::impacts::rigid_impact::bearings;
 use crate::commands::mass::conditions::other_base;
 use crate::commands::mass::{contributions, mass_text, moving_mass};
@@ -176,9 +176,11 @@ fn impact_numbers(report: &ImpactReport) -> Vec<MainNumber> {
     let peak = time.map(|found| found.peak_force).or(report.contact_law.as_ref().map(|law| law.peak_force));
     let note = time.map_or_else(String::new, |found| {
         format!(
-            "compression {} {small_length}, contact time {} ms",
+            "compression {} {small_length}, {}",
             number(1e3 * found.max_penetration),
-            number(1e3 * found.duration)
+            found
+                .duration
+                .map_or("no rebound".to_owned(), |t| format!("contact time {} ms", number(1e3 * t)))
         )
     });
     let peak =
@@ -189,7 +191,7 @@ fn impact_numbers(report: &ImpactReport) -> Vec<MainNumber> {
         note: format!("restitution {}", number(report.restitution)),
     };
     let lost = MainNumber {
-        label: format!("energy lost {at}"),
+        label: format!("{} {at}", energy_name(report)),
         value: with_unit(energy_lost(report), "J"),
         note: String::new(),
     };

@@ -3,7 +3,9 @@
 use crate::error::{LawParameter, not_negative, positive};
 use crate::exports::linear::Linear;
 use crate::exports::{ExportError, ImpactFunction, Options, Request, Tool};
-use crate::{CompliantContact, ContactLawError, Damper, Separation, StiffnessLaw, limits};
+use crate::stepping::{MOST_STEPS, STEPS, Stepping};
+use crate::{CompliantContact, ContactLawError, Damper, Impact, Separation, StiffnessLaw, limits};
+use std::f64::consts::PI;
 
 /// Contact as a simulator integrates it, in the limit of small time steps. Implicit Euler adds the damping of its step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,8 @@ pub enum ContactModel<'a> {
         /// d, m.
         depth: f64,
     },
+    /// MuJoCo's spring and damper with an impedance.
+    Impedance(Impedance),
     /// Newton's restitution.
     Rigid {
         /// Coefficient of restitution.
@@ -29,6 +33,92 @@ pub enum ContactModel<'a> {
         /// Approach speed below which there is no rebound, m/s.
         slowest: f64,
     },
+}
+
+/// Contact of MuJoCo: F = s(x) (b ẋ + κ d(x) x) m̄, not below 0, s = d/(d + (1−d)α). The impedance d(x) increases from d₀ to d_w over the width w
+/// by two powers that meet at the midpoint; κ = ω²/d_w², b = 2ζω/d_w. Sources as in the facts of the tool (`mj_makeImpedance`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impedance {
+    /// m̄, kg.
+    pub(in crate::exports) mass: f64,
+    /// ω², 1/s², and 2ζω, 1/s.
+    pub(in crate::exports) per_mass: [f64; 2],
+    /// d₀, d_w, w (m), midpoint, power.
+    pub(in crate::exports) solimp: [f64; 5],
+    /// α.
+    pub(in crate::exports) diagonal_ratio: f64,
+}
+
+impl Impedance {
+    /// d at a penetration (m).
+    fn at(&self, penetration: f64) -> f64 {
+        let [first, last, width, middle, power] = self.solimp;
+        let part = if width > 0.0 { (penetration.max(0.0) / width).min(1.0) } else { 1.0 };
+        let rise = if power == 1.0 {
+            part
+        } else if part <= middle {
+            middle * (part / middle).powf(power)
+        } else {
+            1.0 - (1.0 - middle) * ((1.0 - part) / (1.0 - middle)).powf(power)
+        };
+        first + rise * (last - first)
+    }
+
+    /// Force (N) at a penetration (m) and its rate (m/s).
+    fn force(&self, penetration: f64, rate: f64) -> f64 {
+        let (d, last) = (self.at(penetration), self.solimp[1]);
+        let pull =
+            self.per_mass[1] / last * rate + self.per_mass[0] / (last * last) * d * penetration.max(0.0);
+        self.mass * (d / (d + (1.0 - d) * self.diagonal_ratio) * pull).max(0.0)
+    }
+
+    /// Linear contact if the impedance is constant.
+    fn linear(&self) -> Result<Option<(CompliantContact<'static>, Damper)>, ContactLawError> {
+        let [first, last, ..] = self.solimp;
+        if first != last {
+            return Ok(None);
+        }
+        let [stiffness, damping] =
+            self.per_mass.map(|x| x * self.mass / (last + (1.0 - last) * self.diagonal_ratio));
+        let contact = CompliantContact::new(self.mass, stiffness)?;
+        let damper = Damper::kelvin_voigt_from_coefficient(contact, damping, Separation::ForceVanishes)?;
+        Ok(Some((contact, damper)))
+    }
+
+    /// Impact at an approach speed (m/s), integrated with fixed steps for a variable impedance.
+    fn impact(&self, speed: f64) -> Result<Impact, ContactLawError> {
+        if let Some((contact, damper)) = self.linear()? {
+            return damper.impact(contact, speed);
+        }
+        let force = |x: f64, v: f64| self.force(x, v);
+        let stiffest = self.per_mass[0] / self.solimp[1].min(self.solimp[0]);
+        // Half a period, and the decay of a strong damper.
+        let step = PI / stiffest.sqrt().max(self.per_mass[1]) / STEPS;
+        let motion = Stepping {
+            force: &force,
+            ends_at_zero_force: self.per_mass[1] > 0.0,
+            corners: &self.solimp[2..3],
+            step,
+            speed,
+            beside: &|_, _| 0.0,
+            most_steps: MOST_STEPS,
+        };
+        Ok(motion.impact(self.mass))
+    }
+
+    /// Penetration (m) at rest under a force (N): κ d² x = (1−d) α F/m̄. The force acts on the row too, so it is not F/k.
+    fn penetration_at_rest(&self, force: f64) -> f64 {
+        let [first, last, width, ..] = self.solimp;
+        let side = |d: f64| {
+            (1.0 - d) / (d * d) * self.diagonal_ratio * force * last * last / self.mass / self.per_mass[0]
+        };
+        let (mut low, mut high) = (0.0, side(first.min(last)).max(width));
+        for _ in 0..limits::MAX_SEARCH_STEPS {
+            let middle = 0.5 * (low + high);
+            *(if side(self.at(middle)) > middle { &mut low } else { &mut high }) = middle;
+        }
+        high
+    }
 }
 
 /// Contact in one solver of a simulator.
@@ -70,6 +160,13 @@ impl<'a> SimulatedContact<'a> {
     /// Contact of the only solver, without an error bound.
     pub fn of(model: ContactModel<'a>) -> Self {
         Self { solver: "", model, step: Step::Unknown }
+    }
+
+    /// Contact of MuJoCo for a time step (s), if given. Error: a number out of range.
+    pub(in crate::exports) fn of_impedance(row: Impedance, step: Option<f64>) -> Result<Self, ExportError> {
+        row.linear()?;
+        let step = step.map_or(Step::Unknown, Step::Explicit);
+        Ok(Self { step, ..Self::of(ContactModel::Impedance(row)) })
     }
 
     /// Linear contact with the damping c (N·s/m) that ends when the force vanishes, for an explicit method with a time step (s), if given.
@@ -119,6 +216,18 @@ impl<'a> SimulatedContact<'a> {
                 let impact = damper.impact(contact, speed)?;
                 SimulatedImpact {
                     error_bound: self.error_bound(contact, impact.restitution),
+                    duration: impact.duration,
+                    max_penetration: Some(impact.max_penetration),
+                    peak_force: Some(impact.peak_force),
+                    ..rigid(impact.restitution)
+                }
+            }
+            ContactModel::Impedance(row) => {
+                let impact = row.impact(speed)?;
+                let linear = row.linear()?;
+                SimulatedImpact {
+                    error_bound: linear
+                        .and_then(|(contact, _)| self.error_bound(contact, impact.restitution)),
                     duration: impact.duration,
                     max_penetration: Some(impact.max_penetration),
                     peak_force: Some(impact.peak_force),
@@ -189,6 +298,7 @@ impl<'a> SimulatedContact<'a> {
                     })?)
                 }
             },
+            ContactModel::Impedance(row) => Some(row.penetration_at_rest(force)),
             ContactModel::Rigid { .. } => None,
         })
     }

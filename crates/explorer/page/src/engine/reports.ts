@@ -6,6 +6,10 @@ export interface AlongRecord {
   rows: number; unanswered: number; first_unanswered: number | null; row: number; slowest: SpeedRecord; pose: Record<string, number[]>;
 }
 
+export interface AntiRollBarRecord {
+  hinges: string[]; stiffness: number;
+}
+
 export interface BaseRateRecord {
   angular_before: Triple; linear_before: Triple; angular_after: Triple;
   linear_after: Triple;
@@ -93,7 +97,7 @@ export interface ExportRecord {
 }
 
 export interface ForceCurveRecord {
-  stop: string | null; deflections: number[]; forces: number[];
+  stop: string | null; deflections: number[]; forces: number[]; coefficients: number[]; exponents: number[];
 }
 
 export interface FrictionRecord {
@@ -137,11 +141,12 @@ export interface ImpactReport {
 }
 
 export interface ImpactTimeRecord {
-  restitution: number; duration: number; max_penetration: number; peak_force: number; mass_change: number | null;
-  one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[];
-  dampers: PointDamperRecord[]; drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[]; energy: EnergyRecord;
-  loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[]; effective_mass: (number | null)[];
-  joints: JointMotionRecord[]; bearings: BearingForceRecord[];
+  restitution: number; duration: number | null; max_penetration: number; peak_force: number; mass_change: number | null;
+  restitution_is_reached: boolean; damping: number | null; dissipation: number | null; one_freedom: VaryingMassImpact | null;
+  gravity_world: Triple; springs: PointSpringRecord[]; dampers: PointDamperRecord[]; tyres: TyreRecord[];
+  anti_roll_bars: AntiRollBarRecord[]; drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[];
+  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
+  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
 }
 
 export interface Input {
@@ -418,6 +423,10 @@ export interface TouchingRecord {
 
 export interface TravelRecord {
   motion: string; link: string | null; point: Triple | null; direction: Triple | null; distance: number;
+}
+
+export interface TyreRecord {
+  name: string; rate: number; damping: number; force_at_touch: number; leaves_road_at: number | null;
 }
 
 export interface VaryingMassImpact {

@@ -216,6 +216,12 @@ pub struct ImpactQuestion {
     /// effective mass, and the peak force of every bearing beside its estimate.
     #[cfg_attr(feature = "flags", arg(long, conflicts_with = "friction", help_heading = IMPACT))]
     pub in_time: bool,
+    /// Damping with which the impact in time reaches the restitution.
+    ///
+    /// With springs, dampers, tyre, drives and gravity as they act, and the effective mass over the stroke. Without it, the damping is that of
+    /// `percuss damp`, for the contact alone and the effective mass at the touch.
+    #[cfg_attr(feature = "flags", arg(long, requires = "in_time", help_heading = IMPACT))]
+    pub reach: bool,
     /// Gravity during the impact in time (m/s², world axes); default: none.
     #[cfg_attr(
         feature = "flags",
@@ -394,6 +400,7 @@ impl ImpactQuestion {
         }
         let needs = [
             ("impact.springs", self.springs.is_some(), "in_time", self.in_time),
+            ("impact.reach", self.reach, "in_time", self.in_time),
             ("impact.spring", !self.spring.is_empty(), "in_time", self.in_time),
             ("impact.damper", !self.damper.is_empty(), "in_time", self.in_time),
             ("impact.drive", !self.drive.is_empty(), "in_time", self.in_time),

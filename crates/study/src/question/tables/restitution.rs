@@ -6,7 +6,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::tables::damping::SeparationName;
 use crate::values::force_curve::GivenCurve;
-use crate::values::quantities::{Force, Plain, Speed, Stiffness};
+use crate::values::quantities::{Damping, Force, Plain, Speed, Stiffness};
 use crate::values::value;
 use percuss_contact::exports::{ContactModel, ExportError, SimulatedContact, Tool};
 use percuss_contact::{CompliantContact, Damper, Separation};
@@ -83,14 +83,14 @@ pub struct RestitutionQuestion {
         arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
     )]
     pub exponent: Option<Plain>,
-    /// Damping c of k x^p + c x^((p-1)/2) v (N·s/m).
+    /// Damping c of k x^p + c x^((p-1)/2) v, or beside a force curve (N·s/m).
     ///
-    /// With an exponent p the unit is N·s/m^((p+1)/2).
+    /// Units: N·s/m, N·s/mm; with an exponent p the number is in N·s/m^((p+1)/2).
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "C", allow_hyphen_values = true, conflicts_with = "tool", help_heading = IMPACT)
     )]
-    pub damping: Option<Plain>,
+    pub damping: Option<Damping>,
     /// Dissipation d of k x^p (1 + d v), s/m.
     #[cfg_attr(
         feature = "flags",
@@ -187,12 +187,19 @@ impl RestitutionQuestion {
                 "it is the end of a contact with `damping`; remove it, or give that".into(),
             );
         }
-        for (key, given) in
-            [("restitution.damping", self.damping), ("restitution.hunt_crossley", self.hunt_crossley)]
-        {
-            if let Some(Plain(given)) = given.filter(|given| !(given.0.is_finite() && given.0 >= 0.0)) {
+        let damping = self.damping.map(|damping| damping.0.value);
+        let dissipation = self.hunt_crossley.map(|dissipation| dissipation.0);
+        for (key, given) in [("restitution.damping", damping), ("restitution.hunt_crossley", dissipation)] {
+            if let Some(given) = given.filter(|given| !(given.is_finite() && *given >= 0.0)) {
                 return refuse(key, format!("{given:?}; expected a number of 0 or above"));
             }
+        }
+        if let Some(given) = self.damping
+            && (is_of_rotation(given.0, Dimension::Damping)
+                || given.0.dimension.is_some() && self.exponent() != 1.0)
+        {
+            let why = "its unit is not that of this contact; expected N·s/m, or a plain number in N·s/m^((p+1)/2) with an exponent p";
+            return refuse("restitution.damping", why.into());
         }
         if let Some(load) = self.load.filter(|load| !(load.0.is_finite() && load.0 >= 0.0)) {
             return refuse("restitution.load", format!("{:?}; expected a force of 0 or above", load.0));
@@ -241,7 +248,7 @@ impl RestitutionQuestion {
             Some(dissipation) => Damper::hunt_crossley(dissipation.0)?,
             None => {
                 let separation = self.separation.map_or(Separation::ForceVanishes, Separation::from);
-                let damping = self.damping.map_or(0.0, |damping| damping.0);
+                let damping = self.damping.map_or(0.0, |damping| damping.0.value);
                 Damper::kelvin_voigt_from_coefficient(contact, damping, separation)?
             }
         };

@@ -1,5 +1,7 @@
 //! Springs, dampers, tyres, anti-roll bars and drives during an impact in time.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{ElementForce, SheetElement, sheet_bars, sheet_elements, sheet_tyres};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
@@ -204,6 +206,33 @@ impl ActingForces {
             Some(PointDamperRecord { name: name.clone(), speeds, forces })
         };
         self.lines.iter().filter_map(record).collect()
+    }
+
+    /// Warnings about dampers that are faster than their force curves.
+    pub fn damper_findings(&self, touch: &Pose, found: &ImpactInTime) -> Vec<Finding> {
+        let mut pose = touch.clone();
+        let finding = |(name, line): &NamedSpring| {
+            let curve = line.damper.as_ref().filter(|curve| curve.speeds().len() > 2)?;
+            let mut lengths = Vec::with_capacity(found.samples.len());
+            for sample in &found.samples {
+                pose.move_to(&sample.positions, sample.base).ok()?;
+                let [a, b] = line.ends.map(|(link, point)| pose.link(link).point(&point));
+                lengths.push(((b - a).norm(), sample.time));
+            }
+            let pairs = lengths.windows(2).filter(|pair| pair[1].1 > pair[0].1);
+            let speed = |pair: &[(f64, f64)]| (pair[1].0 - pair[0].0) / (pair[1].1 - pair[0].1);
+            let (first, last) = (*curve.speeds().first()?, *curve.speeds().last()?);
+            let beyond = pairs.map(speed).map(|v| (v, (v - last).max(first - v)));
+            let (speed, beyond) = beyond.max_by(|a, b| a.1.total_cmp(&b.1))?;
+            (beyond > 0.0).then(|| {
+                let message = format!(
+                    "{name}: the damper reaches {speed:.2} m/s, and its force curve is given from {first:.2} to {last:.2} m/s; the last slope is \
+                     extrapolated"
+                );
+                Finding::about_result(FindingKind::ForceBeyondData, message)
+            })
+        };
+        self.lines.iter().filter_map(finding).collect()
     }
 
     /// Springs between points with their forces at the touch and at the end.

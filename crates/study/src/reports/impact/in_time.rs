@@ -8,13 +8,14 @@ use crate::damper::penetration::PenetrationPath;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::forces_in_time::{
     ActingForces, AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
-use crate::thresholds::{CREATED_RESTITUTION, STROKES};
+use crate::thresholds::{CREATED_RESTITUTION, REACHED_RESTITUTION, STEPS_TO_REACH, STROKES};
 use percuss_contact::{Damper, Separation, StiffnessLaw, VaryingMassImpact};
 use percuss_dynamics::Pose;
 use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time, peak_over_time};
@@ -71,10 +72,10 @@ pub struct EnergyRecord {
 /// Impact in time with a compliant contact.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactTimeRecord {
-    /// Restitution that is reached: separation speed divided by closing speed.
+    /// Restitution that is reached: separation speed divided by closing speed; 0 if the sides do not separate.
     pub restitution: f64,
-    /// Duration of the contact, s.
-    pub duration: f64,
+    /// Duration of the contact, s; null if the sides do not separate.
+    pub duration: Option<f64>,
     /// Largest penetration, m.
     pub max_penetration: f64,
     /// Largest force of the contact, N.
@@ -82,6 +83,12 @@ pub struct ImpactTimeRecord {
     /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there. The change is unbounded near a pose
     /// at which the contact is immovable.
     pub mass_change: Option<f64>,
+    /// True if the damping was found for the requested restitution of the impact in time, and false if it is that of the contact alone.
+    pub restitution_is_reached: bool,
+    /// Damping of the contact law, N·s/m^((p+1)/2); null for Hunt–Crossley.
+    pub damping: Option<f64>,
+    /// Dissipation of the contact law, s/m; null for a Kelvin–Voigt damper.
+    pub dissipation: Option<f64>,
     /// The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; null for others, with gravity, or if the
     /// motion ends before.
     pub one_freedom: Option<VaryingMassImpact>,
@@ -122,13 +129,13 @@ pub struct ImpactTimeRecord {
     pub bearings: Vec<BearingForceRecord>,
 }
 
-/// Impact in time; `None` unless requested.
+/// Impact in time, and findings about dampers; `None` unless requested.
 pub(crate) fn in_time(
     evaluated: &EvaluatedQuestion,
     impact: &ImpactQuestion,
     rigid: &RigidImpact,
     held: &[String],
-) -> Result<Option<ImpactTimeRecord>, StudyError> {
+) -> Result<Option<(ImpactTimeRecord, Vec<Finding>)>, StudyError> {
     let EvaluatedQuestion { prepared, pose, contact: touched, result } = evaluated;
     let law = impact.contact_law(rigid.closing_speed).filter(|_| impact.in_time);
     let Some(law) = law else { return Ok(None) };
@@ -136,7 +143,7 @@ pub(crate) fn in_time(
     let mass = result.response.effective_mass.kilograms();
     let mass = mass.ok_or_else(|| StudyError::NoDamper(no_damper(Status::Immovable)))?;
     let compliant = contact(&law, mass)?;
-    let damper = contact_damper(&law, compliant)?;
+    let mut damper = contact_damper(&law, compliant)?;
     let gravity = impact.gravity().unwrap_or_default();
     let acting = ActingForces::new(evaluated, impact)?;
     let conditions = TimeConditions {
@@ -155,9 +162,16 @@ pub(crate) fn in_time(
         },
         samples_within_steps: SAMPLES_WITHIN_STEPS,
     };
-    let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
-    let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)
-        .map_err(|error| impact_error(error, impact))?;
+    let run = |damper: Damper, conditions: &TimeConditions| {
+        let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
+        impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, conditions)
+            .map_err(|error| impact_error(error, impact))
+    };
+    if impact.reach {
+        let coarse = TimeConditions { samples_within_steps: 0, ..conditions.clone() };
+        damper = reaching(damper, impact.restitution(), &|damper| Ok(run(damper, &coarse)?.restitution))?;
+    }
+    let found = run(damper, &conditions)?;
     let is_single = pose.degrees_of_freedom() == 1 && prepared.other_mass().is_none();
     let is_free = impact.gravity.is_empty() && acting.is_empty();
     let one_freedom = if is_single && is_free {
@@ -174,11 +188,21 @@ pub(crate) fn in_time(
     let drives = acting.drive_records(pose, &found);
     let work: f64 = drives.iter().map(|drive| drive.work).sum();
     let effective_weight = (!drives.is_empty()).then(|| mass + 2.0 * work / rigid.closing_speed.powi(2));
-    Ok(Some(ImpactTimeRecord {
+    let of_dampers = acting.damper_findings(pose, &found);
+    let record = ImpactTimeRecord {
         restitution: found.restitution,
-        duration: found.duration,
+        duration: found.separates.then_some(found.duration),
         max_penetration: found.max_penetration,
         peak_force: found.peak_force,
+        restitution_is_reached: impact.reach,
+        damping: match damper {
+            Damper::KelvinVoigt { coefficient, .. } => Some(coefficient),
+            Damper::HuntCrossley { .. } => None,
+        },
+        dissipation: match damper {
+            Damper::HuntCrossley { dissipation } => Some(dissipation),
+            Damper::KelvinVoigt { .. } => None,
+        },
         mass_change: found.mass_at_max_penetration.zip(own.kilograms()).map(|(most, m)| most / m - 1.0),
         one_freedom,
         gravity_world: gravity,
@@ -204,7 +228,71 @@ pub(crate) fn in_time(
         effective_mass: found.samples.iter().map(|s| s.effective_mass).collect(),
         joints: joints(pose, &found),
         bearings: bearings(pose, &found, rigid, held),
-    }))
+    };
+    Ok(Some((record, of_dampers)))
+}
+
+/// Damper of the kind of `start` with which the impact in time reaches a restitution. `restitution` of a damper; it falls with the damping.
+///
+/// # Errors
+/// [`StudyError`]: those of the impact; a restitution that no damping reaches.
+fn reaching(
+    start: Damper,
+    wanted: f64,
+    restitution: &dyn Fn(Damper) -> Result<f64, StudyError>,
+) -> Result<Damper, StudyError> {
+    let with = |x: f64| match start {
+        Damper::KelvinVoigt { separation, ratio, coefficient } => {
+            let unit = if coefficient > 0.0 { ratio / coefficient } else { 0.0 };
+            Damper::KelvinVoigt { separation, ratio: unit * x, coefficient: x }
+        }
+        Damper::HuntCrossley { .. } => Damper::HuntCrossley { dissipation: x },
+    };
+    let first = match start {
+        Damper::KelvinVoigt { coefficient, .. } => coefficient,
+        Damper::HuntCrossley { dissipation } => dissipation,
+    };
+    let elastic = restitution(with(0.0))?;
+    if elastic <= wanted + REACHED_RESTITUTION {
+        if (elastic - wanted).abs() <= REACHED_RESTITUTION {
+            return Ok(with(0.0));
+        }
+        let why = format!(
+            "no damping of the contact reaches {wanted}: without damping the impact in time has {elastic:.4}, because of the other forces and \
+             the change of the effective mass; expected a smaller restitution"
+        );
+        return Err(StudyError::input(Field::Restitution, why));
+    }
+    // The excess over the wanted restitution is above 0 at `low` and below 0 at `high`.
+    let (mut low, mut high) = ((0.0, elastic - wanted), (first.max(f64::MIN_POSITIVE), f64::NAN));
+    for _ in 0..STEPS_TO_REACH {
+        high.1 = restitution(with(high.0))? - wanted;
+        if high.1 <= 0.0 {
+            break;
+        }
+        (low, high.0) = (high, 2.0 * high.0);
+    }
+    if high.1 > 0.0 {
+        let why = format!("no damping reaches {wanted}; the impact in time has still {:.4}", high.1 + wanted);
+        return Err(StudyError::input(Field::Restitution, why));
+    }
+    // Illinois method.
+    let mut side = 0;
+    for _ in 0..STEPS_TO_REACH {
+        let middle = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let value = restitution(with(middle))? - wanted;
+        if value.abs() <= REACHED_RESTITUTION {
+            return Ok(with(middle));
+        }
+        if value > 0.0 {
+            (low, high.1) = ((middle, value), if side == 1 { 0.5 * high.1 } else { high.1 });
+            side = 1;
+        } else {
+            (high, low.1) = ((middle, value), if side == -1 { 0.5 * low.1 } else { low.1 });
+            side = -1;
+        }
+    }
+    Ok(with(low.0))
 }
 
 /// Warning about an impact in time whose separation speed is larger than the closing speed.

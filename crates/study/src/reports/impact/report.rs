@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
-use crate::damper::damping::damper;
+use crate::damper::damping::{beyond_curve, damper};
 use crate::damper::sheet_forces::with_sheet_curve;
 use crate::evaluation::contact_point::{contact_without_point, require_contact_point};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -252,8 +252,15 @@ pub fn impact(
     if let Some(law) = &mut contact_law {
         law.motion_force = motion_force(&evaluated, &rigid, &held, &reactions);
     }
-    let in_time = in_time(&evaluated, impact, &rigid, &held)?;
-    diagnostics.extend(in_time.iter().filter_map(restitution_finding).map(DiagnosticRecord::from));
+    let (in_time, of_dampers) = in_time(&evaluated, impact, &rigid, &held)?.unzip();
+    if let Some(found) = &in_time {
+        // The impact in time has these effects.
+        let estimated = [FindingKind::SpringsAct, FindingKind::MassDrifts, FindingKind::ForceBeyondData];
+        diagnostics.retain(|found| !estimated.iter().any(|kind| kind.code() == found.code));
+        diagnostics.extend(beyond_curve(impact.stiffness_curve.as_ref(), Some(found.max_penetration)));
+        let findings = restitution_finding(found).into_iter().chain(of_dampers.into_iter().flatten());
+        diagnostics.extend(findings.map(DiagnosticRecord::from));
+    }
     let posed = PosedModel::from(&evaluated);
     let (reflected_inertia, of_drivers) = reflected(&posed, &impact.reflected)?;
     let (reflected_over, found) = reflected_over(&posed, &impact.reflected)?;

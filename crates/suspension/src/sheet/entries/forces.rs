@@ -5,7 +5,7 @@ use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::forces::{ForceElements, SpringForce, TyreForce};
 use crate::limits::{
-    MAX_CURVE_POINTS, MAX_POWERS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES, TYRE_RATES,
+    DAMPER_SPEEDS, MAX_CURVE_POINTS, MAX_POWERS, PRELOADS, SPRING_RATES, STOP_DEPTHS, STOP_FORCES, TYRE_RATES,
 };
 use crate::sheet::catalogue::DAMPER;
 use crate::units::short;
@@ -146,6 +146,18 @@ impl Entries {
         let speeds = self.numbers(findings, "damper.speeds", Quantity::Speed, &counts);
         let forces = self.numbers(findings, "damper.forces", Quantity::Force, &counts);
         let spot = [&damping, &speeds, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next()?;
+        if let Some((speeds, spot)) = &speeds
+            && let Some(fastest) = speeds.iter().map(|v| v.abs()).reduce(f64::max)
+            && !DAMPER_SPEEDS.contains(&fastest)
+        {
+            let message = format!(
+                "the fastest speed is {} m/s; the curve of a damper usually ends between {} and {} m/s: check the unit, m/s without one",
+                short(fastest),
+                DAMPER_SPEEDS.start(),
+                DAMPER_SPEEDS.end()
+            );
+            findings.warning("implausible-curve", spot, message);
+        }
         let curve = match (damping, speeds, forces) {
             (Some((damping, _)), None, None) => DamperCurve::linear(damping[0]),
             (None, Some((speeds, _)), Some((forces, _))) => DamperCurve::new(speeds, forces),

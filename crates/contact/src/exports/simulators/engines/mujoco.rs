@@ -1,7 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct and in the standard format.
 
 use crate::exports::linear::Linear;
-use crate::exports::simulators::simulated::{Given, SimulatedContact};
+use crate::exports::simulators::simulated::{Given, Impedance, SimulatedContact};
 use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
@@ -217,17 +217,26 @@ fn add_assumptions(export: &mut Export, request: &Request, linear: &Linear) {
 /// Contact of given parameters.
 pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'static>>, ExportError> {
     let solref = given.numbers::<2>("solref")?.ok_or_else(|| given.refuse("solref", "it is required"))?;
-    let [d, dw, _] = given.numbers::<3>("solimp")?.unwrap_or([0.9, 0.95, 0.001]);
-    if d != dw || !(0.0001..=0.9999).contains(&d) {
-        let why = "the impedance changes with the penetration, and the law is not linear; expected the same number twice, from 0.0001 to 0.9999 \
-            (without solimp: 0.9 0.95)";
+    let solimp = match given.numbers::<5>("solimp") {
+        Ok(numbers) => numbers.unwrap_or([0.9, 0.95, 0.001, 0.5, 2.0]),
+        Err(_) => {
+            let [first, last, width] = given.numbers::<3>("solimp")?.unwrap_or_default();
+            [first, last, width, 0.5, 2.0]
+        }
+    };
+    // MuJoCo clips the impedances and the midpoint to this range.
+    let range = 0.0001..=0.9999;
+    let [first, last, width, middle, power] = solimp;
+    if ![first, last, middle].iter().all(|d| range.contains(d)) || width < 0.0 || power < 1.0 {
+        let why = format!(
+            "{solimp:?}; expected two impedances and a midpoint from 0.0001 to 0.9999, a width of at least 0, a power of at least 1"
+        );
         return Err(given.refuse("solimp", why));
     }
     let alpha = given.optional("diagonal_ratio")?.unwrap_or(1.0);
     let step = given.optional("timestep")?;
-    let scale = d + (1.0 - d) * alpha;
-    // Both formats give the acceleration −(ω² x + 2ζω ẋ) d/(d + (1−d)α), with ω² and 2ζω divided by d.
-    let [per_square, per_second] = match solref {
+    // Both formats give the acceleration −(ω² x d(x)/d_w² + 2ζω ẋ/d_w) d/(d + (1−d)α).
+    let per_mass = match solref {
         [stiffness, damping] if stiffness < 0.0 && damping <= 0.0 => [-stiffness, -damping],
         [timeconst, dampratio] if timeconst > 0.0 && dampratio > 0.0 => {
             // refsafe raises a time constant below two steps.
@@ -241,6 +250,12 @@ pub(crate) fn simulated(given: &mut Given) -> Result<Vec<SimulatedContact<'stati
             return Err(given.refuse("solref", why));
         }
     };
-    let of_mass = given.mass() / scale;
-    Ok(vec![SimulatedContact::explicit(given, of_mass * per_square, of_mass * per_second, step)?])
+    if let Some(step) = step.filter(|step| *step <= 0.0) {
+        return Err(given.refuse("timestep", format!("{step:?}; expected a number above 0")));
+    }
+    if alpha <= 0.0 {
+        return Err(given.refuse("diagonal_ratio", format!("{alpha:?}; expected a number above 0")));
+    }
+    let row = Impedance { mass: given.mass(), per_mass, solimp, diagonal_ratio: alpha };
+    Ok(vec![SimulatedContact::of_impedance(row, step)?])
 }
