@@ -256,7 +256,7 @@ pub(crate) fn with_sheet_curve(
     damping: &DampingQuestion,
 ) -> Result<(DampingQuestion, Option<Finding>), StudyError> {
     let mut damping = damping.clone();
-    let of_sheet = sheet_curve(evaluated.prepared.model, evaluated.prepared.question)?
+    let of_sheet = sheet_curve(evaluated.prepared.model, &evaluated.prepared.question)?
         .filter(|_| damping.options.stop.is_none());
     let finding = match of_sheet {
         Some(given) if damping.has_stiffness() => (damping.stiffness_curve.as_ref() != Some(&given)).then(|| {
