@@ -280,11 +280,12 @@ def impact(
     gear_limit: Mapping[str, Position] | None = None,
     point_error: float | None = None,
     joint_spring: Mapping[str, Position] | None = None,
-    stiffness_curve: Mapping[str, Sequence[float]] | None = None,
+    stiffness_curve: Mapping[str, Sequence[float] | float] | None = None,
     springs: Literal["change", "full", "none"] | None = None,
     spring: Sequence[str] = (),
     damper: Sequence[str] = (),
     drive: Sequence[str] = (),
+    reach: bool = False,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -305,7 +306,8 @@ def impact(
     sheet during the impact in time, "change" (default; change of their forces since the touch), "full" (with the preload) or "none".
     spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
-    "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). As ``percuss impact``."""
+    "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
+    forces. As ``percuss impact``."""
     model, request = asked(
         model, contact, conditions,
         impact={
@@ -313,7 +315,8 @@ def impact(
             "also": [one if isinstance(one, str) else "contact" for one in also], "also_restitution": also_restitution,
             "sticking": sticking, "stiffness_ratio": stiffness_ratio, "contact_exponent": contact_exponent, "rates": rates,
             "base_twist": base_twist, "stiffness": stiffness, "exponent": exponent,
-            "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive, "in_time": in_time, "gravity": gravity,
+            "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive,
+            "in_time": in_time, "reach": reach, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
             "reflected": reflected, "percussion": percussion,
         },

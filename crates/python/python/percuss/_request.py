@@ -65,7 +65,7 @@ class Damping:
 
     restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad for the stop of a revolute joint); default: the force curve
     of the stop in a suspension sheet. exponent: p of the spring's force k x^p, default 1 unless the law has another exponent.
-    stiffness_curve: force curve in place of a stiffness, {"deflections": m, increasing from 0, "forces": N}. speed: approach
+    stiffness_curve: force curve in place of a stiffness, {"deflections": m, increasing from 0, "forces": N}, or {"coefficients": N/m^p, "exponents": p, "to": m}. speed: approach
     speed, m/s. law: a name of laws(), default "kelvin-voigt", on a force curve "hunt-crossley". separation: "force" (the contact ends when the force vanishes) or "gap". tools: simulators whose parameters
     are computed, names of tools(), or ("all",). accuracy: permitted error of a simulator's restitution. time_step: time
     step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
@@ -86,7 +86,7 @@ class Damping:
     other_own_mass: float | None = None
     diagonal_ratio: float | None = None
     closed_loops: bool | None = None
-    stiffness_curve: Mapping[str, Sequence[float]] | None = None
+    stiffness_curve: Mapping[str, Sequence[float] | float] | None = None
 
     def __post_init__(self) -> None:
         check_fields(self)
