@@ -256,7 +256,7 @@ def compare_study(path: str | os.PathLike[str], name: str = "as given") -> recor
 def impact(
     model: Of,
     contact: Contact | str,
-    restitution: float,
+    restitution: float | None = None,
     conditions: Conditions | None = None,
     *,
     speed: float | None = None,
@@ -286,6 +286,8 @@ def impact(
     damper: Sequence[str] = (),
     drive: Sequence[str] = (),
     reach: bool = False,
+    damping: float | None = None,
+    hunt_crossley: float | None = None,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -307,7 +309,7 @@ def impact(
     spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
     "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
-    forces. As ``percuss impact``."""
+    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. As ``percuss impact``."""
     model, request = asked(
         model, contact, conditions,
         impact={
@@ -318,7 +320,7 @@ def impact(
             "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive,
             "in_time": in_time, "reach": reach, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
-            "reflected": reflected, "percussion": percussion,
+            "reflected": reflected, "percussion": percussion, "damping": damping, "hunt_crossley": hunt_crossley,
         },
     )
     contacts = [None if isinstance(one, str) else one for one in also]

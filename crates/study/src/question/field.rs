@@ -150,6 +150,10 @@ fields! {
     Direction = "--direction", "safe_speed.direction";
     /// Coefficient of restitution of an impact.
     Restitution = "--restitution", "impact.restitution";
+    /// Damping of the contact of an impact.
+    ImpactDamping = "--damping", "impact.damping";
+    /// Dissipation of the contact of an impact.
+    ImpactDissipation = "--hunt-crossley", "impact.hunt_crossley";
     /// Closing speed of an impact.
     ClosingSpeed = "--speed", "impact.speed";
     /// Stiffness of the contact of an impact.

@@ -227,7 +227,8 @@ pub fn results(report: &ImpactReport) -> Vec<(String, String)> {
     let requested = number(report.restitution);
     let lost = with_unit(in_time::energy_lost(report), "J");
     if let Some(found) = &report.in_time {
-        let reached = format!("restitution reached, {requested} requested; closing speed {closing}");
+        let of = if found.restitution_is_reached { "as requested" } else { "for the contact alone" };
+        let reached = format!("restitution reached, {requested} {of}; closing speed {closing}");
         results.push((number(found.restitution), reached));
         results.push((lost, in_time::energy_name(report).to_owned()));
     } else {

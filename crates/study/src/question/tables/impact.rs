@@ -10,7 +10,7 @@ use crate::values::force_curve::GivenCurve;
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::point_force::{GivenDrive, GivenPointDamper, GivenPointSpring};
-use crate::values::quantities::{Length, Plain, Ratio, Speed, Stiffness};
+use crate::values::quantities::{Damping, Length, Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, NumberOrText, PositionText, Words};
 use percuss_impact::RestitutionLaw;
@@ -97,13 +97,40 @@ pub struct ImpactQuestion {
         arg(
             long,
             value_name = "E",
-            required_unless_present = "reflected",
+            required_unless_present_any = ["reflected", "damping", "hunt_crossley"],
             allow_hyphen_values = true,
             help_heading = IMPACT
         )
     )]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
+    /// Damping of the contact, in place of a restitution: c of k x^p + c x^((p-1)/2) v, or beside a force curve (N·s/m).
+    ///
+    /// The restitution is that of this damping for the effective mass at the touch and the closing speed. Units: N·s/m, N·s/mm; with an
+    /// exponent p the number is in N·s/m^((p+1)/2).
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "C",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["restitution", "law", "reach"],
+            help_heading = IMPACT
+        )
+    )]
+    pub damping: Option<Damping>,
+    /// Dissipation of the contact, in place of a restitution: d of k x^p (1 + d v), or of a force curve (s/m).
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "D",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["restitution", "damping", "law", "reach"],
+            help_heading = IMPACT
+        )
+    )]
+    pub hunt_crossley: Option<Plain>,
     /// Closing speed before the impact (m/s, km/h).
     ///
     /// Without rates, the motion of least energy with this speed is assumed. With rates, the speed follows from them; a given
@@ -367,8 +394,23 @@ impl ImpactQuestion {
     /// [`InvalidKey`]: missing restitution, keys without an effect, or a law that contradicts the exponent.
     pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
-        if self.restitution.is_none() {
-            return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
+        let damping = self.damping.map(|damping| damping.0.value);
+        let given = [("impact.damping", damping), ("impact.hunt_crossley", self.hunt_crossley.map(|d| d.0))];
+        let given = given.iter().filter_map(|(key, value)| Some((*key, (*value)?)));
+        let given: Vec<(&'static str, f64)> = given.collect();
+        match (self.restitution, &given[..]) {
+            (None, []) => {
+                return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
+            }
+            (_, [_, (key, _)]) => return refuse(key, "`damping` is given too; remove one"),
+            (Some(_), [(key, _)]) => return refuse(key, "`restitution` is given too; remove one"),
+            (None, [(key, value)]) if !(value.is_finite() && *value >= 0.0) => {
+                return refuse(key, "expected a number of 0 or above");
+            }
+            (None, [(key, _)]) if self.law.is_some() || self.reach => {
+                return refuse(key, "it gives the law and the damping; remove `law` and `reach`");
+            }
+            _ => {}
         }
         let has = |numbers: &[f64], count| numbers.len() == count && numbers.iter().all(|x| x.is_finite());
         if !self.base_twist.is_empty() && !has(&self.base_twist, 6) {

@@ -2,8 +2,8 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::damped_contact::damping_report;
-use crate::damper::damping::{beyond_curve, damper};
+use crate::damper::damped_contact::{damping_report, finite_mass};
+use crate::damper::damping::{beyond_curve, contact, damper};
 use crate::damper::sheet_forces::with_sheet_curve;
 use crate::evaluation::contact_point::{contact_without_point, require_contact_point};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -34,12 +34,15 @@ use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous, uni
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
 use crate::values::force_curve::ForceCurveRecord;
+use crate::values::quantities::Ratio;
+use percuss_contact::{Damper, Law};
 use percuss_dynamics::{Base, Pose};
 use percuss_impact::{
     DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, forces_of_motion, held_point_mass,
     rates_from_drivers,
 };
 use percuss_spatial::{Twist, Vector3};
+use percuss_units::Dimension;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -212,6 +215,7 @@ pub fn impact(
     }
     let (speed, before) = motion_before(&evaluated, impact)?;
     let is_given = before.is_some();
+    let impact = &with_restitution(&evaluated, impact, speed)?;
     let rigid = match impact.friction() {
         None => RigidImpact::new(pose, response, speed, impact.restitution(), before),
         Some(friction) => {
@@ -322,6 +326,45 @@ fn with_curve_of_sheet(
         return Err(StudyError::input(Field::ImpactStiffness, why));
     }
     Ok((ImpactQuestion { stiffness_curve: law.stiffness_curve, ..impact.clone() }, finding))
+}
+
+/// Question with the restitution of its damping at the closing speed (m/s), if a damping is given.
+fn with_restitution(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+    speed: f64,
+) -> Result<ImpactQuestion, StudyError> {
+    let (field, law) = match (impact.damping, impact.hunt_crossley) {
+        (Some(_), _) => (Field::ImpactDamping, Law::KelvinVoigt),
+        (None, Some(_)) => (Field::ImpactDissipation, Law::HuntCrossley),
+        _ => return Ok(impact.clone()),
+    };
+    let Some(question) = impact.contact_law(speed) else {
+        let why = "it requires the stiffness of the contact, or a force curve (of a stop in a suspension sheet, or given)";
+        return Err(StudyError::input(field, why));
+    };
+    let compliant = contact(&question, finite_mass(evaluated)?)?;
+    let damper = match (impact.damping, impact.hunt_crossley) {
+        (Some(damping), _) => {
+            let given = damping.0.dimension;
+            let expected = if evaluated.result.response.contact.is_moment {
+                Dimension::RotationalDamping
+            } else {
+                Dimension::Damping
+            };
+            if given.is_some_and(|found| found != expected || question.exponent() != 1.0) {
+                let why = format!(
+                    "its unit is not that of this contact; expected {}, or a plain number with an exponent",
+                    expected.si_unit()
+                );
+                return Err(StudyError::input(field, why));
+            }
+            Damper::kelvin_voigt_from_coefficient(compliant, damping.0.value, question.separation())?
+        }
+        (None, dissipation) => Damper::hunt_crossley(dissipation.map_or(0.0, |dissipation| dissipation.0))?,
+    };
+    let restitution = Some(Ratio(damper.restitution(compliant, speed)?));
+    Ok(ImpactQuestion { restitution, law: Some(law.into()), ..impact.clone() })
 }
 
 /// Refuses results that require a contact point, for a contact without one.
