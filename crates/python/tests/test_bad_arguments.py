@@ -118,7 +118,7 @@ CASES: dict[str, Call] = {
         percuss.compare,
         {"designs": [percuss.Design("a", ARM, TOOL), percuss.Design("b", ARM, TOOL)], **ROWS},
     ),
-    "compare_study": Call(percuss.compare_study, {"path": VARIANTS, "name": "as given"}),
+    "compare_study": Call(percuss.compare_study, {"path": VARIANTS}),
     "impact": Call(
         percuss.impact,
         {"model": ARM, "contact": TOOL, "restitution": 0.5, "conditions": None, "speed": 1.0, "friction": None, "rates": None,

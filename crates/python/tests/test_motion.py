@@ -302,10 +302,10 @@ def test_designs_side_by_side() -> None:
 def test_a_study_with_variants(tmp_path) -> None:  # type: ignore[no-untyped-def]
     study = tmp_path / "study.toml"
     study.write_text(
-        f'[model]\npath = "{ROOT}/models/six_r_arm.urdf"\n[contact]\nlink = "tool"\npoint = [0.08, 0, 0]\nnormal = [0, 1, 0]\n'
+        f'[model]\npath = "{ROOT}/models/six_r_arm.urdf"\nname = "arm"\n[contact]\nlink = "tool"\npoint = [0.08, 0, 0]\nnormal = [0, 1, 0]\n'
         '[[variant]]\nname = "light tool"\nlink_mass = { tool = "0.2kg" }\n'
     )
-    report = percuss.compare_study(study, "arm")
+    report = percuss.compare_study(study)
     assert [design["name"] for design in report.designs] == ["arm", "light tool"]
     model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
     light = model.changed(link_mass={"tool": 0.2}).pose().respond(contact).effective_mass

@@ -83,9 +83,15 @@ fn designs_of_studies(args: &CompareArgs) -> Result<(Vec<Design>, Vec<ComparedSt
         ));
     }
     let (mut designs, mut studies) = (Vec::new(), Vec::new());
-    for (path, name) in args.designs.iter().zip(design_names(&args.designs)) {
-        let study = StudyFile::load(path, args.reading.max_size)?;
-        let of_study = study.designs(&name);
+    let read = args.designs.iter().map(|path| StudyFile::load(path, args.reading.max_size));
+    let read = read.collect::<Result<Vec<_>, _>>()?;
+    let names = distinct_names(
+        read.iter().map(|study| study.tables.model.name.clone().unwrap_or_default()),
+        &args.designs,
+    );
+    for ((mut study, name), path) in read.into_iter().zip(names).zip(&args.designs) {
+        study.tables.model.name = Some(name);
+        let of_study = study.designs();
         if of_study.is_empty() {
             return Err(Failure::bad_input(format!(
                 "{path}: the study has no [contact]; a comparison needs a contact"
@@ -110,7 +116,9 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     ranges.extend(args.contact.ranges()?);
     let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
     let mut designs = Vec::new();
-    for (model, name) in models.iter().zip(design_names(&args.designs)) {
+    let stem = |path: &String| Path::new(path).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let names = args.designs.iter().map(|path| stem(path).unwrap_or_else(|| path.clone()));
+    for (model, name) in models.iter().zip(distinct_names(names, &args.designs)) {
         let contacts = contacts(question.at.as_deref(), model)?;
         let several = contacts.len() > 1;
         for at in contacts {
@@ -135,23 +143,11 @@ fn contacts(at: Option<&str>, model: &Model) -> Result<Vec<Option<String>>, Fail
     Ok(names.into_iter().map(Some).collect())
 }
 
-/// Name of a study; used for its model among the variants.
-pub fn study_name(path: &str) -> String {
-    Path::new(path).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into())
-}
-
-/// File names without folder and extension; the full paths if two names coincide.
-fn design_names(paths: &[String]) -> Vec<String> {
-    let stem = |path: &String| {
-        Path::new(path).file_stem().map_or_else(|| path.clone(), |stem| stem.to_string_lossy().into_owned())
-    };
-    let stems: Vec<String> = paths.iter().map(stem).collect();
-    let alone = |name: &String| stems.iter().filter(|other| *other == name).count() == 1;
-    stems
-        .iter()
-        .zip(paths)
-        .map(|(name, path)| if alone(name) { name.clone() } else { path.clone() })
-        .collect()
+/// Names of the designs, with the path of the file in place of a name that is not unique.
+fn distinct_names(names: impl Iterator<Item = String>, paths: &[String]) -> Vec<String> {
+    let names: Vec<String> = names.collect();
+    let is_unique = |name: &String| names.iter().filter(|other| *other == name).count() == 1;
+    names.iter().zip(paths).map(|(name, path)| if is_unique(name) { name } else { path }.clone()).collect()
 }
 
 /// Output options of a comparison.

@@ -118,7 +118,7 @@ type Print<'a> = Box<dyn FnOnce() -> Result<(), Failure> + 'a>;
 fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     let of_rows = study.question.as_ref().map(|question| study.question_of_rows(question));
-    let designs = study.designs(&compare::study_name(&args.study));
+    let designs = study.designs();
     let mut prints: Vec<Print> = Vec::new();
     let first = study.question.as_ref();
     if let (Some(question), Some(of_rows)) = (&study.question, &of_rows) {

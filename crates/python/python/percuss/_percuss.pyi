@@ -868,8 +868,8 @@ def safe_speed(model: Model, request: Request) -> str:
     several world directions, the worst direction last."""
 def compare(designs: Sequence[tuple[str, Model, Request]], rows: Request) -> tuple[str, list[str]]:
     """Compares several designs by one question, at the same rows of positions if rows are given."""
-def compare_study(path: str | os.PathLike[str], name: str) -> tuple[str, list[str]]:
-    """Compares the designs of a study file: its model under a name, then its variants."""
+def compare_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
+    """Compares the designs of a study file: its model, then its variants."""
 def run_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:
     """Runs a study and returns the report of its sweep, or of its contact if the study has no sweep; adds the impact and the extremes."""
 def ask(model: Model, request: str) -> str:

@@ -247,9 +247,9 @@ def compare(
 
 
 @checked
-def compare_study(path: str | os.PathLike[str], name: str = "as given") -> records.ComparisonReport:
-    """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
-    return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path, name)))
+def compare_study(path: str | os.PathLike[str]) -> records.ComparisonReport:
+    """Compares the variants of a study (TOML) with its model, which has the name ``[model] name``. As ``percuss compare STUDY``."""
+    return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path)))
 
 
 @checked

@@ -257,14 +257,14 @@ pub fn compare(
     comparison_json(py, Names::Fields, || study::compare(&designs))
 }
 
-/// Compares the designs of a study file: its model under a name, then its variants.
+/// Compares the designs of a study file: its model, then its variants.
 #[pyfunction]
-pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<RowParts> {
+pub fn compare_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     let path = path.to_string_lossy().into_owned();
     let study =
         interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
-    comparison_json(py, Names::KEYS, || study.compare(&study.designs(name)))
+    comparison_json(py, Names::KEYS, || study.compare(&study.designs()))
 }
 
 /// Compares designs and returns the report as JSON; `names` in messages.

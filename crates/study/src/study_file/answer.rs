@@ -208,19 +208,18 @@ pub fn report_schema() -> Value {
 }
 
 impl StudyFile {
-    /// Results of all tables. `name`: name of the study's own model in a comparison. For a study with a sweep or variants, a pose without a
-    /// result is no error: `mass_problem` has the reason.
+    /// Results of all tables. For a study with a sweep or variants, a pose without a result is no error: `mass_problem` has the reason.
     ///
     /// # Errors
     /// The first error of a table.
-    pub fn ask(&self, name: &str) -> Result<RequestReport, AskError> {
+    pub fn ask(&self) -> Result<RequestReport, AskError> {
         let contacts = self.contact_list()?;
         let has_rows = self.tables.sweep.is_some() || !self.variants.is_empty();
         let (mass, mass_problem) = match self.mass_of(self.detailed_question(contacts.as_ref())) {
             Err(error) if has_rows && error.has_no_result() => (None, Some(error.message(Names::KEYS))),
             mass => (mass?, None),
         };
-        let report = self.results(name, contacts, mass)?;
+        let report = self.results(contacts, mass)?;
         Ok(RequestReport { mass_problem, sweep: self.sweep_report()?, ..report })
     }
 
@@ -230,7 +229,6 @@ impl StudyFile {
     /// The first error of a table.
     pub fn results(
         &self,
-        name: &str,
         contacts: Option<ContactListReport>,
         mass: Option<MassReport>,
     ) -> Result<RequestReport, AskError> {
@@ -247,7 +245,7 @@ impl StudyFile {
             extremes: self.extremes_report(question)?,
             contacts,
             sweep: None,
-            comparison: self.comparison(name)?,
+            comparison: self.comparison()?,
             kinematics: self.kinematics_report()?,
             map: self.map_result()?,
             safe_speed: self.safe_speeds()?,
@@ -403,15 +401,15 @@ impl StudyFile {
         })
     }
 
-    /// Comparison of the contacts and variants of the study, whose own model has the name `name`.
+    /// Comparison of the contacts and variants of the study.
     ///
     /// # Errors
     /// As for [`compare`].
-    pub fn comparison(&self, name: &str) -> Result<Option<ComparisonReport>, CompareError> {
+    pub fn comparison(&self) -> Result<Option<ComparisonReport>, CompareError> {
         if self.variants.is_empty() && self.contacts.is_empty() {
             return Ok(None);
         }
-        self.compare(&self.designs(name)).map(Some)
+        self.compare(&self.designs()).map(Some)
     }
 
     /// Comparison of the [designs](Self::designs). An error has the key at fault, such as `variant[0].set`.

@@ -49,7 +49,8 @@ pub struct StudyFile {
     pub mass: MassOptions,
     /// Design variants.
     pub variants: Vec<Variant>,
-    /// All tables as in the file, with checked keys. Paths of the questions are relative to the working directory.
+    /// All tables as in the file, with checked keys and the name of the model. Paths of the questions are relative to the working
+    /// directory.
     pub tables: StudyTables,
     /// Tables of the question, for a page.
     pub page: PageTables,
@@ -212,11 +213,10 @@ impl StudyFile {
             && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
-    /// Designs of the study: first the model of the study as `name`, then the variants, each at all contacts of the study. Empty
-    /// without a contact.
-    pub fn designs(&self, name: &str) -> Vec<Design> {
+    /// Designs of the study: first the model of the study, then the variants, each at all contacts of the study. Empty without a contact.
+    pub fn designs(&self) -> Vec<Design> {
         let Some(question) = &self.question else { return Vec::new() };
-        let own = (name, &self.model, question, None);
+        let own = (self.tables.model.name.as_deref().unwrap_or_default(), &self.model, question, None);
         let variants = self.variants.iter().map(|variant| {
             (variant.name.as_str(), &variant.model, &variant.question, variant.contact.as_ref())
         });
@@ -433,6 +433,10 @@ impl StudyReader<'_> {
         let contacts = several_contacts(&contacts, &question, variants.len()).map_err(refused)?;
         let mass = study.mass.take().unwrap_or_default();
         mass.check().map_err(refused)?;
+        if study.model.name.is_none() {
+            study.model.name =
+                Path::new(self.path).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        }
         Ok(StudyFile {
             model,
             question: asks.then(|| question.clone()),
@@ -471,7 +475,8 @@ impl StudyReader<'_> {
             return refuse(most, "variant", why);
         }
         let mut loaded = VariantModels::new(self.max_size, options);
-        let (mut names, mut links, mut variants) = (BTreeSet::new(), 0, Vec::new());
+        let mut names: BTreeSet<&String> = study.model.name.iter().collect();
+        let (mut links, mut variants) = (0, Vec::new());
         for (i, text) in study.variant.iter().enumerate() {
             if !names.insert(&text.name) {
                 return refuse(

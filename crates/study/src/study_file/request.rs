@@ -9,7 +9,7 @@ use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use serde_json::Value;
 
-/// Name of a request in messages, and of its model in a comparison.
+/// Name of a request in messages, and of its model in a comparison without `[model] name`.
 const REQUEST: &str = "request";
 
 /// Results of a request about a model. The request is a JSON object with the tables of a study (`percuss schema`); the table `model` may
@@ -32,7 +32,7 @@ const REQUEST: &str = "request";
 /// # }
 /// ```
 pub fn ask(model: &Model, request: &str) -> Result<RequestReport, AskError> {
-    read_request(model, request)?.ask(REQUEST)
+    read_request(model, request)?.ask()
 }
 
 /// Study of a request.

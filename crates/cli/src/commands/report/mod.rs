@@ -58,7 +58,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         Some(_) => Some(study_page(study, args.max_size, args.strict)?),
         None => None,
     };
-    let answers = StudyResults::from_study(study, args)?;
+    let answers = StudyResults::from_study(study)?;
     let inputs = answers.inputs();
     inputs.iter().for_each(|input| record_input(&input.path));
     let diagnostics = answers.diagnostics();

@@ -2,7 +2,6 @@
 
 use super::bands::{Tolerances, tolerances_of_contacts};
 use super::sweep::{SweepSection, run_sweep};
-use crate::args::RunArgs;
 use crate::commands::compare;
 use crate::commands::impacts::safe_speed;
 use crate::terminal::failure::Failure;
@@ -46,12 +45,12 @@ impl From<AskError> for Failure {
 
 impl StudyResults {
     /// Computes the results of all questions of a study.
-    pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
+    pub fn from_study(study: &StudyFile) -> Result<Self, Failure> {
         let listed = study.contact_list()?;
         let (mass, drawn) = study.mass_with_drawing(study.detailed_question(listed.as_ref()))?.unzip();
         let has_contact = drawn.is_some();
         let mechanism = drawn.map_or_else(|| draw_mechanism(&study.model, &study.conditions), Ok)?;
-        let mut report = study.results(&compare::study_name(&args.study), listed, mass)?;
+        let mut report = study.results(listed, mass)?;
         let contents = match report.check.take() {
             None if !has_contact => Some(check_of(&study.model)?),
             requested => requested,

@@ -38,6 +38,10 @@ pub struct ModelTable {
     /// A URDF, MJCF or SDFormat file, or a suspension's sheet or table.
     #[cfg_attr(feature = "flags", arg(skip))]
     pub path: String,
+    /// Name of the model among its variants in tables and figures; default: the name of the study.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// Worksheet of a workbook; default: the first one.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = READING))]
     #[serde(skip_serializing_if = "Option::is_none")]
