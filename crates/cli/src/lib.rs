@@ -13,14 +13,14 @@ mod terminal;
 /// Surface of a map, for other user interfaces.
 pub use pictures::map_files::skin as map_skin;
 
-use args::{Cli, Command, requested_command, short_help};
+use args::{Cli, Command, requested_command, short_help, usage_error};
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use files::output::begin_run;
 use std::ffi::OsString;
 use std::io::Write;
 use terminal::failure::Failure;
-use terminal::{console, escape, number, report, wrap};
+use terminal::{console, number, report, wrap};
 
 /// Exit code and output of a command.
 #[derive(Clone, Debug)]
@@ -114,25 +114,13 @@ fn print_help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     }
 }
 
-/// Prints the version, or the message of the argument parser, and returns the exit code. File names among the arguments may
-/// contain control characters of the terminal; these are escaped.
+/// Prints the version, or the message about an invalid command line, and returns the exit code.
 fn report_usage(error: &clap::Error, arguments: &[OsString]) -> u8 {
-    let mut text = error.render().to_string();
     if error.kind() == ErrorKind::DisplayVersion {
-        return report::write_unescaped(text.as_bytes()).map_or_else(Failure::report, |()| 0);
+        let version = error.render().to_string();
+        return report::write_unescaped(version.as_bytes()).map_or_else(Failure::report, |()| 0);
     }
-    for argument in arguments.iter().skip(1) {
-        let argument = argument.to_string_lossy();
-        // In `--flag=value`, the value is escaped too.
-        let value = argument.split_once('=').map_or("", |(_, value)| value);
-        for part in [&*argument, value].into_iter().filter(|part| part.contains(escape::is_unsafe)) {
-            text = text.replace(part, &escape::line(part));
-        }
-    }
-    let mut stderr = console::stderr();
-    for line in escape::lines(&text).lines() {
-        // A closed stderr does not affect the exit code.
-        let _ = writeln!(stderr, "{}", wrap::wrap_message(line));
-    }
-    2
+    let mut definition = Cli::definition();
+    definition.build();
+    Failure::BadInput(usage_error(error, &definition, arguments)).report()
 }

@@ -2,3 +2,4 @@
 
 pub(super) mod examples;
 pub(super) mod short_help;
+pub(super) mod usage_error;

@@ -3,6 +3,7 @@
 
 use crate::terminal::wrap::{width, wrap_hanging, wrap_lines};
 use clap::{Arg, Command};
+use std::ffi::OsString;
 
 /// Column at which explanations begin.
 const COLUMN: usize = 30;
@@ -315,17 +316,16 @@ fn first_example(command: &Command) -> Option<String> {
     None
 }
 
-/// Command whose short help is shown: the first argument that is the name of a command, because no flag before the command has
-/// a value; percuss itself without a command. `None` if `--help` or `help` comes before `-h`.
-pub fn requested_command<'c>(
-    definition: &'c Command,
-    arguments: &[std::ffi::OsString],
-) -> Option<&'c Command> {
-    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
-    let is_short =
-        words.iter().find(|word| ["-h", "--help", "help"].contains(word)).is_none_or(|word| *word == "-h");
-    let named = words.iter().find_map(|word| definition.find_subcommand(word));
-    is_short.then(|| named.unwrap_or(definition))
+/// Command of a command line: the first argument that is the name of a command; `None` without one.
+pub fn named_command<'c>(definition: &'c Command, arguments: &[OsString]) -> Option<&'c Command> {
+    arguments.iter().skip(1).find_map(|word| definition.find_subcommand(word))
+}
+
+/// Command whose short help is shown; percuss itself without a command. `None` if `--help` or `help` comes before `-h`.
+pub fn requested_command<'c>(definition: &'c Command, arguments: &[OsString]) -> Option<&'c Command> {
+    let mut words = arguments.iter().skip(1).filter_map(|a| a.to_str());
+    let is_short = words.find(|word| ["-h", "--help", "help"].contains(word)).is_none_or(|word| word == "-h");
+    is_short.then(|| named_command(definition, arguments).unwrap_or(definition))
 }
 
 #[cfg(test)]
