@@ -312,6 +312,13 @@ def test_a_study_with_variants(tmp_path) -> None:  # type: ignore[no-untyped-def
     assert report.designs[1]["effective_mass"] == pytest.approx(light, rel=1e-12)
 
 
+def test_studies_of_a_model(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    study, model = tmp_path / "study.toml", f'[model]\npath = "{ROOT}/models/suspensions/double-wishbone.toml"\n'
+    for table, schema in (('[kinematics]\nvary = "wheel-travel=-10mm:10mm:3"\n', "percuss.kinematics/1"), ("[check]\n", "percuss.check/1")):
+        study.write_text(model + table)
+        assert percuss.run_study(study).schema == schema
+
+
 def test_safe_speeds_by_energy_momentum_and_rows() -> None:
     model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
     region = percuss.regions()[0][0]

@@ -50,7 +50,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
         strict: args.reading.strict,
     };
     let report = compare(&designs).map_err(|error| failure_in_file(error, &studies, &args.designs))?;
-    write(&report, &designs, &output)
+    write(&report, &output)
 }
 
 /// Study, and the number of its first design in the comparison.
@@ -161,15 +161,11 @@ pub struct ComparisonOutput<'a> {
 }
 
 /// Writes a comparison with its findings and its file.
-pub fn write(
-    report: &ComparisonReport,
-    designs: &[Design],
-    output: &ComparisonOutput,
-) -> Result<(), Failure> {
+pub fn write(report: &ComparisonReport, output: &ComparisonOutput) -> Result<(), Failure> {
     let ComparisonOutput { output, table: style, format, strict, figure: requested } = *output;
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
-        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| record_input(&input.path));
+        report.designs.iter().flat_map(|design| &design.inputs).for_each(|input| record_input(&input.path));
         write_contents(report, path, style, requested)?;
     }
     match format {

@@ -21,8 +21,8 @@ use crate::terminal::report::{note, with_findings, write_diagnostics, write_text
 use crate::terminal::wrap::wrap_hanging;
 use clap::ValueEnum;
 use percuss_study::{
-    Design, DiagnosticRecord, MapQuestion, MassOptions, MassQuestion, MassReport, Names, RowSource,
-    StudyAdditions, StudyFile, SweepQuestion,
+    ContactListReport, DiagnosticRecord, MapQuestion, MassOptions, MassQuestion, Names, RequestReport,
+    RowSource, StudyAdditions, StudyFile, SweepQuestion,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -38,22 +38,27 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
 
 /// Checks the output files, and runs all questions of a study.
 fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String)]) -> Result<(), Failure> {
+    if let Some(path) = args.report.as_ref().filter(|path| !path.to_lowercase().ends_with(".html")) {
+        return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
+    }
     check_distinct_outputs(outputs.iter().cloned())?;
     for (key, path) in outputs {
         match *key {
-            "damping.output" => drop(ending_of(path, &TABLES_AND_PICTURES)?),
+            "damping.output" | "identify.output" => drop(ending_of(path, &TABLES_AND_PICTURES)?),
             "sweep.output" if !(study.variants.is_empty() && study.contacts.is_empty()) => {
                 ending_of(path, &contents::ALL)?;
             }
             "kinematics.output" => drop(kinematics::file_ending(path)?),
             "map.output" => drop(map::formats(std::slice::from_ref(path))?),
-            "convert.output" | "export.output" => check_writable(path)?,
             _ => {}
         }
     }
     if !args.allow_outside {
         outputs.iter().try_for_each(|(name, path)| check_inside_folder(path, &study.folder, name))?;
     }
+    // The files of generated code follow from the model; the output is their folder.
+    let files = outputs.iter().filter(|(name, _)| *name != "generate.output");
+    files.map(|(_, path)| path).try_for_each(|path| check_writable(path))?;
     sweep::use_threads(args.threads);
     match (&args.report, args.format) {
         (Some(path), _) => report::write(study, args, path),
@@ -110,206 +115,159 @@ fn output_files<'a>(
     Box::new(page.chain(explorer).chain(study.outputs()))
 }
 
-/// Output of one table, after its computation.
-type Print<'a> = Box<dyn FnOnce() -> Result<(), Failure> + 'a>;
-
 /// Computes all tables of the study, then prints them in their order: an error of a table precedes the first result. The rows of a sweep
 /// are computed while they are printed, after their check.
 fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
-    let strict = args.strict;
+    let (strict, tables, model) = (args.strict, &study.tables, &study.model);
+    let has_designs = !(study.variants.is_empty() && study.contacts.is_empty());
+    let has_rows = tables.sweep.is_some() || !study.variants.is_empty();
+    let contacts = if has_rows { None } else { study.contact_list()? };
+    // The list has the results of the comparison.
+    let names = if contacts.is_some() { study.given_tables() } else { StudyFile::TABLES.to_vec() };
+    let mass = if has_rows || has_designs { None } else { with_findings(study.mass_report(), model)? };
+    note_left_out_of_rows(study, has_rows, contacts.as_ref());
+    let report = with_findings(study.results(contacts, mass, &names), model)?;
+    let history = tables.damping.as_ref().and_then(|damping| damping.output.as_deref());
+    let history = match history {
+        Some(path) => with_findings(study.damper(), model)?.map(|damper| (path, damper)),
+        None => None,
+    };
+    let output = tables.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
+    let table = tables
+        .sweep
+        .as_ref()
+        .map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
+    let figure = tables.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
     let of_rows = study.question.as_ref().map(|question| study.question_of_rows(question));
-    let designs = study.designs();
-    let mut prints: Vec<Print> = Vec::new();
-    let first = study.question.as_ref();
-    if let (Some(question), Some(of_rows)) = (&study.question, &of_rows) {
-        prints.push(contact_print(study, question, of_rows, &designs, strict)?);
+    let sweep = match (&tables.sweep, &of_rows) {
+        (Some(sweep), Some(question)) if !has_designs => {
+            let destination = SweepOutput { output, table, figure: figure.clone(), strict };
+            let prepared = study.prepared_sweep(sweep, question);
+            Some(ReadySweep::new(model, question, &sweep.rows(), prepared, destination)?)
+        }
+        _ => None,
+    };
+    if let Some(list) = &report.contacts {
+        contact_list::write(list, MassFormat::Text, strict)?;
     }
-    if let Some(damping) = &study.tables.damping
-        && (damping.limit.is_some() || damping.output.is_some())
-        && let Some(report) = with_findings(study.damper(), &study.model)?
-    {
-        prints.push(Box::new(move || {
-            if damping.limit.is_some() {
-                write_diagnostics(&report.diagnostics, strict)?;
-                damp::print(&report, CheckFormat::Text)?;
-            }
-            match &damping.output {
-                Some(path) => damp::write_history(&report, path),
-                None => Ok(()),
-            }
-        }));
+    if let Some(comparison) = &report.comparison {
+        let written = ComparisonOutput { output, table, figure: &figure, format: MassFormat::Text, strict };
+        compare::write(comparison, &written)?;
     }
-    if let Some(report) = with_findings(study.restitution_report(first), &study.model)? {
-        prints.push(Box::new(move || restitution::show(&report, CheckFormat::Text, strict)));
+    if let Some(mass) = &report.mass {
+        mass::write(mass, &study.mass, &StudyAdditions::default(), (MassFormat::Text, strict), "")?;
     }
-    if let Some(report) = with_findings(study.identification_report(first), &study.model)? {
-        let output = study.tables.identify.as_ref().and_then(|asked| asked.output.as_deref());
-        prints.push(Box::new(move || identify::show(&report, output, CheckFormat::Text, strict)));
+    if let Some(sweep) = sweep {
+        sweep.run()?;
+        // Without a file the rows are on the standard output, which is one table.
+        if let Some(question) = study.question.as_ref().filter(|_| output.is_some()) {
+            write_main_number(study, question)?;
+        }
     }
-    if let Some(report) = with_findings(study.impact_report(first), &study.model)? {
-        prints.push(Box::new(move || {
-            write_diagnostics(&report.diagnostics, strict)?;
-            rigid_impact::write(&report, CheckFormat::Text, ImpactView::default())
-        }));
+    if let Some(damping) = &report.damping {
+        write_diagnostics(&damping.diagnostics, strict)?;
+        damp::print(damping, CheckFormat::Text)?;
     }
-    if let Some(report) = with_findings(study.extremes_report(first), &study.model)? {
-        prints.push(Box::new(move || extremes::write(&report, CheckFormat::Text, strict)));
+    if let Some((path, damper)) = history {
+        damp::write_history(&damper, path)?;
     }
-    let of_kinematics = with_findings(study.kinematics_report(), &study.model)?;
-    if let (Some(requested), Some(report)) = (&study.tables.kinematics, of_kinematics) {
-        prints.push(Box::new(move || kinematics::show_of_study(&report, requested, strict)));
+    if let Some(report) = &report.restitution {
+        restitution::show(report, CheckFormat::Text, strict)?;
     }
-    if let Some(requested) = &study.tables.map {
-        let output = map_output(requested, MassFormat::Text, strict)?;
-        output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
-        let Some(result) = with_findings(study.map_result(), &study.model)? else { return Ok(()) };
-        prints.push(Box::new(move || map::write(&result, &output)));
+    if let Some(report) = &report.identify {
+        let output = tables.identify.as_ref().and_then(|asked| asked.output.as_deref());
+        identify::show(report, output, CheckFormat::Text, strict)?;
     }
-    if let Some(reports) = with_findings(study.safe_speeds(), &study.model)? {
-        prints.push(Box::new(move || safe_speed::show(&reports, CheckFormat::Text, strict)));
+    if let Some(report) = &report.impact {
+        write_diagnostics(&report.diagnostics, strict)?;
+        rigid_impact::write(report, CheckFormat::Text, ImpactView::default())?;
     }
-    if let Some(report) = with_findings(study.check_report(), &study.model)? {
-        prints.push(Box::new(move || check::write(&report, CheckFormat::Text, strict)));
+    if let Some(report) = &report.extremes {
+        extremes::write(report, CheckFormat::Text, strict)?;
     }
-    let code = with_findings(study.generated_code(), &study.model)?;
-    if let (Some(report), Some(requested)) = (code, &study.tables.generate) {
+    if let (Some(requested), Some(report)) = (&tables.kinematics, &report.kinematics) {
+        kinematics::show_of_study(report, requested, strict)?;
+    }
+    if let (Some(requested), Some(result)) = (&tables.map, &report.map) {
+        map::write(result, &map_output(requested, MassFormat::Text, strict)?)?;
+    }
+    if let Some(reports) = &report.safe_speed {
+        safe_speed::show(reports, CheckFormat::Text, strict)?;
+    }
+    if let Some(report) = &report.check {
+        check::write(report, CheckFormat::Text, strict)?;
+    }
+    if let (Some(report), Some(requested)) = (&report.generate, &tables.generate) {
         let folder = requested.output.as_deref().unwrap_or_default();
-        prints.push(Box::new(move || {
-            generate::write_files(&report, folder)?;
-            write_text(&generate::summary(&report, folder))
-        }));
+        generate::write_files(report, folder)?;
+        write_text(&generate::summary(report, folder))?;
     }
-    if let Some(mut report) = with_findings(study.conversion(), &study.model)? {
-        prints.push(Box::new(move || {
-            write_diagnostics(&report.diagnostics, strict)?;
-            convert::write_files(&mut report)?;
-            write_text(&convert::summary(&report))
-        }));
+    if let Some(mut report) = report.convert {
+        write_diagnostics(&report.diagnostics, strict)?;
+        convert::write_files(&mut report)?;
+        write_text(&convert::summary(&report))?;
     }
-    if let Some(mut report) = with_findings(study.exported_impact(), &study.model)? {
-        prints.push(Box::new(move || {
-            write_diagnostics(&report.diagnostics, strict)?;
-            export::write_files(&mut report)?;
-            write_text(&export::summary(&report))
-        }));
+    if let Some(mut report) = report.export {
+        write_diagnostics(&report.diagnostics, strict)?;
+        export::write_files(&mut report)?;
+        write_text(&export::summary(&report))?;
     }
-    prints.into_iter().try_for_each(|print| print())
+    Ok(())
 }
 
-/// Output of the contact: with its variants, over the rows of a sweep, or at its pose. `of_rows`: question of the rows.
-fn contact_print<'a>(
-    study: &'a StudyFile,
-    question: &'a MassQuestion,
-    of_rows: &'a MassQuestion,
-    designs: &'a [Design],
-    strict: bool,
-) -> Result<Print<'a>, Failure> {
-    let of_pose = study.tables.damping.is_some() || study.mass != MassOptions::default();
-    if !study.contacts.is_empty() {
-        note_single_contact(study);
+/// Notes the tables and keys that do not apply to rows, to variants, or to all of several contacts.
+fn note_left_out_of_rows(study: &StudyFile, has_rows: bool, contacts: Option<&ContactListReport>) {
+    let first = contacts.and_then(ContactListReport::first_with_result).map(|first| &first.name);
+    let first = first.or(study.contacts.first().map(|first| &first.name));
+    let of_first = ["mass", "restitution", "identify", "impact", "extremes", "safe_speed"];
+    let of_first: Vec<String> =
+        of_first.into_iter().filter(|table| study.keys.contains(table)).map(in_brackets).collect();
+    if let Some(first) = first.filter(|_| !of_first.is_empty()) {
+        note(&format!("for the first contact ({first}) only: {}", of_first.join(", ")));
     }
-    if of_pose && (study.tables.sweep.is_some() || !study.variants.is_empty()) {
+    let Some(question) = &study.question else { return };
+    if has_rows && (study.tables.damping.is_some() || study.mass != MassOptions::default()) {
         note(
             "[damping] and [mass] apply to the contact at its pose, not to rows and variants: --format text \
              shows them",
         );
     }
-    let output = study.tables.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
-    let table = study
-        .tables
-        .sweep
-        .as_ref()
-        .map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table()));
-    if study.tables.sweep.is_none()
-        && study.variants.is_empty()
-        && let Some(list) = study.contact_list()?
-    {
-        return Ok(Box::new(move || contact_list::write(&list, MassFormat::Text, strict)));
+    if study.tables.sweep.is_some() && study.variants.is_empty() && study.contacts.is_empty() {
+        let of_rows = study.question_of_rows(question).travel;
+        let left_out: Vec<String> = question
+            .travel
+            .iter()
+            .filter(|travel| !of_rows.contains(travel))
+            .map(ToString::to_string)
+            .collect();
+        if !left_out.is_empty() {
+            note(&format!(
+                "[pose] travel = {} applies to the contact at its pose; the rows vary the travel themselves",
+                left_out.join(", ")
+            ));
+        }
     }
-    if !study.variants.is_empty() || !study.contacts.is_empty() {
-        let report = study.compare(designs).map_err(|error| compare::failure(&error, Names::KEYS))?;
-        return Ok(Box::new(move || {
-            let figure = study.tables.sweep.as_ref().map(SweepQuestion::figure).unwrap_or_default();
-            let format = MassFormat::Text;
-            let written = ComparisonOutput { output, table, figure: &figure, format, strict };
-            compare::write(&report, designs, &written)
-        }));
-    }
-    let Some(sweep) = &study.tables.sweep else {
-        let report = with_findings(study.mass_report(), &study.model)?;
-        return Ok(Box::new(move || {
-            write_mass(study, report, &StudyAdditions::default(), MassFormat::Text, strict)
-        }));
-    };
-    let left_out: Vec<String> = question
-        .travel
-        .iter()
-        .filter(|travel| !of_rows.travel.contains(travel))
-        .map(ToString::to_string)
-        .collect();
-    if !left_out.is_empty() {
-        note(&format!(
-            "[pose] travel = {} applies to the contact at its pose; the rows vary the travel themselves",
-            left_out.join(", ")
-        ));
-    }
-    let destination = SweepOutput { output, table, figure: sweep.figure(), strict };
-    let prepared = study.prepared_sweep(sweep, of_rows);
-    let ready = ReadySweep::new(&study.model, of_rows, &sweep.rows(), prepared, destination)?;
-    Ok(Box::new(move || {
-        ready.run()?;
-        // Without a file the rows are on the standard output, which is one table.
-        if output.is_some() { write_main_number(study, question) } else { Ok(()) }
-    }))
 }
 
-/// Reports the tables whose results are omitted: an output with `--format` contains only the contact at its pose, and in JSON also the
-/// impact and the extremes.
-fn note_left_out(study: &StudyFile, format: MassFormat) {
-    let is_json = format == MassFormat::Json;
-    let tables = [
-        ("[restitution]", study.tables.restitution.is_some()),
-        ("[identify]", study.tables.identify.is_some()),
-        ("[impact]", study.tables.impact.is_some() && !is_json),
-        ("[extremes]", study.tables.extremes.is_some() && !is_json),
-        ("[kinematics]", study.tables.kinematics.is_some()),
-        ("[map]", study.tables.map.is_some()),
-        ("[safe_speed]", study.tables.safe_speed.is_some()),
-        ("[check]", study.tables.check.is_some()),
-        ("[generate]", study.tables.generate.is_some()),
-        ("[convert]", study.tables.convert.is_some()),
-        ("[export]", study.tables.export.is_some()),
-    ];
-    let left_out: Vec<&str> =
-        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+/// Name of a table as in a file.
+fn in_brackets(table: &str) -> String {
+    format!("[{table}]")
+}
+
+/// Notes the tables whose results an output in a format leaves out. `printed`: the others.
+fn note_left_out(study: &StudyFile, format: MassFormat, printed: &[&str]) {
+    let is_left_out = |table: &&str| !printed.contains(table);
+    let left_out: Vec<String> =
+        study.given_tables().into_iter().filter(is_left_out).map(in_brackets).collect();
+    let main = match (&study.question, printed) {
+        (None, [table]) => in_brackets(table),
+        _ => "the contact at its pose".to_owned(),
+    };
     if !left_out.is_empty() {
         note(&format!(
-            "--format {} prints the contact at its pose, without {}; omit --format, or run the commands for these tables",
+            "--format {} prints {main}, without {}; omit --format, or run the commands for these tables",
             format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()),
             left_out.join(", ")
-        ));
-    }
-}
-
-/// Reports the tables whose results are omitted for a study without a contact: an output with `--format` contains the first of them.
-fn note_further_tables(study: &StudyFile) {
-    let tables = [
-        ("[damping]", study.tables.damping.is_some()),
-        ("[map]", study.tables.map.is_some()),
-        ("[safe_speed]", study.tables.safe_speed.is_some()),
-        ("[kinematics]", study.tables.kinematics.is_some()),
-        ("[check]", study.tables.check.is_some()),
-        ("[convert]", study.tables.convert.is_some()),
-        ("[export]", study.tables.export.is_some()),
-    ];
-    let given: Vec<&str> =
-        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
-    if let [first, others @ ..] = &given[..]
-        && !others.is_empty()
-    {
-        note(&format!(
-            "--format prints {first}, without {}; omit --format, or run the commands for these tables",
-            others.join(", ")
         ));
     }
 }
@@ -327,25 +285,6 @@ fn write_additional_findings(
     write_diagnostics(&own, strict)
 }
 
-/// Notes the tables that apply to the first of several contacts only.
-fn note_single_contact(study: &StudyFile) {
-    let tables = [
-        ("[mass]", study.mass != MassOptions::default()),
-        ("[restitution]", study.tables.restitution.is_some()),
-        ("[identify]", study.tables.identify.is_some()),
-        ("[impact]", study.tables.impact.is_some()),
-        ("[extremes]", study.tables.extremes.is_some()),
-        ("[safe_speed]", study.tables.safe_speed.is_some()),
-    ];
-    let single: Vec<&str> =
-        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
-    if let [first, ..] = &study.contacts[..]
-        && !single.is_empty()
-    {
-        note(&format!("for the first contact ({}) only: {}", first.name, single.join(", ")));
-    }
-}
-
 /// Writes the effective mass at the pose of the study, below a sweep that is written to a file.
 fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), Failure> {
     match percuss_study::mass(&study.model, question) {
@@ -360,54 +299,47 @@ fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), F
     }
 }
 
-/// Writes the contact at the pose of the study.
-fn write_mass(
-    study: &StudyFile,
-    report: Option<MassReport>,
-    additions: &StudyAdditions,
-    format: MassFormat,
-    strict: bool,
-) -> Result<(), Failure> {
-    report.map_or(Ok(()), |report| mass::write(&report, &study.mass, additions, (format, strict), ""))
-}
-
-/// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.
+/// Writes the main result in a format: m̄ of the contact, in JSON with the impact and the extremes; otherwise the first of the damper of the stop,
+/// the map, the safe speed and the contents.
 fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
     if let Some(list) = study.contact_list()? {
         return contact_list::write(&list, format, strict);
     }
-    if study.question.is_some() {
-        note_left_out(study, format);
-        let additions = match format {
-            MassFormat::Json => study.additions()?,
-            MassFormat::Text | MassFormat::Csv => StudyAdditions::default(),
-        };
-        let report = with_findings(study.mass_report(), &study.model)?;
-        write_additional_findings(study, &additions, strict)?;
-        return write_mass(study, report, &additions, format, strict);
+    let mut printed = study.given_tables();
+    match (&study.question, format) {
+        // The damper of [damping] is part of the result of the contact.
+        (Some(_), MassFormat::Json) => {
+            printed.retain(|table| ["damping", "impact", "extremes"].contains(table))
+        }
+        (Some(_), _) => printed.retain(|table| *table == "damping"),
+        (None, _) => printed.truncate(1),
     }
-    note_further_tables(study);
-    let plain = match format {
-        MassFormat::Text => Ok(CheckFormat::Text),
-        MassFormat::Json => Ok(CheckFormat::Json),
-        MassFormat::Csv => Err(Failure::bad_input(
+    note_left_out(study, format, &printed);
+    let mass = with_findings(study.mass_report(), &study.model)?;
+    let report = with_findings(study.results(None, mass, &printed), &study.model)?;
+    let plain = if format == MassFormat::Json { CheckFormat::Json } else { CheckFormat::Text };
+    match report {
+        RequestReport { mass: Some(mass), impact, extremes, .. } => {
+            let additions = StudyAdditions { impact, extremes };
+            write_additional_findings(study, &additions, strict)?;
+            mass::write(&mass, &study.mass, &additions, (format, strict), "")
+        }
+        RequestReport { map: Some(result), .. } => {
+            let table = study.tables.map.as_ref().map(MapQuestion::table);
+            let table = TableStyle::from_study(&table.unwrap_or_default());
+            map::write(&result, &map::MapOutput { formats: Vec::new(), table, format, strict })
+        }
+        _ if format == MassFormat::Csv => Err(Failure::bad_input(
             "--format csv: only a contact and a map have a table; the study contains neither",
         )),
-    };
-    if let Some(report) = study.damper()? {
-        let plain = plain?;
-        write_diagnostics(&report.diagnostics, strict)?;
-        return damp::print(&report, plain);
-    }
-    if let (Some(requested), Some(result)) = (&study.tables.map, study.map_result()?) {
-        let output = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
-        return map::write(&result, &output);
-    }
-    match (study.safe_speeds()?, study.check_report()?) {
-        (Some(reports), _) => safe_speed::show(&reports, plain?, strict),
-        (None, Some(report)) => check::write(&report, plain?, strict),
-        (None, None) => {
-            let only = if study.tables.kinematics.is_some() { "kinematics" } else { "convert" };
+        RequestReport { damping: Some(report), .. } => {
+            write_diagnostics(&report.diagnostics, strict)?;
+            damp::print(&report, plain)
+        }
+        RequestReport { safe_speed: Some(reports), .. } => safe_speed::show(&reports, plain, strict),
+        RequestReport { check: Some(report), .. } => check::write(&report, plain, strict),
+        _ => {
+            let only = printed.first().copied().unwrap_or_default();
             Err(Failure::bad_input(format!(
                 "--format: only [{only}] is given, which has no such output; omit --format, or use percuss {only}"
             )))

@@ -515,20 +515,29 @@ fn outputs_of_the_study_are_written_beside_the_page() {
     let folder = Scratch::new("report-outputs");
     let sheet = percuss("template double-wishbone").stdout;
     folder.write("car.toml", &sheet);
-    for (name, contact, output) in [
-        ("rows", "at = \"bump_stop\"", "rows.csv"),
-        ("figure", "at = \"bump_stop\"", "travel.svg"),
-        ("contacts", "at = \"all\"", "contacts.xlsx"),
+    let data = root().join("models/measured/bump_stop.csv");
+    let further = format!(
+        "[identify]\ndata = {:?}\noutput = \"fit.csv\"\n[kinematics]\nvary = \"wheel-travel=-20mm:20mm:5\"\noutput = \"angles.csv\"\n\
+         [map]\nlink = \"upright\"\npoint = [0, 0, 0]\ndirections = 20\noutput = [\"map.csv\"]\n[convert]\noutput = \"car.xml\"\n",
+        [data]
+    );
+    let of_further = ["fit.csv", "angles.csv", "map.csv", "car.xml"];
+    for (name, contact, output, further, of_further) in [
+        ("rows", "at = \"bump_stop\"", "rows.csv", further.as_str(), &of_further[..]),
+        ("figure", "at = \"bump_stop\"", "travel.svg", "", &[]),
+        ("contacts", "at = \"all\"", "contacts.xlsx", "", &[]),
     ] {
         let text = format!(
             "[model]\npath = \"car.toml\"\n[contact]\n{contact}\n[sweep]\nvary = [\"wheel-travel=-20mm:20mm:5\"]\noutput = \
-             \"{output}\"\n[damping]\nrestitution = 0.3\nstiffness = 1e6\nspeed = 0.1\noutput = \"{name}-history.csv\"\n"
+             \"{output}\"\n[damping]\nrestitution = 0.3\nstiffness = 1e6\nspeed = 0.1\noutput = \"{name}-history.csv\"\n{further}"
         );
         let study = folder.write(&format!("{name}.toml"), &text);
         let plain = percuss(&format!("run {study}"));
         assert_eq!(plain.code, 0, "{}", plain.stderr);
-        let files = [folder.path(output), folder.path(&format!("{name}-history.csv"))];
-        let alone = files.clone().map(|file| fs::read(file).expect("written"));
+        let history = format!("{name}-history.csv");
+        let files = [&[output, &history], of_further].concat();
+        let files: Vec<String> = files.into_iter().map(|file| folder.path(file)).collect();
+        let alone: Vec<Vec<u8>> = files.iter().map(|file| fs::read(file).expect("written")).collect();
         files.iter().for_each(|file| fs::remove_file(file).expect("removed"));
         let outcome = percuss(&format!("run {study} --report {}", folder.path(&format!("{name}-page.html"))));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);

@@ -449,6 +449,8 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
     "percuss.map": records.MapRecord,
     "percuss.map-point": records.PointMapReport,
     "percuss.safe-speed": records.SafeSpeedReport,
+    "percuss.check": records.CheckReport,
+    "percuss.kinematics": records.KinematicsReport,
 }
 
 

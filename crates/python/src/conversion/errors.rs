@@ -1,7 +1,9 @@
 //! Errors of the library as exceptions of `percuss._errors`, with the same messages.
 
 use crate::conversion::diagnostic::Diagnostic;
-use percuss::study::{DesignError, DiagnosticRecord, KinematicsError, Names, StudyError, StudyFileError};
+use percuss::study::{
+    AskError, DesignError, DiagnosticRecord, KinematicsError, Names, StudyError, StudyFileError,
+};
 use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, Severity, TravelError};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -145,6 +147,16 @@ pub fn kinematics(error: KinematicsError) -> PyErr {
     match error {
         KinematicsError::Study(error) => study(error),
         error => input(error),
+    }
+}
+
+/// Error of a table of a study.
+pub fn ask(error: AskError) -> PyErr {
+    match error {
+        AskError::Question(error) => study(error),
+        AskError::Kinematics(error) => kinematics(error),
+        error if error.has_no_result() => no_answer(error.message()),
+        error => input(error.message()),
     }
 }
 

@@ -299,33 +299,24 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.tables.sweep) {
         (Some(question), Some(sweep)) => {
-            let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
+            let additions = interruptible(py, || study.additions())?.map_err(errors::ask)?;
             let question = study.question_of_rows(question);
             run_sweep(py, &study.model, false, &additions, || study.prepared_sweep(sweep, &question))
         }
-        (Some(_), None) => {
-            let report = interruptible(py, || study.mass_report())?.map_err(errors::study)?;
-            let additions = interruptible(py, || study.additions())?.map_err(errors::study)?;
-            Ok((json(&WithAdditions { report: &report, additions: &additions })?, Vec::new()))
+        (question, _) => {
+            let mass = interruptible(py, || study.mass_report())?.map_err(errors::study)?;
+            let mut names = study.given_tables();
+            match question {
+                Some(_) => names.retain(|table| ["impact", "extremes"].contains(table)),
+                None => names.truncate(1),
+            }
+            let report = interruptible(py, || study.results(None, mass, &names))?.map_err(errors::ask)?;
+            let json = report.main_json();
+            Ok((
+                json.ok_or_else(|| input("the study contains no question with one report: use percuss.ask"))?,
+                Vec::new(),
+            ))
         }
-        (None, _) => Ok((run_without_contact(py, &study)?, Vec::new())),
-    }
-}
-
-/// Runs a study without a contact: a stop, a map, a safe speed, kinematics.
-fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
-    if let Some(report) = interruptible(py, || study.stop_damper())?.map_err(errors::study)? {
-        return json(&report);
-    }
-    if let Some(result) = interruptible(py, || study.map_result())?.map_err(errors::study)? {
-        return json(&result);
-    }
-    if let Some(reports) = interruptible(py, || study.safe_speeds())?.map_err(errors::study)? {
-        return json(&reports);
-    }
-    match interruptible(py, || study.kinematics_report())?.map_err(errors::kinematics)? {
-        Some(report) => json(&report),
-        None => Err(errors::input("the study contains no question")),
     }
 }
 

@@ -31,6 +31,13 @@ pub struct ContactListReport {
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
+impl ContactListReport {
+    /// First contact with a result: that of the details of a report.
+    pub fn first_with_result(&self) -> Option<&ListedContact> {
+        self.contacts.iter().find(|contact| contact.report.is_some())
+    }
+}
+
 /// Named contact with its result.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ListedContact {

@@ -12,6 +12,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::answer_mass::{mass_with_drawing, requested_mass};
@@ -31,6 +32,7 @@ use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 use crate::reports::kinematics::target_search::TargetReport;
 use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
+use crate::study_file::additions::{StudyAdditions, WithAdditions};
 use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;
 use crate::sweep::sweep_report::SweepReport;
@@ -161,6 +163,31 @@ impl RequestReport {
         // Records have text keys and no other source of errors.
         serde_json::to_string(self).unwrap_or_default()
     }
+
+    /// JSON text of the main result: the contacts, or the contact with the keys `impact` and `extremes`; otherwise the damper of a stop, the
+    /// map, the safe speeds (a list, if there are several), the contents of the model, or the kinematics; `None` without these.
+    pub fn main_json(&self) -> Option<String> {
+        Some(match self {
+            Self { contacts: Some(list), .. } => pretty(list),
+            Self { mass: Some(report), impact, extremes, .. } => {
+                let additions = &StudyAdditions { impact: impact.clone(), extremes: extremes.clone() };
+                pretty(&WithAdditions { report, additions })
+            }
+            Self { damping: Some(stop), .. } => pretty(stop),
+            Self { map: Some(map), .. } => pretty(map),
+            Self { safe_speed: Some(reports), .. } => match &reports[..] {
+                [report] => pretty(report),
+                reports => pretty(&reports),
+            },
+            Self { check: Some(contents), .. } => pretty(contents),
+            Self { kinematics, .. } => pretty(kinematics.as_ref()?),
+        })
+    }
+}
+
+/// Indented JSON of a record, which has text keys and no other source of errors.
+fn pretty<R: Serialize>(record: &R) -> String {
+    serde_json::to_string_pretty(record).unwrap_or_default()
 }
 
 /// Answer of a table of a study; `None` without its question. An error names the keys of the table.
@@ -208,6 +235,29 @@ pub fn report_schema() -> Value {
 }
 
 impl StudyFile {
+    /// Names of the tables with a result, and of the comparison of contacts and variants. Without a contact, the first given table has the
+    /// main result.
+    pub const TABLES: [&str; 13] = [
+        "damping",
+        "map",
+        "safe_speed",
+        "check",
+        "kinematics",
+        "restitution",
+        "identify",
+        "impact",
+        "extremes",
+        "generate",
+        "convert",
+        "export",
+        "comparison",
+    ];
+
+    /// Names of the [`TABLES`](Self::TABLES) that the study has.
+    pub fn given_tables(&self) -> Vec<&'static str> {
+        Self::TABLES.into_iter().filter(|table| self.keys.contains(table)).collect()
+    }
+
     /// Results of all tables. For a study with a sweep or variants, a pose without a result is no error: `mass_problem` has the reason.
     ///
     /// # Errors
@@ -219,11 +269,12 @@ impl StudyFile {
             Err(error) if has_rows && error.has_no_result() => (None, Some(error.message(Names::KEYS))),
             mass => (mass?, None),
         };
-        let report = self.results(contacts, mass)?;
+        let report = self.results(contacts, mass, &Self::TABLES)?;
         Ok(RequestReport { mass_problem, sweep: self.sweep_report()?, ..report })
     }
 
-    /// Results of all tables except the sweep, with the list of contacts and the result at the contact that are computed before.
+    /// Results of the tables with these names of [`TABLES`](Self::TABLES), with the list of contacts and the result at the contact that are
+    /// computed before.
     ///
     /// # Errors
     /// The first error of a table.
@@ -231,34 +282,81 @@ impl StudyFile {
         &self,
         contacts: Option<ContactListReport>,
         mass: Option<MassReport>,
+        names: &[&str],
     ) -> Result<RequestReport, AskError> {
-        let question = self.detailed_question(contacts.as_ref());
+        let Self { model, conditions, tables, .. } = self;
+        let contact = self.detailed_question(contacts.as_ref());
+        let is_wanted = |name: &str| names.contains(&name);
+        // The contact gives the link and the point that the table of a map does not have.
+        let is_of_map = |keys: [&str; 2]| keys.iter().any(|key| self.keys.contains(key));
+        let of_map = |field| match field {
+            Field::Link if is_of_map(["map.link", "map.all"]) => Field::MapLink,
+            Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
+            other => other,
+        };
+        macro_rules! asked {
+            ($table:ident) => {
+                tables.$table.as_ref().filter(|_| is_wanted(stringify!($table)))
+            };
+        }
+        let has_designs = !(self.variants.is_empty() && self.contacts.is_empty()) && is_wanted("comparison");
         Ok(RequestReport {
             schema: "percuss.report/1",
             percuss: env!("CARGO_PKG_VERSION"),
             mass,
             mass_problem: None,
-            damping: self.stop_damper()?,
-            restitution: self.restitution_report(question)?,
-            identify: self.identification_report(question)?,
-            impact: self.impact_report(question)?,
-            extremes: self.extremes_report(question)?,
+            damping: self.stop_damper(asked!(damping))?,
+            restitution: of_table("restitution", contact.zip(asked!(restitution)), |(contact, asked)| {
+                restitution_at(model, contact, asked)
+            })?,
+            identify: of_table("identify", contact.zip(asked!(identify)), |(contact, asked)| {
+                identify_contact_of(model, contact, asked)
+            })?,
+            impact: of_table("impact", contact.zip(asked!(impact)), |(contact, asked)| {
+                impact(model, contact, asked)
+            })?,
+            extremes: of_table("extremes", contact.zip(asked!(extremes)), |(contact, asked)| {
+                extremes(model, contact, asked)
+            })?,
             contacts,
             sweep: None,
-            comparison: self.comparison()?,
-            kinematics: self.kinematics_report()?,
-            map: self.map_result()?,
-            safe_speed: self.safe_speeds()?,
-            check: self.check_report()?,
-            generate: self.generated_code()?,
-            convert: self.conversion()?,
-            export: self.exported_impact()?,
+            comparison: has_designs.then(|| self.compare(&self.designs())).transpose()?,
+            kinematics: asked!(kinematics).map(|asked| kinematics(model, asked)).transpose()?,
+            map: of_table("map", asked!(map), |asked| {
+                requested_map(model, conditions, asked).map_err(|error| error.with_field(of_map))
+            })?,
+            safe_speed: of_table("safe_speed", asked!(safe_speed), |asked| {
+                safe_speeds(model, conditions, asked)
+            })?,
+            check: asked!(check).map(|_| check(model)).transpose()?,
+            generate: self
+                .question
+                .as_ref()
+                .zip(asked!(generate))
+                .map(|(contact, asked)| generate_code(model, contact, asked))
+                .transpose()?,
+            convert: asked!(convert).map(|asked| convert(model, asked)).transpose()?,
+            export: tables
+                .damping
+                .as_ref()
+                .zip(asked!(export))
+                .map(|(damping, asked)| export(model, conditions, damping, asked))
+                .transpose()?,
         })
+    }
+
+    /// Impact and extremes at the contact of the study.
+    ///
+    /// # Errors
+    /// As for [`impact`] and [`extremes`].
+    pub fn additions(&self) -> Result<StudyAdditions, AskError> {
+        let RequestReport { impact, extremes, .. } = self.results(None, None, &["impact", "extremes"])?;
+        Ok(StudyAdditions { impact, extremes })
     }
 
     /// Question of the details of a report: that of the first of several contacts with a result.
     pub fn detailed_question(&self, contacts: Option<&ContactListReport>) -> Option<&MassQuestion> {
-        let first = contacts.and_then(|list| list.contacts.iter().find(|contact| contact.report.is_some()));
+        let first = contacts.and_then(ContactListReport::first_with_result);
         let first = first.and_then(|first| self.contacts.iter().find(|contact| contact.name == first.name));
         first.map(|contact| &contact.question).or(self.question.as_ref())
     }
@@ -307,71 +405,20 @@ impl StudyFile {
     /// # Errors
     /// As for [`damp_stop`] and [`damp_contact`].
     pub fn damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        match (self.stop_damper()?, &self.question) {
-            (None, Some(contact)) => of_table("damping", self.tables.damping.as_ref(), |damping| {
-                damp_contact(&self.model, contact, damping)
-            }),
+        let damping = self.tables.damping.as_ref();
+        match (self.stop_damper(damping)?, &self.question) {
+            (None, Some(contact)) => {
+                of_table("damping", damping, |damping| damp_contact(&self.model, contact, damping))
+            }
             (found, _) => Ok(found),
         }
     }
 
     /// Damper at the stop of a joint.
-    ///
-    /// # Errors
-    /// As for [`damp_stop`].
-    pub fn stop_damper(&self) -> Result<Option<DampingReport>, StudyError> {
-        let stop = self.tables.damping.as_ref().and_then(|damping| Some((damping, damping.limit.as_ref()?)));
+    fn stop_damper(&self, damping: Option<&DampingQuestion>) -> Result<Option<DampingReport>, StudyError> {
+        let stop = damping.and_then(|damping| Some((damping, damping.limit.as_ref()?)));
         of_table("damping", stop, |(damping, stop)| {
             damp_stop(&self.model, stop, self.conditions.clone(), damping)
-        })
-    }
-
-    /// Restitution of a spring and damper at a contact of the study.
-    ///
-    /// # Errors
-    /// As for [`restitution_at`].
-    pub fn restitution_report(
-        &self,
-        question: Option<&MassQuestion>,
-    ) -> Result<Option<RestitutionReport>, StudyError> {
-        of_table("restitution", question.zip(self.tables.restitution.as_ref()), |(question, asked)| {
-            restitution_at(&self.model, question, asked)
-        })
-    }
-
-    /// Contact of measured impacts, compared with the effective mass at a contact of the study.
-    ///
-    /// # Errors
-    /// As for [`identify_contact_of`].
-    pub fn identification_report(
-        &self,
-        question: Option<&MassQuestion>,
-    ) -> Result<Option<IdentificationReport>, StudyError> {
-        of_table("identify", question.zip(self.tables.identify.as_ref()), |(question, asked)| {
-            identify_contact_of(&self.model, question, asked)
-        })
-    }
-
-    /// Impact at a contact of the study.
-    ///
-    /// # Errors
-    /// As for [`impact`].
-    pub fn impact_report(&self, question: Option<&MassQuestion>) -> Result<Option<ImpactReport>, StudyError> {
-        of_table("impact", question.zip(self.tables.impact.as_ref()), |(question, asked)| {
-            impact(&self.model, question, asked)
-        })
-    }
-
-    /// Extremes at a contact of the study.
-    ///
-    /// # Errors
-    /// As for [`extremes`].
-    pub fn extremes_report(
-        &self,
-        question: Option<&MassQuestion>,
-    ) -> Result<Option<ExtremesReport>, StudyError> {
-        of_table("extremes", question.zip(self.tables.extremes.as_ref()), |(question, asked)| {
-            extremes(&self.model, question, asked)
         })
     }
 
@@ -391,25 +438,11 @@ impl StudyFile {
     }
 
     /// All rows of the sweep at the contact of the study.
-    ///
-    /// # Errors
-    /// As for [`Sweep::new`].
-    pub fn sweep_report(&self) -> Result<Option<SweepReport>, StudyError> {
+    fn sweep_report(&self) -> Result<Option<SweepReport>, StudyError> {
         of_table("sweep", self.tables.sweep.as_ref().zip(self.question.as_ref()), |(requested, question)| {
             let question = self.question_of_rows(question);
             self.prepared_sweep(requested, &question)?.report()
         })
-    }
-
-    /// Comparison of the contacts and variants of the study.
-    ///
-    /// # Errors
-    /// As for [`compare`].
-    pub fn comparison(&self) -> Result<Option<ComparisonReport>, CompareError> {
-        if self.variants.is_empty() && self.contacts.is_empty() {
-            return Ok(None);
-        }
-        self.compare(&self.designs()).map(Some)
     }
 
     /// Comparison of the [designs](Self::designs). An error has the key at fault, such as `variant[0].set`.
@@ -430,75 +463,6 @@ impl StudyFile {
             }
             other => other,
         }
-    }
-
-    /// Kinematics of `[kinematics]`.
-    ///
-    /// # Errors
-    /// As for [`kinematics`](crate::kinematics).
-    pub fn kinematics_report(&self) -> Result<Option<KinematicsReport>, KinematicsError> {
-        self.tables.kinematics.as_ref().map(|requested| kinematics(&self.model, requested)).transpose()
-    }
-
-    /// Map of `[map]`.
-    ///
-    /// # Errors
-    /// As for [`map`] and [`map_point`].
-    pub fn map_result(&self) -> Result<Option<MapResult>, StudyError> {
-        // The contact gives the link and the point that the table does not have.
-        let is_of_map = |keys: [&str; 2]| keys.iter().any(|key| self.keys.contains(key));
-        let of_map = |field| match field {
-            Field::Link if is_of_map(["map.link", "map.all"]) => Field::MapLink,
-            Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
-            other => other,
-        };
-        of_table("map", self.tables.map.as_ref(), |asked| {
-            requested_map(&self.model, &self.conditions, asked).map_err(|error| error.with_field(of_map))
-        })
-    }
-
-    /// Safe speeds of `[safe_speed]`.
-    ///
-    /// # Errors
-    /// As for [`safe_speeds`](crate::safe_speeds).
-    pub fn safe_speeds(&self) -> Result<Option<Vec<SafeSpeedReport>>, StudyError> {
-        of_table("safe_speed", self.tables.safe_speed.as_ref(), |asked| {
-            safe_speeds(&self.model, &self.conditions, asked)
-        })
-    }
-
-    /// Contents of the model, for a table `[check]`.
-    ///
-    /// # Errors
-    /// As for [`check`].
-    pub fn check_report(&self) -> Result<Option<CheckReport>, StudyError> {
-        self.tables.check.as_ref().map(|_| check(&self.model)).transpose()
-    }
-
-    /// Source code of `[generate]`, at the contact of the study.
-    ///
-    /// # Errors
-    /// As for [`generate_code`].
-    pub fn generated_code(&self) -> Result<Option<CodeReport>, CodeError> {
-        let asked = self.question.as_ref().zip(self.tables.generate.as_ref());
-        asked.map(|(question, asked)| generate_code(&self.model, question, asked)).transpose()
-    }
-
-    /// The model in the format of `[convert]`.
-    ///
-    /// # Errors
-    /// As for [`convert`].
-    pub fn conversion(&self) -> Result<Option<ConversionReport>, ConversionError> {
-        self.tables.convert.as_ref().map(|asked| convert(&self.model, asked)).transpose()
-    }
-
-    /// The impact of `[export]` with the damper of `[damping]`.
-    ///
-    /// # Errors
-    /// As for [`export`].
-    pub fn exported_impact(&self) -> Result<Option<ExportReport>, ImpactExportError> {
-        let asked = self.tables.damping.as_ref().zip(self.tables.export.as_ref());
-        asked.map(|(damping, asked)| export(&self.model, &self.conditions, damping, asked)).transpose()
     }
 }
 

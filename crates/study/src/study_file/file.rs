@@ -270,6 +270,11 @@ struct StudyReader<'a> {
 }
 
 impl StudyReader<'_> {
+    /// True if the study has one of the tables.
+    fn has_table(&self, tables: &[&str]) -> bool {
+        tables.iter().any(|table| self.keys.contains(table))
+    }
+
     /// Error of the study file for an invalid key.
     fn invalid_key_error(&self, refusal: InvalidKey) -> StudyFileError {
         self.value(refusal.key, refusal.key, refusal.reason(Names::KEYS))
@@ -382,36 +387,13 @@ impl StudyReader<'_> {
             }
         }
         // A study without a contact needs another query.
-        let StudyTables {
-            sweep,
-            damping,
-            impact,
-            extremes,
-            kinematics,
-            map,
-            safe_speed,
-            check,
-            generate,
-            convert,
-            ..
-        } = &study;
-        let stops = damping.as_ref().is_some_and(|damping| damping.limit.is_some());
-        let without_contact = map.is_some()
-            || safe_speed.is_some()
-            || kinematics.is_some()
-            || check.is_some()
-            || convert.is_some()
-            || stops;
-        let of_contact = study.mass.is_some()
-            || !variants.is_empty()
-            || sweep.is_some()
-            || study.restitution.is_some()
-            || study.identify.is_some()
-            || impact.is_some()
-            || extremes.is_some()
-            || generate.is_some()
-            || (damping.is_some() && !stops)
-            || !without_contact;
+        let stops = study.damping.as_ref().is_some_and(|damping| damping.limit.is_some());
+        let without_contact =
+            stops || self.has_table(&["map", "safe_speed", "kinematics", "check", "convert"]);
+        let of_contact = !without_contact
+            || study.damping.is_some() && !stops
+            || self.has_table(&["variant", "restitution", "identify", "impact", "extremes", "generate"])
+            || self.has_table(&["mass", "sweep"]);
         let asks = match contact.missing() {
             None => !stops,
             Some(part) if of_contact => {
@@ -529,7 +511,11 @@ impl StudyReader<'_> {
             None => {
                 let path = folder.join(&study.model.path);
                 let (path, worksheet) = (path.to_string_lossy(), study.model.worksheet.as_deref());
-                let kinematics_only = study.is_kinematics_only();
+                // For kinematics alone, the masses of a sheet may be missing.
+                let has_contact = study.contact.iter().any(|contact| !contact.is_empty());
+                let others = StudyFile::TABLES.into_iter().filter(|table| *table != "kinematics");
+                let others: Vec<&str> = others.chain(["mass", "sweep", "variant"]).collect();
+                let kinematics_only = study.kinematics.is_some() && !has_contact && !self.has_table(&others);
                 let mut model = Model::load_named(&path, self.max_size, options, worksheet, kinematics_only)?;
                 model.inputs.push(Input::from_source(source));
                 model

@@ -97,7 +97,7 @@ impl StudyKeys {
     }
 
     /// True if the file has the key or list element.
-    pub(crate) fn contains(&self, key: &str) -> bool {
+    pub fn contains(&self, key: &str) -> bool {
         (0..self.nodes.len()).any(|place| self.is_path_of(place, key))
     }
 

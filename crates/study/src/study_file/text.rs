@@ -89,27 +89,6 @@ pub struct StudyTables {
 }
 
 impl StudyTables {
-    /// True if the study asks for kinematics alone, for which the masses of a sheet may be missing.
-    pub(crate) fn is_kinematics_only(&self) -> bool {
-        let of_masses = [
-            self.mass.is_some(),
-            self.damping.is_some(),
-            self.restitution.is_some(),
-            self.identify.is_some(),
-            self.impact.is_some(),
-            self.extremes.is_some(),
-            self.sweep.is_some(),
-            self.map.is_some(),
-            self.safe_speed.is_some(),
-            self.check.is_some(),
-            self.generate.is_some(),
-            self.convert.is_some(),
-            self.export.is_some(),
-        ];
-        let has_contact = self.contact.iter().any(|contact| !contact.is_empty());
-        self.kinematics.is_some() && !of_masses.contains(&true) && !has_contact && self.variant.is_empty()
-    }
-
     /// Key and reason of the first invalid held point.
     pub(crate) fn hold_fault(&self, mechanism: &Mechanism) -> Option<(String, String)> {
         self.hold.iter().enumerate().find_map(|(number, hold)| {

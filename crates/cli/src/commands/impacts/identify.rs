@@ -47,18 +47,16 @@ pub fn show(
     strict: bool,
 ) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
-    report.inputs.iter().for_each(|input| record_input(&input.path));
-    if let Some(path) = output {
-        let picture = || Ok(Box::new(sheet(report)) as Box<dyn Picture>);
-        Contents {
-            name: "identification",
-            table: Some(&|| cells(report)),
-            picture: Some(&picture),
-            ..Contents::default()
-        }
-        .write(path)?;
-    }
+    output.map_or(Ok(()), |path| write_output(report, path))?;
     document::print(report, format, || document(report))
+}
+
+/// Writes the data and the fit as a table or a picture.
+pub fn write_output(report: &IdentificationReport, path: &str) -> Result<(), Failure> {
+    report.inputs.iter().for_each(|input| record_input(&input.path));
+    let picture = || Ok(Box::new(sheet(report)) as Box<dyn Picture>);
+    let (table, picture) = (Some(&(|| cells(report)) as _), Some(&picture as _));
+    Contents { name: "identification", table, picture, ..Contents::default() }.write(path)
 }
 
 /// The contact, the comparison of its mass, the impacts and the signals, with data and fit over time.

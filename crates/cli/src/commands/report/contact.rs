@@ -1,7 +1,6 @@
 //! Result of a contact: the number with its uncertainty, conditions, contributions, estimate and motion ratios.
 
 use super::findings::add_warnings;
-use super::results::first_with_result;
 use crate::commands::mass::contact_list;
 use crate::commands::mass::sensitivity::effect_text;
 use crate::files::html::Page;
@@ -19,7 +18,7 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
     contact_list::document(listed).show(page);
     page.close_result();
     add_warnings(&listed.diagnostics, page);
-    if let Some(first) = first_with_result(listed) {
+    if let Some(first) = listed.first_with_result().map(|first| &first.name) {
         let with_result = if listed.contacts.len() > count { " with a result" } else { "" };
         let text = format!("The details below are those of the first contact{with_result}, {first}.");
         page.paragraph("", &text);

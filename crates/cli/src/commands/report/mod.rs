@@ -15,11 +15,11 @@ mod sweep;
 use crate::args::RunArgs;
 use crate::commands::exports::{explore::study_page, generate};
 use crate::commands::mass::{check_expected, headline};
-use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::output::{record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics, write_text};
-use percuss_study::{RowSource, StudyFile, SweepQuestion};
+use percuss_study::StudyFile;
 use results::StudyResults;
 use std::path::Path;
 
@@ -39,20 +39,10 @@ pub fn files_of_page(study: &StudyFile, path: &str) -> Vec<String> {
 
 /// Writes the report of a study.
 pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failure> {
-    let is_html = Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
-    if !is_html {
-        return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
-    }
-    study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| record_input(&input.path));
-    if let Some(RowSource::File(file)) = study.tables.sweep.as_ref().map(SweepQuestion::rows) {
-        record_input(&file.path);
-    }
-    // The checks precede the computation.
     let mut files = files_of_page(study, path);
     files.extend(args.explorer.clone());
     // The names of generated files follow from the model; their folder is no file.
     files.extend(study.outputs().filter(|(key, _)| *key != "generate.output").map(|(_, file)| file));
-    files.iter().try_for_each(|file| check_writable(file))?;
     // The page refuses a study before the computation.
     let explorer = match &args.explorer {
         Some(_) => Some(study_page(study, args.max_size, args.strict)?),
@@ -69,7 +59,8 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         }
     }
     let page = page::text(&answers, study, args, path, &inputs)?;
-    let json = answers.json()?;
+    // The same as with --format json.
+    let json = answers.report.main_json().unwrap_or_default() + "\n";
     write_file(&accompanying_file(path, "json"), json.as_bytes())?;
     if let Some(sweep) = &answers.sweep {
         write_file(&accompanying_file(path, "csv"), sweep.csv.as_bytes())?;

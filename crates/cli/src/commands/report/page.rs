@@ -39,7 +39,7 @@ pub(super) fn text(
         mass::document(report).show(&mut page);
         page.facts(contact::accuracy(report, &study.mass));
     }
-    if let Some(contents) = &results.contents {
+    if let Some(contents) = &results.report.check {
         mechanism::add_model(contents, &mut page);
     }
     if let Some(sweep) = &results.sweep {
