@@ -20,6 +20,11 @@ mod recursion;
 mod tolerances;
 
 pub use analysis::assembly::{Assembly, DrawnGap};
+pub use analysis::compliance::elements::{ElasticDirection, ElementMotion, LinearElement};
+pub use analysis::compliance::modes::Mode;
+pub use analysis::compliance::residual::{ResidualCompliance, RowShare};
+pub use analysis::compliance::response::Receptance;
+pub use analysis::compliance::system::{ComplianceError, ElasticSystem};
 pub use analysis::pose::{Pose, PoseRank};
 pub use analysis::response::{ContactResponse, Contributions};
 pub use analysis::rigid_loops::{DepartingAxis, RigidLoops};

@@ -48,6 +48,23 @@ pub(crate) const LARGEST_DERIVATIVE_LOSS: f64 = 1e5;
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
 pub(crate) const DENSE_ROUTE_LIMIT: usize = 1000;
+/// Largest number of coordinates of a mechanism with free bushes: its decompositions cost O(n³).
+pub(crate) const COMPLIANT_COORDINATES: usize = 600;
+/// Threshold for singular values of constraint rows in multiples of the inexactness of the loops per length: angles of redundant rows
+/// deviate by some of it.
+pub(crate) const INEXACT_RANK_FACTOR: f64 = 100.0;
+/// Largest such threshold; independent rows of linkages have singular values of at least some thousandths.
+pub(crate) const LARGEST_RANK_FLOOR: f64 = 1e-4;
+/// Eigenvalues of the mass matrix below this fraction of the largest count as zero; rounding leaves some 1e-16, and a rotor of 1e-6 kg·m²
+/// beside 1000 kg is 1e-9.
+pub(crate) const NO_INERTIA: f64 = 1e-12;
+/// Relative error of the matrices of a mechanism with bushes: the roundings of two products with an orthonormal basis.
+pub(crate) const REDUCED_ACCURACY: f64 = 100.0 * f64::EPSILON;
+/// Frequencies below this fraction of the highest belong to motions without stiffness. The elastic energy of such a motion is the square of
+/// rounding, 1e-15 of the highest frequency; 1 Hz beside 100 kHz is 1e-5.
+pub(crate) const RIGID_MODE: f64 = 1e-9;
+/// Speed of an elastic row along the rigid motion, relative to the product of their sizes, below which the row does not resist the motion.
+pub(crate) const CLEAR_OF_RIGID_MOTION: f64 = 1e-9;
 /// Largest memory, in bytes, of the matrices of all clusters in one run of the recursion. An error estimate needs two
 /// runs at the same time, which together with the model stay within 1.5 GB. Sufficient for a loop of 1,800 free
 /// links.

@@ -1,5 +1,6 @@
 //! Poses, workspaces and paths of rows.
 
+mod compliance;
 mod four_bar;
 mod inputs;
 mod row_path;

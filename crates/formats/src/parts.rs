@@ -68,7 +68,7 @@ impl Parts {
                 Subject::Joint { index, .. } => self.joints.get(*index).map(|(_, element)| *element),
                 Subject::Closure { index, .. } => self.closures.get(*index).map(|(_, element)| *element),
                 Subject::Coupling { index, .. } => related().nth(*index),
-                Subject::Mechanism | Subject::Contact { .. } => None,
+                Subject::Mechanism | Subject::Contact { .. } | Subject::Bush { .. } => None,
             };
             let element = element.unwrap_or_else(|| findings.tree.root());
             if let Some(element) = place(element, &subject, &problem) {

@@ -2,12 +2,12 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::checks::{closures, contacts, inertias, relations};
+use crate::checks::{bushes, closures, contacts, inertias, relations};
 use crate::names::name_mark::NameMark;
 use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
-    ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry, Inertial, Joint,
-    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic,
+    BushDescription, ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry,
+    Inertial, Joint, JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic,
     RelationDescription, tree,
 };
 use percuss_spatial::{SpatialInertia, Vector3};
@@ -54,6 +54,7 @@ pub struct MechanismBuilder {
     couplings: Vec<CouplingDescription>,
     relations: Vec<RelationDescription>,
     contacts: Vec<ContactDescription>,
+    bushes: Vec<BushDescription>,
 }
 
 impl MechanismBuilder {
@@ -105,6 +106,12 @@ impl MechanismBuilder {
         self
     }
 
+    /// Adds a bush.
+    pub fn bush(mut self, bush: BushDescription) -> Self {
+        self.bushes.push(bush);
+        self
+    }
+
     /// Applies `change` to the links added so far.
     #[must_use]
     pub fn map_links(mut self, change: impl FnMut(LinkDescription) -> LinkDescription) -> Self {
@@ -148,6 +155,7 @@ impl MechanismBuilder {
         closures::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
         relations::check(&self.relations, self.couplings.len(), check);
         contacts::check(&self.contacts, &self.links, &link_ids, check);
+        bushes::check(&self.bushes, &self.links, &link_ids, check);
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
         let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
@@ -187,6 +195,7 @@ impl MechanismBuilder {
         closures::attach(&mut mechanism, &self.closures, &self.couplings, check);
         relations::attach(&mut mechanism, &self.relations, self.couplings.len(), check);
         contacts::attach(&mut mechanism, &self.contacts);
+        bushes::attach(&mut mechanism, &self.bushes, check);
         Some(mechanism)
     }
 

@@ -11,9 +11,11 @@ mod limits;
 mod mechanism;
 mod names;
 mod problem;
+mod released;
 mod tree;
 
 pub use builder::{BuildError, Built, MechanismBuilder};
+pub use elements::bush::{Bush, BushDescription};
 pub use elements::closure::{Closure, ClosureId, ClosureKind, LoopFrame};
 pub use elements::contact::{ContactDescription, ContactKind, ContactNormal, NamedContact};
 pub use elements::coupling::{Coupling, Curve, LinkRatio};

@@ -2,7 +2,7 @@
 
 use crate::tree::Tree;
 use crate::{
-    Closure, ClosureId, Coupling, Joint, JointId, JointKind, Link, LinkId, NameKind, NamedContact,
+    Bush, Closure, ClosureId, Coupling, Joint, JointId, JointKind, Link, LinkId, NameKind, NamedContact,
     UnknownName, near_names,
 };
 use std::collections::HashMap;
@@ -17,6 +17,7 @@ pub struct Mechanism {
     pub(crate) closures: Vec<Closure>,
     pub(crate) couplings: Vec<Coupling>,
     pub(crate) contacts: Vec<NamedContact>,
+    pub(crate) bushes: Vec<Bush>,
     pub(crate) root: LinkId,
     pub(crate) parent_joint: Vec<Option<JointId>>,
     pub(crate) child_joints: Vec<Vec<JointId>>,
@@ -47,6 +48,7 @@ impl Mechanism {
             closures: Vec::new(),
             couplings: Vec::new(),
             contacts: Vec::new(),
+            bushes: Vec::new(),
             root,
             parent_joint,
             child_joints,
@@ -85,6 +87,11 @@ impl Mechanism {
     /// All named contacts, in the given order.
     pub fn contacts(&self) -> &[NamedContact] {
         &self.contacts
+    }
+
+    /// All bushes, in the given order.
+    pub fn bushes(&self) -> &[Bush] {
+        &self.bushes
     }
 
     /// Indices of all closures.

@@ -76,6 +76,13 @@ pub enum Subject {
         /// Its name.
         name: String,
     },
+    /// Bush with the given index.
+    Bush {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
 }
 
 impl fmt::Display for Subject {
@@ -87,6 +94,7 @@ impl fmt::Display for Subject {
             Subject::Closure { name, .. } => write!(f, "loop \"{name}\""),
             Subject::Coupling { name, .. } => write!(f, "coupling \"{name}\""),
             Subject::Contact { name, .. } => write!(f, "contact \"{name}\""),
+            Subject::Bush { name, .. } => write!(f, "bush \"{name}\""),
         }
     }
 }
@@ -212,6 +220,11 @@ pub enum Problem {
         /// Similar names.
         near: Vec<String>,
     },
+    /// Bush with an invalid number, or in place of joints that it cannot replace.
+    BadBush {
+        /// The reason.
+        why: String,
+    },
     /// Couplings that form a cycle.
     CouplingCycle {
         /// Links at the ends of the coupling that closes the cycle.
@@ -327,6 +340,7 @@ impl Problem {
             | Problem::CouplingKind { .. }
             | Problem::CouplingOfNothing
             | Problem::UnknownJoint { .. }
+            | Problem::BadBush { .. }
             | Problem::CouplingCycle { .. }
             | Problem::SeveralRoots { .. }
             | Problem::Cycle { .. }
@@ -371,6 +385,7 @@ impl Problem {
             Problem::CouplingKind { .. } => "coupling-kind",
             Problem::CouplingOfNothing => "coupling-of-nothing",
             Problem::UnknownJoint { .. } => "unknown-joint",
+            Problem::BadBush { .. } => "bad-bush",
             Problem::CouplingCycle { .. } => "coupling-cycle",
             Problem::SeveralRoots { .. } => "several-roots",
             Problem::Cycle { .. } => "cycle",
@@ -435,6 +450,7 @@ impl fmt::Display for Problem {
                 write!(f, "joint \"{joint}\" does not exist")?;
                 write_near(f, near)
             }
+            Problem::BadBush { why } => f.write_str(why),
             Problem::CouplingCycle { links: [a, b] } => write!(
                 f,
                 "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: the ratios form a circle"

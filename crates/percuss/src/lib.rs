@@ -34,16 +34,18 @@ pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,
-    BatchPositions, BatchRows, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact,
-    ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions,
-    DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
-    GivenPositions, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, LowestPoint,
+    BatchPositions, BatchRows, BranchLimits, ComplianceError, ConditionOfJoint, Conditions, ConditionsError,
+    Configuration, ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource,
+    Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus,
+    Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
+    ElasticDirection, ElasticSystem, ElementMotion, ErrorBudget, Frame, Gap, GivenPositions,
+    InverseOperationalInertia, LayoutError, LinearElement, LocatedContact, LoopState, LowestPoint,
     MapAnswers, MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
-    PathAnswer, PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags,
-    ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowColumns,
-    RowHandler, RowPath, RowResults, Singularity, StateSizeError, System, Travel, TravelError, Workspace,
-    WorkspaceResponse, effective_mass, input, interruption,
+    Mode, PathAnswer, PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Receptance, Remark,
+    RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice,
+    RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity,
+    StateSizeError, System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input,
+    interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{
@@ -58,11 +60,11 @@ pub use percuss_impact as impact;
 pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]
 pub use percuss_mechanism::{
-    Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, ContactDescription,
-    ContactKind, ContactNormal, Coupling, CouplingDescription, Curve, CurveDescription, Geometry, Inertial,
-    Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId, LinkRatio, LoopFrame,
-    Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind, NamedContact, Problem,
-    RelationDescription, Severity, Subject, UnknownName,
+    Accept, BuildError, Built, Bush, BushDescription, Closure, ClosureDescription, ClosureId, ClosureKind,
+    ContactDescription, ContactKind, ContactNormal, Coupling, CouplingDescription, Curve, CurveDescription,
+    Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId,
+    LinkRatio, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind, NamedContact,
+    Problem, RelationDescription, Severity, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
 #[cfg(feature = "study")]

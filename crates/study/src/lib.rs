@@ -27,6 +27,7 @@ pub use checks::model_check::{
     CheckReport, ClosureRecord, JointRecord, LinkRecord, RelationTermRecord, check,
 };
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
+pub use damper::compliance::{BushShareRecord, ComplianceRecord, CompliantContactRecord};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
@@ -57,6 +58,7 @@ pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};
 pub use question::tables::contact::{BaseName, ConditionsTable, ContactTable, FrameName, PoseTable};
+pub use question::tables::damping::restitution::{RestitutionQuestion, ToolParameter};
 pub use question::tables::damping::{DampingQuestion, LawName, SeparationName, Tools};
 pub use question::tables::exports::{CodeQuestion, LanguageName};
 pub use question::tables::exports::{ConversionQuestion, ExportQuestion, ModelFormat};
@@ -71,7 +73,6 @@ pub use question::tables::kinematics::{AxlePosition, KinematicVariable, Kinemati
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, CheckQuestion, ModelTable};
-pub use question::tables::restitution::{RestitutionQuestion, ToolParameter};
 pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
 pub use question::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepQuestion, TableUnit,

@@ -39,10 +39,10 @@ use percuss_formats::reading::encoding::{self, Decoded};
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
-    Accept, Built, ContactDescription, ContactKind, ContactNormal, Inertial, JointDescription, JointKind,
-    LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
+    Accept, Built, BushDescription, ContactDescription, ContactKind, ContactNormal, Inertial,
+    JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
 };
-use percuss_spatial::Vector3;
+use percuss_spatial::{Matrix3, Vector3};
 pub use percuss_units::LengthUnit;
 pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
 pub use understood::Understood;
@@ -125,6 +125,7 @@ fn import_sheet(
             kind: "sheet",
             side: sheet.side,
             rack: sheet.rack,
+            rack_stiffness: sheet.rack_stiffness,
             wheel: sheet.wheel,
             places: FilePlaces { frame: sheet.frame, is_right: sheet.points_side == Side::Right },
             points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
@@ -223,6 +224,8 @@ struct SuspensionFacts<'d> {
     kind: &'static str,
     side: Side,
     rack: Rack,
+    /// Stiffness of the rack and its housing along y, N/m.
+    rack_stiffness: Option<f64>,
     wheel: Option<Wheel>,
     places: FilePlaces,
     points: Vec<String>,
@@ -276,6 +279,7 @@ fn read_chrono(
         kind: "Chrono::Vehicle's template",
         side,
         rack: options.rack.unwrap_or_default(),
+        rack_stiffness: None,
         wheel: options.wheel,
         places: FilePlaces { frame: reader.frame, is_right: false },
         points: Vec::new(),
@@ -329,7 +333,8 @@ fn build_mechanism(
             | Subject::Joint { name, .. }
             | Subject::Closure { name, .. }
             | Subject::Coupling { name, .. }
-            | Subject::Contact { name, .. } => name,
+            | Subject::Contact { name, .. }
+            | Subject::Bush { name, .. } => name,
         };
         let is_triangle_inequality = matches!(problem, Problem::TriangleInequality { .. });
         if is_triangle_inequality {
@@ -460,7 +465,14 @@ fn assemble(
     let mut builder = MechanismBuilder::new(facts.name).link(chassis);
     annotations.comments.links.insert(CHASSIS.to_owned(), comment.to_owned());
     match (corner.rack_origin(), facts.rack) {
-        (Some(at), rack) => builder = add_rack(builder, at, rack, &mut annotations),
+        (Some(at), rack) => {
+            builder = add_rack(builder, at, rack, &mut annotations);
+            builder = facts
+                .rack_stiffness
+                .into_iter()
+                .map(|k| rack_bush(rack, k))
+                .fold(builder, MechanismBuilder::bush);
+        }
         (None, Rack::Sliding { .. }) => {
             let message = "the template has no tie rod, so there is no rack to slide".to_owned();
             findings.warning("no-rack", &Spot::default(), message);
@@ -500,6 +512,17 @@ fn third_spring() -> ContactDescription {
         normal: ContactNormal::Toward(Vector3::zeros()),
         gap: None,
     }
+}
+
+/// Bush that holds the rack along y with this stiffness, N/m.
+fn rack_bush(rack: Rack, stiffness: f64) -> BushDescription {
+    let ideal = f64::INFINITY;
+    let mut bush = BushDescription::new(RACK, RACK, CHASSIS).replacing(RACK);
+    // x backward, z along y: the axis of the bush.
+    bush.frame.rotation = Matrix3::from_columns(&[-Vector3::x(), Vector3::z(), Vector3::y()]);
+    bush.stiffness = [ideal, ideal, ideal, ideal, ideal, stiffness];
+    bush.rigid = [true, true, true, true, true, rack == Rack::Fixed];
+    bush
 }
 
 /// Adds the rack, fixed or sliding along y, with its frame at `at`.

@@ -47,6 +47,10 @@ pub(crate) const MAX_SHIFT: f64 = 0.3;
 pub(crate) const MAX_CURVE_POINTS: usize = 64;
 /// Greatest number of powers of a stop.
 pub(crate) const MAX_POWERS: usize = 10;
+/// Plausible radial and axial stiffness of a bush, N/m: from a soft mount to a ball joint.
+pub(crate) const BUSH_STIFFNESS: RangeInclusive<f64> = 1e4..=1e9;
+/// Largest plausible loss factor of a bush: that of a hydraulic one is 0.5 to 1.
+pub(crate) const MAX_LOSS_FACTOR: f64 = 1.5;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Plausible radii of a loaded wheel, m: from karts to trucks.

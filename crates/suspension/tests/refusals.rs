@@ -192,7 +192,7 @@ fn what_looks_odd_is_doubted() {
     let cases: [(&'static str, &'static str, &str, &str); 3] = [
         ("Upright/Colour", "\"red\"", "unknown-key", "Upright/Colour"),
         ("Author", "\"me\"", "unknown-key", "Author"),
-        ("Upper Control Arm/Bushing Data", "{}", "bushing", "Upper Control Arm/Bushing Data"),
+        ("Upright/Bushing Data", "{}", "bushing", "Upright/Bushing Data"),
     ];
     for (key, value, code, element) in cases {
         let found = doubts("DoubleWishbone", &changed(&double_wishbone(), &[(key, value)]), &on(Side::Left));

@@ -60,6 +60,10 @@ pub fn mass_row(report: &MassReport, drivers: &[String]) -> String {
     ];
     header.splice(fixed_at..fixed_at, FIXED_COLUMNS.map(str::to_owned));
     row.splice(fixed_at..fixed_at, fixed);
+    if let Some(compliance) = &report.compliance {
+        header.extend(["free_mass", "residual_stiffness"].map(str::to_owned));
+        row.extend([cell(compliance.free_mass), cell(compliance.residual_stiffness)]);
+    }
     line(&header) + &line(&row)
 }
 

@@ -15,6 +15,10 @@ pub const ASSUMPTIONS_SHOWN: usize = 3;
 pub const CHANGES_SHOWN: usize = 6;
 /// Share of the effective mass below which a contribution is only counted, because it would be shown as 0.0 %.
 pub const MIN_CONTRIBUTION: f64 = 5e-4;
+/// Estimated change of an impulse by the bushes above which the rule of thumb has no meaning.
+pub const MUCH_COMPLIANCE: f64 = 0.25;
+/// Share of a row in the elastic energy of the bushes from which the row is named.
+pub const SEEN_SHARE: f64 = 0.05;
 /// Length of the longest bar beside a table, in characters: a quarter of a line of 80 columns.
 pub const BAR_WIDTH: usize = 20;
 /// Length of the longest bar below which a table has no bars: bars of a few characters cannot be compared.

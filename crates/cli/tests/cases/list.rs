@@ -31,6 +31,7 @@ crate::pages! {
     study_contacts "crates/cli/tests/cases/study/contacts.md",
     study_keys "crates/cli/tests/cases/study/keys.md",
     study_run "crates/cli/tests/cases/study/run.md",
+    suspensions_bushes "crates/cli/tests/cases/suspensions/bushes.md",
     suspensions_contact_patches "crates/cli/tests/cases/suspensions/contact_patches.md",
     suspensions_daily_use "crates/cli/tests/cases/suspensions/daily_use.md",
     suspensions_import "crates/cli/tests/cases/suspensions/import.md",

@@ -10,6 +10,7 @@ crate::pages! {
     explanation_assembly_modes "docs/explanation/ASSEMBLY_MODES.md",
     explanation_effective_mass "docs/explanation/EFFECTIVE_MASS.md",
     explanation_figure3 "docs/explanation/FIGURE3.md",
+    howto_bushes "docs/howto/BUSHES.md",
     howto_code "docs/howto/CODE.md",
     howto_designs "docs/howto/DESIGNS.md",
     howto_impact "docs/howto/IMPACT.md",

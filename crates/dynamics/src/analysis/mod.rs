@@ -1,6 +1,7 @@
 //! From a compiled system to an assembly, a pose and a response.
 
 pub(crate) mod assembly;
+pub(crate) mod compliance;
 pub(crate) mod pose;
 pub(crate) mod posing;
 pub(crate) mod response;

@@ -1,7 +1,7 @@
 //! Writer of mechanisms as URDF+.
 
 use crate::shape::{Shape, Solid};
-use crate::writing::changes::{Change, ModelText, changed_names, lost_poses, lost_shape};
+use crate::writing::changes::{Change, ModelText, common_changes, lost_poses, lost_shape};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{
     append, escape_attribute, escape_comment, format_number, format_numbers, format_vector, scale_text,
@@ -88,7 +88,7 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     let parts = model.into();
     let mechanism = parts.mechanism;
     let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
-    let mut changes = changed_names(mechanism);
+    let mut changes = common_changes(mechanism);
     changes.extend(lost_poses(&parts, "URDF"));
     for joint in mechanism.joints() {
         if joint.kind() == JointKind::Spherical {

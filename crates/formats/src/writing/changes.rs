@@ -2,7 +2,7 @@
 
 use crate::shape::Shape;
 use crate::writing::parts::ModelParts;
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::{Bush, LinkId, Mechanism};
 use std::fmt;
 
 /// Effect of a conversion on a part of a model.
@@ -113,8 +113,8 @@ pub(crate) fn lost_shape(mechanism: &Mechanism, link: LinkId, shape: &Shape, rea
     Change::lost("link", mechanism.link(link).name(), what, reason)
 }
 
-/// Changes of names with characters that XML forbids.
-pub(crate) fn changed_names(mechanism: &Mechanism) -> Vec<Change> {
+/// Changes that every format has: names with characters that XML forbids, and bushes.
+pub(crate) fn common_changes(mechanism: &Mechanism) -> Vec<Change> {
     let links = mechanism.links().iter().map(|link| ("link", link.name()));
     let joints = mechanism.joints().iter().map(|joint| ("joint", joint.name()));
     let closures = mechanism.closures().iter().map(|closure| ("loop", closure.name()));
@@ -125,5 +125,9 @@ pub(crate) fn changed_names(mechanism: &Mechanism) -> Vec<Change> {
     let change = |(kind, name)| {
         Change::changed(kind, name, "characters of its name become U+FFFD", "XML forbids control characters")
     };
-    names.filter(is_changed).map(change).collect()
+    let lost = |bush: &Bush| {
+        let reason = "the file has the ideal joint in its place";
+        Change::lost("bush", bush.name(), "stiffness and damping", reason)
+    };
+    names.filter(is_changed).map(change).chain(mechanism.bushes().iter().map(lost)).collect()
 }

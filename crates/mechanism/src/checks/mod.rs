@@ -1,5 +1,6 @@
 //! Checks of the parts of a mechanism, and of its whole.
 
+pub(crate) mod bushes;
 pub(crate) mod check;
 pub(crate) mod closures;
 pub(crate) mod contacts;

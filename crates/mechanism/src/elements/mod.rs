@@ -1,5 +1,6 @@
 //! Parts of a mechanism, and their descriptions for the builder.
 
+pub(crate) mod bush;
 pub(crate) mod closure;
 pub(crate) mod contact;
 pub(crate) mod coupling;

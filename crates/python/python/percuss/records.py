@@ -87,6 +87,17 @@ class BodyShare(Record):
     """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
 
 
+class BushShareRecord(Record):
+    """Share of a bush."""
+
+    bush: str
+    """The bush."""
+    direction: str
+    """Direction in the bush: "radial x", "radial y", "axial", "conical x", "conical y", "torsional"."""
+    share: float
+    """Share of the elastic energy, from 0 to 1."""
+
+
 class ChangeRecord(Record):
     """Part of a model that has another form in the written file, or none."""
 
@@ -236,6 +247,51 @@ class ComparisonRow(Record):
     """Difference of each design from its reference, per cent."""
     motion_ratio: list[float | None]
     """Motion ratio of each design: closing of the contact per varied travel; None without a travel."""
+
+
+class ComplianceRecord(Record):
+    """Compliance of the bushes at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment."""
+
+    free_mass: float | None
+    """m̄ with all bushes free, the limit of stiff contacts, in the unit of the report; None unless finite."""
+    free_status: Literal["finite", "immovable", "massless"]
+    """Kind of result with all bushes free."""
+    residual_compliance: float | None
+    """Residual compliance c_res of the bushes, m/N; None if the contact is massless or immovable."""
+    residual_stiffness: float | None
+    """Residual stiffness 1/c_res, N/m; None if no bush gives way."""
+    rows: list[BushShareRecord]
+    """Shares of the bushes in the elastic energy of the residual compliance, the largest first."""
+    lower_bounds_hold: bool
+    """True if no spring, damper, tyre or free rotation of a bush with stiffness acts along the motion of the rigid mechanism:
+    the lower bounds of an impact hold."""
+    beside: list[str]
+    """Springs and dampers of the sheet."""
+    rigid_up_to: list[float] | None
+    """Largest stiffnesses of a contact, N/m, up to which the rigid mass is right within 1 % and within 5 %, by the rule of
+    thumb."""
+    contact: CompliantContactRecord | None
+    """Contact of the given stiffness; None without a stiffness."""
+
+
+class CompliantContactRecord(Record):
+    """Contact of a given stiffness on the mechanism with bushes."""
+
+    stiffness: float
+    """Stiffness k of the contact, N/m."""
+    frequency: float | None
+    """Frequency √(k/m̄)/2π of the rigid mechanism on the contact, Hz; None unless m̄ is finite."""
+    duration: float | None
+    """Duration π√(m̄/k) of the contact of the rigid mechanism, s; None unless m̄ is finite."""
+    impulse_change: float | None
+    """Estimated relative change of the impulse by the bushes, 1.3 k c_res: a rule of thumb for small values."""
+    force_change: float | None
+    """Estimated relative change of the peak force by the bushes, 1.2 k c_res: a rule of thumb for small values."""
+    peak_force_per_speed: list[float | None]
+    """Proved bounds of the peak force per approach speed, N·s/m: √(k m_free) and √(k m̄). The lower bound is None if a
+    stiffness or a damping acts along the motion, the upper bound if m̄ is not finite."""
+    peak_force: list[float | None] | None
+    """The same bounds at the given approach speed, N."""
 
 
 class ConditionsRecord(Record):
@@ -1378,6 +1434,8 @@ class MassReport(Record):
     """Loops and couplings with redundant rows; entries that cannot be separated form one group."""
     branch_limits: list[float | None]
     """Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does not close."""
+    compliance: ComplianceRecord | None
+    """Compliance of the bushes; None for a model without bushes."""
     estimate: EstimateRecord | None
     """Classical estimate, if requested."""
     motion_ratios: list[MotionRatioRecord]

@@ -56,6 +56,7 @@ finding_kinds! {
     BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
     BehindDeadCentre = "behind-dead-centre", Warning, Report;
+    BushesRigid = "bushes-rigid", Note, Model;
     ContactGuessed = "contact-guessed", Warning, Report;
     CurveNotUsed = "curve-not-used", Note, Report;
     DefaultDistance = "default-distance", Note, Report;
@@ -82,6 +83,7 @@ finding_kinds! {
     MasslessToRounding = "massless-to-rounding", Warning, Pose;
     NearlyImmovable = "nearly-immovable", Warning, Pose;
     NoAnswer = "no-answer", Warning, Pose;
+    NoCompliance = "no-compliance", Warning, Report;
     NoDamper = "no-damper", Warning, Report;
     NoDriver = "no-driver", Warning, Report;
     NotFinite = "not-finite", Warning, Pose;

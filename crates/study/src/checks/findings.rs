@@ -27,6 +27,15 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
         .outside_limits()
         .map(|(joint, value, limits)| joint_limit_finding(mechanism, joint, value, limits))
         .collect();
+    if let Some(bush) = mechanism.bushes().first() {
+        let message = format!(
+            "the bushes of the model ({} and {} more) are rigid in this result; percuss mass states their effect, percuss response their \
+             vibrations",
+            bush.name(),
+            mechanism.bushes().len() - 1
+        );
+        found.push(Finding::about_result(FindingKind::BushesRigid, message));
+    }
     if pose.loops().is_some() {
         add_loop_findings(system, pose, names, &mut found);
         add_rank_findings(pose.assembly(), &mut found);

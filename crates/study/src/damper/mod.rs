@@ -1,5 +1,6 @@
 //! Damping of a contact or joint stop for a coefficient of restitution.
 
+pub(crate) mod compliance;
 pub(crate) mod curvature;
 pub(crate) mod damped_contact;
 pub(crate) mod damping;

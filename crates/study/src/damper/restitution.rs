@@ -8,7 +8,7 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::question::tables::restitution::RestitutionQuestion;
+use crate::question::tables::damping::restitution::RestitutionQuestion;
 use crate::values::force_curve::ForceCurveRecord;
 use percuss_contact::exports::{ContactModel, SimulatedContact};
 use schemars::JsonSchema;

@@ -2,6 +2,7 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::damper::compliance::{compliance, has_elastic_joints};
 use crate::damper::damped_contact::damping_report;
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::friction_thresholds::thresholds_of;
@@ -30,7 +31,22 @@ use percuss_suspension::kinematics::wheel_centres;
 /// # Errors
 /// [`StudyError`]: unknown names, unreachable positions, an invalid contact.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
-    build_mass_report(&EvaluatedQuestion::new(model, question)?)
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    Ok(with_compliance(build_mass_report(&evaluated)?, &evaluated, None))
+}
+
+/// Report with the compliance of bushes. `damping`: contact whose stiffness is judged.
+fn with_compliance(
+    mut report: MassReport,
+    evaluated: &EvaluatedQuestion,
+    damping: Option<&DampingQuestion>,
+) -> MassReport {
+    let (compliance, finding) = compliance(evaluated, damping);
+    if compliance.is_some() || finding.is_some() {
+        report.diagnostics.retain(|found| found.code != FindingKind::BushesRigid.code());
+    }
+    report.diagnostics.extend(finding.map(Into::into));
+    MassReport { compliance, ..report }
 }
 
 /// Report without a damper, with the requested motion ratios.
@@ -87,7 +103,8 @@ pub fn mass_with_damper(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<MassReport, StudyError> {
-    with_damper(&EvaluatedQuestion::new(model, question)?, damping)
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    Ok(with_compliance(with_damper(&evaluated, damping)?, &evaluated, Some(damping)))
 }
 
 /// Effective mass with all results that a study requests for its contact: the damper, the sensitivities, the thresholds of friction and the
@@ -128,9 +145,11 @@ fn requested_report(
 ) -> Result<MassReport, StudyError> {
     requested.check()?;
     let mut report = match damping {
-        Some(damping) => with_damper(evaluated, damping)?,
-        None => build_mass_report(evaluated)?,
+        Some(damping) if damping.restitution.is_some() => with_damper(evaluated, damping)?,
+        Some(damping) if !has_elastic_joints(evaluated) => return Err(damping.restitution_missing().into()),
+        _ => build_mass_report(evaluated)?,
     };
+    report = with_compliance(report, evaluated, damping);
     if requested.explain {
         report.explanation = explain_parts(evaluated, question, true)?;
     }

@@ -1,5 +1,6 @@
 //! Report of one contact of a model, as JSON.
 
+use crate::damper::compliance::ComplianceRecord;
 use crate::damper::damping::DampingReport;
 use crate::evaluation::estimate::EstimateRecord;
 use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
@@ -238,6 +239,8 @@ pub struct MassReport {
     /// Limits of m̄ along the branches that cross at a singular pose, kg; null for a branch along which the gap
     /// does not close.
     pub branch_limits: Vec<Option<f64>>,
+    /// Compliance of the bushes; null for a model without bushes.
+    pub compliance: Option<ComplianceRecord>,
     /// Classical estimate, if requested.
     pub estimate: Option<EstimateRecord>,
     /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the
@@ -352,6 +355,7 @@ impl MassReport {
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
             redundant_loops: assembly.redundant_loops().to_vec(),
             branch_limits: answer.limits.limits.iter().map(limit_of).collect(),
+            compliance: None,
             estimate: answer.estimate.clone(),
             motion_ratios: Vec::new(),
             friction_thresholds: None,

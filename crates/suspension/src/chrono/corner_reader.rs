@@ -4,7 +4,7 @@ use super::reader::{Reader, Section};
 use super::sections::{MASS, SectionBody, VISUAL_KEYS, read_body, read_inertia};
 use super::template::{ChronoTemplate, InertiaAxes, Notation, PlaneRule, SectionRule};
 use crate::corner::build::build;
-use crate::corner::design::{Design, GivenBody};
+use crate::corner::design::{BushData, Design, GivenBody, GivenBush, Part};
 use crate::corner::frames;
 use crate::corner::spindle::Spindle;
 use crate::corner::{Body, Corner};
@@ -14,6 +14,15 @@ use std::collections::BTreeMap;
 
 const HINGE: &str =
     "about the line through the two points on the chassis, first to second; positive is droop";
+
+/// Key of the data of a bush.
+const BUSHING: &str = "Bushing Data";
+/// Stiffness and damping of translations, with the expected values.
+const LINEAR: [(&str, &str); 2] =
+    [("Stiffness Linear", "a stiffness in N/m"), ("Damping Linear", "a damping in N·s/m")];
+/// Stiffness and damping of rotations, with the expected values.
+const ROTATIONAL: [(&str, &str); 2] =
+    [("Stiffness Rotational", "a stiffness in N·m/rad"), ("Damping Rotational", "a damping in N·m·s/rad")];
 
 /// Reads all sections first and builds only if no error was found.
 pub(in super::super) fn read_corner<'t>(
@@ -78,6 +87,15 @@ impl<'t> CornerReader<'_, 't> {
         if let (Some(pins), Some((link, _))) = (pins, &given) {
             let pins = self.joint_pins(pins, &section.spot);
             self.design.pins.insert(*link, pins);
+        }
+        if let Some((link, _)) = &given
+            && self
+                .design
+                .parts
+                .iter()
+                .any(|part| matches!(part, Part::Hinge { link: arm, .. } if arm == *link))
+        {
+            self.read_bush(&mut section, link);
         }
         self.reader.warn_unread_keys(section, &VISUAL_KEYS);
         let Some((link, given)) = given else { return };
@@ -167,8 +185,47 @@ impl<'t> CornerReader<'_, 't> {
             let body = Body { mass, com, about_com, com_spot: spot.clone(), spot };
             self.design.bodies.insert("tie_rod", GivenBody::Body(body));
             self.design.pins.insert("tie_rod", first_two_axes(&frame));
+            self.read_bush(&mut section, "tie_rod");
         }
         self.reader.warn_unread_keys(section, &["Inertia", "Radius"]);
+    }
+
+    /// Reads the bush of a link, if the section has one: Chrono puts one at the middle of a hinge, and one at each end of a tie rod. Its DOF
+    /// values of translations have no effect.
+    fn read_bush(&mut self, section: &mut Section<'t>, link: &str) {
+        if !section.has(BUSHING) {
+            return;
+        }
+        let mut data = self.reader.section(section, BUSHING);
+        let spot = data.spot.clone();
+        let pair = |reader: &mut Reader<'t>, section: &mut Section<'t>, keys: [(&str, &str); 2]| {
+            keys.map(|(key, expected)| {
+                let value = reader.number_or_zero(section, key, expected);
+                if value < 0.0 {
+                    let message = format!("{key} is {value}; {expected} of at least 0 is expected");
+                    reader.error("bad-bush", &section.spot, message);
+                }
+                value
+            })
+        };
+        let linear = pair(self.reader, &mut data, LINEAR);
+        let rotational = pair(self.reader, &mut data, ROTATIONAL);
+        let mut free = [0.0; 2];
+        if data.has("DOF") {
+            let mut dof = self.reader.section(&mut data, "DOF");
+            pair(self.reader, &mut dof, LINEAR);
+            free = pair(self.reader, &mut dof, ROTATIONAL);
+            self.reader.warn_unread_keys(dof, &[]);
+        }
+        if linear[0] <= 0.0 || rotational[0] <= 0.0 {
+            let message =
+                "\"Stiffness Linear\" in N/m and \"Stiffness Rotational\" in N·m/rad are expected, above 0";
+            self.reader.error("bad-bush", &spot, message.to_owned());
+        }
+        self.reader.warn_unread_keys(data, &[]);
+        let data = BushData::ByJoint { linear, rotational, free };
+        let bush = GivenBush { data, loss_factor: 0.0, dynamic_factor: 1.0, axis: None, spot };
+        self.design.bushes.insert(link.to_owned(), bush);
     }
 
     /// Reads the ends of a spring or shock absorber. Force laws are not read: they come in many kinds and do not

@@ -182,7 +182,7 @@ impl<'t> Reader<'t> {
         for entry in unknown {
             let spot = self.spot(&section.spot, &entry.key, Some(entry.value));
             if entry.key.starts_with("Bushing Data") {
-                let message = "bushings are not modelled: the joint is rigid, as without this key".to_owned();
+                let message = "this bushing is not read: the joint is rigid, as without this key".to_owned();
                 self.warning("bushing", &spot, message);
             } else {
                 self.warning("unknown-key", &spot, "the key is not known; it is ignored".to_owned());

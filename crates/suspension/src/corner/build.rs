@@ -45,7 +45,9 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
             }
             Some(_) | None => &mut left,
         };
-        CornerBuilder { design, findings, corner }.add_part(part, spindle);
+        let mut builder = CornerBuilder { design, findings, corner };
+        builder.add_part(part, spindle);
+        builder.add_bushes(part);
     }
     for (section, [seat, chassis_seat]) in SEATS {
         let (Some(at), Some(above)) = (design.point(seat), design.point(chassis_seat)) else { continue };
@@ -273,20 +275,20 @@ fn link_comment(comment: Option<&String>, at: &str) -> String {
 }
 
 /// Adds the parts of a design to a corner.
-struct CornerBuilder<'d> {
-    design: &'d Design,
-    findings: &'d mut Findings,
-    corner: &'d mut Corner,
+pub(super) struct CornerBuilder<'d> {
+    pub(super) design: &'d Design,
+    pub(super) findings: &'d mut Findings,
+    pub(super) corner: &'d mut Corner,
 }
 
 impl CornerBuilder<'_> {
     /// Position of a hardpoint, m; the origin if the file does not contain the point.
-    fn point(&self, key: &str) -> Vector3<f64> {
+    pub(super) fn point(&self, key: &str) -> Vector3<f64> {
         self.design.point(key).unwrap_or_default()
     }
 
     /// Resolves a link name: for `SECTION.on`, the link chosen in the file.
-    fn resolve_link<'n>(&'n self, name: &'n str) -> &'n str {
+    pub(super) fn resolve_link<'n>(&'n self, name: &'n str) -> &'n str {
         let chosen = name.strip_suffix(".on").and_then(|section| self.design.on.get(section));
         chosen.map_or(name, |(link, _)| link)
     }
@@ -484,7 +486,9 @@ impl CornerBuilder<'_> {
         let given = self.design.bodies.get(link);
         let massless = GivenBody::Rod(0.0, spot.clone());
         let given = given.or_else(|| {
-            let is_link = self.design.builds_rods_as_links() || self.design.is_holder(link);
+            let is_link = self.design.builds_rods_as_links()
+                || self.design.is_holder(link)
+                || self.design.has_bush([a, b]);
             (is_link && direction.is_some()).then_some(&massless)
         });
         if given.is_none() && (direction.is_some() || self.design.unchecked_rods) {

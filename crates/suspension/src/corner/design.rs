@@ -104,6 +104,8 @@ pub(crate) struct Design {
     pub stops: BTreeMap<&'static str, Stop>,
     /// Contacts that the file names itself.
     pub contacts: Vec<OwnContact>,
+    /// Bushes, by the point or the link whose joints they replace.
+    pub bushes: BTreeMap<String, GivenBush>,
     /// True if every rod without mass becomes a massless link on a universal joint instead of a distance closure.
     pub rods_are_links: bool,
     /// True if a massless rod without length is left to the checks of the mechanism.
@@ -149,6 +151,68 @@ pub(crate) struct OwnContact {
     pub gap: Option<f64>,
     /// Position in the file.
     pub spot: Spot,
+}
+
+/// Bush as given in a file.
+#[derive(Clone, Debug)]
+pub(crate) struct GivenBush {
+    pub data: BushData,
+    pub loss_factor: f64,
+    pub dynamic_factor: f64,
+    /// Axis of the bush, of any length; `None`: the axis of the joint.
+    pub axis: Option<Vector3<f64>>,
+    pub spot: Spot,
+}
+
+/// Stiffness and damping of a bush, SI units.
+#[derive(Clone, Debug)]
+pub(crate) enum BushData {
+    /// Rates in the directions of the bush; damping: radial, axial.
+    Rates { radial: f64, axial: f64, conical: f64, torsional: f64, damping: [f64; 2] },
+    /// Chrono: stiffness and damping of translations, of the rotations that the joint holds, and of its free rotations.
+    ByJoint { linear: [f64; 2], rotational: [f64; 2], free: [f64; 2] },
+}
+
+impl GivenBush {
+    /// Ball joint without compliance.
+    pub fn ball_joint() -> Self {
+        let (rigid, free) = (f64::INFINITY, 0.0);
+        let data = BushData::Rates {
+            radial: rigid,
+            axial: rigid,
+            conical: free,
+            torsional: free,
+            damping: [0.0; 2],
+        };
+        Self { data, loss_factor: 0.0, dynamic_factor: 1.0, axis: None, spot: Spot::default() }
+    }
+
+    /// True if the directions of the bush have no influence.
+    pub fn is_isotropic(&self) -> bool {
+        match self.data {
+            BushData::Rates { radial, axial, conical, torsional, damping: [across, along] } => {
+                radial == axial && conical == torsional && across == along
+            }
+            BushData::ByJoint { .. } => true,
+        }
+    }
+
+    /// Stiffness, damping and rigid rows of a bush in place of a joint that holds these rotations about x, y and z.
+    pub fn rows(&self, held_rotations: [bool; 3]) -> ([f64; 6], [f64; 6], [bool; 6]) {
+        match self.data {
+            BushData::Rates { radial, axial, conical, torsional, damping: [across, along] } => (
+                [conical, conical, torsional, radial, radial, axial],
+                [0.0, 0.0, 0.0, across, across, along],
+                [false, false, false, true, true, true],
+            ),
+            BushData::ByJoint { linear: [k, c], rotational, free } => {
+                let [x, y, z] = held_rotations.map(|is_held| if is_held { rotational } else { free });
+                let [held_x, held_y, held_z] = held_rotations;
+                let rigid = [held_x, held_y, held_z, true, true, true];
+                ([x[0], y[0], z[0], k, k, k], [x[1], y[1], z[1], c, c, c], rigid)
+            }
+        }
+    }
 }
 
 /// Value of `on` for a stop on the rod of the damper.
@@ -207,6 +271,11 @@ impl Design {
         };
         // A rod without length is left to the checks of the mechanism as a closure.
         self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
+    }
+
+    /// True if a bush is at one of these points.
+    pub fn has_bush(&self, points: [&str; 2]) -> bool {
+        points.iter().any(|point| self.bushes.contains_key(*point))
     }
 
     /// True if a section (spring, damper, stop, drop link, pushrod) names this link in its key `on`.

@@ -1,6 +1,7 @@
 //! Corner of a vehicle under construction. All positions are those of the design position.
 
 pub(crate) mod build;
+pub(crate) mod bushes;
 mod checks;
 pub(crate) mod design;
 pub(crate) mod drawing;
@@ -12,8 +13,8 @@ use crate::findings::Spot;
 use drawing::Drawing;
 use percuss_formats::Comments;
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal, Inertial,
-    JointDescription, JointKind, LinkDescription, MechanismBuilder,
+    BushDescription, ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal,
+    Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -54,6 +55,7 @@ pub(crate) struct Corner {
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
     contacts: Vec<ContactDescription>,
+    bushes: Vec<BushDescription>,
     /// Origin of each link frame in the vehicle frame, m.
     origins: HashMap<String, Vector3<f64>>,
     comments: Comments,
@@ -76,6 +78,7 @@ impl Corner {
             joints: Vec::new(),
             closures: Vec::new(),
             contacts: Vec::new(),
+            bushes: Vec::new(),
             origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
             comments: Comments::default(),
             spots: HashMap::new(),
@@ -84,6 +87,11 @@ impl Corner {
             shared: vec![CHASSIS, RACK],
             drawing: Drawing::default(),
         }
+    }
+
+    /// Axis of a joint, in the vehicle's axes.
+    fn joint_axis(&self, name: &str) -> Option<Vector3<f64>> {
+        self.joints.iter().find(|joint| joint.name == name).map(|joint| joint.axis)
     }
 
     /// Marks a link as common to both sides and sets its frame. The link itself is added by this corner or by
@@ -277,6 +285,11 @@ impl Corner {
         self.spots.insert(name.to_owned(), spot);
     }
 
+    /// Sets the position in the file of a bush, unless a part has the same name.
+    fn set_spot_of_bush(&mut self, name: &str, spot: &Spot) {
+        self.spots.entry(name.to_owned()).or_insert_with(|| spot.clone());
+    }
+
     /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.
     ///
     /// With S = diag(1, −1, 1): points p → S p; inertias I → S I S; sliding axes a → S a; rotation axes
@@ -329,6 +342,12 @@ impl Corner {
             if let ContactNormal::Fixed(normal) = &mut contact.normal {
                 *normal = point(normal);
             }
+        }
+        for bush in &mut corner.bushes {
+            bush.frame.translation = point(&bush.frame.translation) + origin_shift(&bush.link);
+            // The rows have no sense: the reversed y-axis keeps the frame right-handed.
+            let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+            bush.frame.rotation = mirror * bush.frame.rotation * mirror;
         }
         let unshared_origins = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
         unshared_origins.for_each(|(_, at)| *at = point(at));
@@ -392,6 +411,15 @@ impl Corner {
                 contact.against = suffixed(&contact.against);
             }
             builder = builder.contact(contact);
+        }
+        for mut bush in self.bushes {
+            bush.name.push_str(suffix);
+            bush.link = suffixed(&bush.link);
+            if bush.against != GROUND {
+                bush.against = suffixed(&bush.against);
+            }
+            bush.replaces.iter_mut().for_each(|joint| *joint = suffixed(joint));
+            builder = builder.bush(bush);
         }
         builder
     }

@@ -146,7 +146,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
         keys.push("anti_roll_bar.stiffness".to_owned());
     }
     if template.has_rack() {
-        keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
+        keys.extend(["mass", "slides", "stiffness"].map(|key| format!("rack.{key}")));
     }
     debug_assert!(keys.len() < MAX_SHEET_KEYS);
     keys

@@ -3,8 +3,9 @@
 use super::catalogue;
 use super::entries::{Entries, Quantity};
 use super::point_table::{self, Files};
+use super::sections::{bushes, contacts};
 use super::template::{Shape, Template, symmetric_matrix};
-use super::{adams, aliases, contacts, table, toml_text};
+use super::{adams, aliases, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
@@ -26,6 +27,8 @@ pub(in super::super) struct Sheet {
     pub frame: Frame,
     pub side: Side,
     pub rack: Rack,
+    /// Stiffness of the rack along y, N/m.
+    pub rack_stiffness: Option<f64>,
     pub design: Design,
     pub wheel: Option<Wheel>,
     /// Camber, rad.
@@ -85,6 +88,7 @@ pub(in super::super) fn read(
     if let Some(sheet) = &sheet {
         let mut known = catalogue::keys_of(sheet.template);
         known.extend(contacts::contact_keys(&entries));
+        known.extend(bushes::bush_keys(&entries));
         for entry in entries.unread() {
             findings.error("unknown-key", &entry.spot, catalogue::unknown_key_message(&entry.key, &known));
         }
@@ -130,9 +134,12 @@ impl SheetReader<'_> {
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let contacts = contacts::read_contacts(self.entries, self.findings, frame, points_side);
+        let rack_stiffness =
+            if template.has_rack() { bushes::read_rack(self.entries, self.findings) } else { None };
         let design = Design {
             unit: frame.unit,
             contacts,
+            bushes: bushes::read_bushes(self.entries, self.findings, template, (frame, points_side)),
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,
@@ -152,6 +159,7 @@ impl SheetReader<'_> {
             frame,
             side,
             rack,
+            rack_stiffness,
             design,
             wheel,
             camber,

@@ -1,7 +1,8 @@
 //! Reader of the entries of a sheet in TOML.
 
-use super::contacts::CONTACT;
 use super::entries::{Cell, Entries};
+use super::sections::bushes::BUSH;
+use super::sections::contacts::CONTACT;
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_BYTES;
 use percuss_formats::reading::LONGEST_NAME;
@@ -40,8 +41,8 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
                 for (inner, value) in section {
                     let name = format!("{}.{}", key.get_ref(), inner.get_ref());
                     match value.get_ref() {
-                        DeValue::Table(contact) if key.get_ref() == CONTACT => {
-                            for (last, value) in contact {
+                        DeValue::Table(named) if [CONTACT, BUSH].contains(&&**key.get_ref()) => {
+                            for (last, value) in named {
                                 found.push((last.span().start, format!("{name}.{}", last.get_ref()), value));
                             }
                         }

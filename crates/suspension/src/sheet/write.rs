@@ -369,10 +369,22 @@ pub fn template_keys() -> String {
          optional: the other link (default: the ground), and the gap at the design position. A contact with a gap is a stop",
         "all",
     );
+    row(
+        "bush.POINT.radial`, `.axial`, `.torsional`, `.conical`, `.axis`, `.damping`, `.loss_factor`, `.dynamic_factor",
+        "a bush at this point, where two links are joined ([Bushes](../howto/BUSHES.md)): stiffness across and along its axis with a unit \
+         (`\"9 kN/mm\"`); optional: about its axis and across it (`\"60 N·m/rad\"`), the axis (default: of the hinge), damping of the \
+         translations (one number, or radial and axial), loss factor, stiffness in motion divided by the static one",
+        "all",
+    );
     let steered = of(&|t| t.has_rack());
     row(
         "rack.slides`, `rack.mass",
         "true if the inner ends of the tie rods slide along y; mass of the rack",
+        &steered,
+    );
+    row(
+        "rack.stiffness",
+        "stiffness of the rack and its housing along y: a bush in place of the rack's joint",
         &steered,
     );
     out

@@ -1,5 +1,6 @@
 //! Command `percuss mass`.
 
+pub(crate) mod compliance;
 pub(crate) mod conditions;
 pub(crate) mod contact_list;
 pub(crate) mod sensitivity;
@@ -26,7 +27,7 @@ use percuss_study::{
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     args.requests.check()?;
-    let damping = args.damping.checked()?;
+    let damping = args.damping.checked_for_mass()?;
     let is_list = args.contact.contact.at.as_deref() == Some(ALL_CONTACTS);
     if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
         damping.map_or(Ok(()), |damping| damping.check_units(false))?;
@@ -161,6 +162,7 @@ fn text(report: &MassReport, requested: &MassOptions, hints: &str) -> String {
     let thresholds = thresholds.map(|found| ("friction", conditions::thresholds_text(found)));
     out.facts(expected.into_iter().chain(together).chain(thresholds));
     out.facts(conditions::other_base(report));
+    out.facts(compliance::facts(report));
     contributions(report, usize::MAX).into_iter().for_each(|table| out.table(table));
     add_estimate(report, &mut out);
     report.damper.iter().for_each(|damper| damp::add_results(damper, &mut out));
@@ -212,6 +214,10 @@ pub fn document(report: &MassReport) -> Document<'_> {
         None => out.facts(conditions::conditions(report).into_iter().chain([conditions::method(report)])),
     }
     out.facts(conditions::other_base(report));
+    if report.compliance.is_some() {
+        out.section("Bushes");
+        out.facts(compliance::facts(report));
+    }
     if let Some(table) = contributions(report, usize::MAX) {
         out.section("Share of m̄");
         out.table(table);

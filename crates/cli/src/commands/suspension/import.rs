@@ -8,7 +8,7 @@ use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
 use crate::terminal::import_text::import_summary;
 use crate::terminal::number::true_minus;
-use crate::terminal::report::{write_diagnostics, write_text, write_unescaped};
+use crate::terminal::report::{note, write_diagnostics, write_text, write_unescaped};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
 use percuss_suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
@@ -31,6 +31,9 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     imported.inputs.iter().for_each(|path| record_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
+    if !imported.mechanism.bushes().is_empty() {
+        note("the bushes of the sheet are not in the URDF, which has the ideal joints in their place");
+    }
     let text = append_hash(write_urdf_with(&imported.mechanism, &imported.comments));
     if let (Some(path), Some(ending)) = (&args.picture, picture_ending) {
         let drawing = import_picture::picture(&imported.understood, &args.hardpoints);

@@ -28,6 +28,21 @@ export interface BodyShare {
   link: string; mass: number; share: number | null;
 }
 
+export interface BushShareRecord {
+  bush: string; direction: string; share: number;
+}
+
+export interface ComplianceRecord {
+  free_mass: number | null; free_status: 'finite' | 'immovable' | 'massless'; residual_compliance: number | null;
+  residual_stiffness: number | null; rows: BushShareRecord[]; lower_bounds_hold: boolean; beside: string[];
+  rigid_up_to: [number, number] | null; contact: CompliantContactRecord | null;
+}
+
+export interface CompliantContactRecord {
+  stiffness: number; frequency: number | null; duration: number | null; impulse_change: number | null; force_change: number | null;
+  peak_force_per_speed: [number | null, number | null]; peak_force: [number | null, number | null] | null;
+}
+
 export interface ConditionsRecord {
   base: string; lock: string[]; hold: HoldRecord[]; armature: Record<string, number[]>; against_mass: number | null;
   guess: Record<string, string>; travel: TravelRecord[];
@@ -199,9 +214,9 @@ export interface MassReport {
   pose: Record<string, number[]>; closure_residual: number | null; closure_inexactness: number | null; characteristic_length: number;
   contact: ContactRecord; named_contact: NamedContactRecord | null; joint_stop: StopRecord | null; conditions: ConditionsRecord;
   other_base: OtherBaseRecord | null; drivers: string[]; assembly_modes: number[]; redundant_loops: string[][];
-  branch_limits: (number | null)[]; estimate: EstimateRecord | null; motion_ratios: MotionRatioRecord[];
-  friction_thresholds: FrictionThresholdsRecord | null; explanation: Explanation | null; tolerance: ToleranceReport | null;
-  damper: DampingReport | null; diagnostics: DiagnosticRecord[];
+  branch_limits: (number | null)[]; compliance: ComplianceRecord | null; estimate: EstimateRecord | null;
+  motion_ratios: MotionRatioRecord[]; friction_thresholds: FrictionThresholdsRecord | null; explanation: Explanation | null;
+  tolerance: ToleranceReport | null; damper: DampingReport | null; diagnostics: DiagnosticRecord[];
 }
 
 export interface MassStateRecord {

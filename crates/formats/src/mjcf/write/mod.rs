@@ -12,7 +12,7 @@ mod relations;
 mod rotors;
 mod shapes;
 
-use crate::writing::changes::{ModelText, changed_names, lost_roles};
+use crate::writing::changes::{ModelText, common_changes, lost_roles};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{append, escape_attribute, xml_head};
 use body_tree::BodyTree;
@@ -105,7 +105,7 @@ fn write_file(
     out.push_str("</mujoco>\n");
     let mut changes = tree.changes;
     changes.extend(lost_roles(mechanism, "MJCF"));
-    changes.extend(changed_names(mechanism));
+    changes.extend(common_changes(mechanism));
     Ok(ModelText { text: out, changes })
 }
 

@@ -6,7 +6,7 @@ mod error;
 mod joints;
 mod shapes;
 
-use crate::writing::changes::{Change, ModelText, changed_names, lost_poses, lost_roles};
+use crate::writing::changes::{Change, ModelText, common_changes, lost_poses, lost_roles};
 use crate::writing::parts::ModelParts;
 use crate::writing::xml_text::{append, escape_attribute, xml_head};
 use bodies::Bodies;
@@ -75,6 +75,6 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
     }));
     changes.extend(lost_roles(mechanism, "SDFormat"));
     changes.extend(lost_poses(&parts, "SDFormat"));
-    changes.extend(changed_names(mechanism));
+    changes.extend(common_changes(mechanism));
     Ok(ModelText { text: out, changes })
 }

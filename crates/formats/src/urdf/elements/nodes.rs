@@ -84,7 +84,7 @@ impl<'a> Nodes<'a> {
     /// Position in the file of a problem that the builder found.
     pub fn locate(&self, robot: Node<'a>, subject: &Subject, problem: &Problem) -> Place<'a, 'a> {
         let node = match subject {
-            Subject::Mechanism => Some(robot),
+            Subject::Mechanism | Subject::Bush { .. } => Some(robot),
             Subject::Link { index, .. } => self.links.get(*index).copied(),
             Subject::Joint { index, .. } => self.joints.get(*index).copied(),
             Subject::Closure { index, .. } => self.closures.get(*index).copied(),

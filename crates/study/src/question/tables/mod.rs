@@ -11,7 +11,6 @@ pub(crate) mod kinematics;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;
-pub(crate) mod restitution;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;
 

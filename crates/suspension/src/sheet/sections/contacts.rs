@@ -1,27 +1,27 @@
 //! Contacts that a sheet names itself, each in a section `contact.NAME`.
 
-use super::entries::{Entries, Quantity};
 use crate::corner::design::OwnContact;
 use crate::findings::{Findings, Spot};
 use crate::options::Side;
+use crate::sheet::entries::{Entries, Quantity};
 use crate::units::Frame;
 use percuss_formats::reading::quoted;
 
 /// First part of the name of a section.
-pub(super) const CONTACT: &str = "contact";
+pub(in crate::sheet) const CONTACT: &str = "contact";
 /// Name of all contacts in a question.
 const ALL: &str = "all";
 /// Keys of a section.
 const KEYS: [&str; 5] = ["point", "on", "direction", "against", "gap"];
 
 /// Keys of all contacts in the sheet.
-pub(super) fn contact_keys(entries: &Entries) -> Vec<String> {
+pub(in crate::sheet) fn contact_keys(entries: &Entries) -> Vec<String> {
     let sections = entries.sections_of(CONTACT).into_iter();
     sections.flat_map(|(name, _)| KEYS.map(|key| format!("{CONTACT}.{name}.{key}"))).collect()
 }
 
 /// Reads the contacts, mirrored to the left side.
-pub(super) fn read_contacts(
+pub(in crate::sheet) fn read_contacts(
     entries: &mut Entries,
     findings: &mut Findings,
     frame: Frame,

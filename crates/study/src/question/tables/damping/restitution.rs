@@ -1,10 +1,10 @@
 //! Question about the restitution of a given spring and damper, or of given parameters of a simulator.
 
-#[cfg(feature = "flags")]
-use super::headings::IMPACT;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::tables::damping::SeparationName;
+#[cfg(feature = "flags")]
+use crate::question::tables::headings::IMPACT;
 use crate::values::force_curve::GivenCurve;
 use crate::values::quantities::{Damping, Force, Plain, Speed, Stiffness};
 use crate::values::value;

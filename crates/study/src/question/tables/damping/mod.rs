@@ -1,5 +1,7 @@
 //! Question about a damper: the coefficient of restitution, the contact law, and the simulators.
 
+pub(crate) mod restitution;
+
 #[cfg(feature = "flags")]
 use super::headings::DAMPER;
 use crate::question::errors::question_error::StudyError;
@@ -93,11 +95,11 @@ pub struct DampingQuestion {
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// Without a restitution: the stiffness for which the effect of the bushes of the model is judged. Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "K", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "K", allow_hyphen_values = true, help_heading = DAMPER)
     )]
     pub stiffness: Option<Stiffness>,
     /// Table of deflection and force of the contact, in place of a stiffness.
@@ -248,6 +250,28 @@ impl DampingQuestion {
             return Err(InvalidKey::new("damping.output", why));
         }
         Ok(Some(self))
+    }
+
+    /// The question with checked keys if it has a restitution, or a stiffness alone, for which the bushes of a model are judged.
+    ///
+    /// # Errors
+    /// As for [`checked`](Self::checked); a stiffness that is not a finite number above 0.
+    pub fn checked_for_mass(&self) -> Result<Option<&Self>, InvalidKey> {
+        let checked = self.checked()?;
+        if checked.is_some() || self.stiffness.is_none() {
+            return Ok(checked);
+        }
+        if !(self.stiffness().is_finite() && self.stiffness() > 0.0) {
+            let why = format!("{}; expected a finite number above 0", self.stiffness());
+            return Err(InvalidKey::new("damping.stiffness", why));
+        }
+        Ok(Some(self))
+    }
+
+    /// Error for a stiffness without a restitution and without bushes.
+    pub(crate) fn restitution_missing(&self) -> InvalidKey {
+        let why = "it requires `restitution`, for the damper of the contact; alone it judges the bushes of a model, and this model has none";
+        InvalidKey::new("damping.stiffness", why)
     }
 
     /// Refuses an exponent or an end of the contact that contradicts the alias of the law.

@@ -1,0 +1,151 @@
+//! Rows of elastic elements: bushes, and springs or dampers between two points.
+
+use crate::kinematics::frames::Kinematics;
+use crate::model::Model;
+use nalgebra::{DVector, Vector3};
+use percuss_mechanism::{Bush, JointId, LinkId};
+
+/// Spring or damper that acts beside the bushes: force −(k + c d/dt) per displacement of its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearElement {
+    /// Name for results.
+    pub name: String,
+    /// Motion that it resists.
+    pub motion: ElementMotion,
+    /// Stiffness, N/m or N·m/rad.
+    pub stiffness: f64,
+    /// Damping, N·s/m or N·m·s/rad.
+    pub damping: f64,
+}
+
+/// Motion that a spring or damper resists.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ElementMotion {
+    /// Change of the distance of two points, each of a link, in the frame of the link (m).
+    Length([(LinkId, Vector3<f64>); 2]),
+    /// Displacement of a point of a link (m, link frame) along a direction in root axes, relative to the root link.
+    Along(LinkId, Vector3<f64>, Vector3<f64>),
+    /// Rotation of the child of a joint about the joint's axis, less the rotation of a second joint.
+    Twist(JointId, Option<JointId>),
+}
+
+/// Direction of a row of an elastic element. The z-axis of a bush is its axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElasticDirection {
+    /// Rotation of a bush about its x-axis.
+    ConicalX,
+    /// Rotation of a bush about its y-axis.
+    ConicalY,
+    /// Rotation of a bush about its axis.
+    Torsional,
+    /// Translation of a bush along its x-axis.
+    RadialX,
+    /// Translation of a bush along its y-axis.
+    RadialY,
+    /// Translation of a bush along its axis.
+    Axial,
+    /// Motion of a spring or damper.
+    Element,
+}
+
+impl ElasticDirection {
+    /// Directions of the rows of a bush, in the order of its stiffness.
+    pub const OF_BUSH: [Self; 6] =
+        [Self::ConicalX, Self::ConicalY, Self::Torsional, Self::RadialX, Self::RadialY, Self::Axial];
+
+    /// Name for results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ConicalX => "conical x",
+            Self::ConicalY => "conical y",
+            Self::Torsional => "torsional",
+            Self::RadialX => "radial x",
+            Self::RadialY => "radial y",
+            Self::Axial => "axial",
+            Self::Element => "motion",
+        }
+    }
+}
+
+/// Row of an elastic element.
+#[derive(Clone, Debug)]
+pub(crate) struct ElasticRow {
+    pub element: String,
+    pub direction: ElasticDirection,
+    /// Stiffness in motion, N/m or N·m/rad; infinite for an ideal row.
+    pub stiffness: f64,
+    pub damping: f64,
+    pub loss_factor: f64,
+    /// True if the rigid mechanism holds the row.
+    pub is_rigid: bool,
+    /// Relative velocity per velocity of each coordinate.
+    pub row: DVector<f64>,
+}
+
+impl ElasticRow {
+    /// True if the row has a stiffness or a damping.
+    pub fn acts(&self) -> bool {
+        self.stiffness > 0.0 || self.damping > 0.0
+    }
+}
+
+impl Model {
+    /// Rows of a bush over the coordinates. The frame moves with the link of the bush.
+    pub(super) fn bush_rows(&self, kinematics: &Kinematics, bush: &Bush) -> Vec<ElasticRow> {
+        let description = bush.description();
+        let x_rf = kinematics.link_frame(self, bush.link()) * description.frame;
+        let jacobians = |link: LinkId| {
+            let point = kinematics.link_frame(self, link).inverse_point(&x_rf.translation);
+            [self.angular_jacobian(kinematics, link), self.point_jacobian(kinematics, link, &point)]
+        };
+        let mut relative = jacobians(bush.link());
+        if let Some(against) = bush.against() {
+            relative.iter_mut().zip(jacobians(against)).for_each(|(own, other)| *own -= other);
+        }
+        let row = |(i, direction): (usize, ElasticDirection)| ElasticRow {
+            element: bush.name().to_owned(),
+            direction,
+            stiffness: description.stiffness[i] * description.dynamic_factor,
+            damping: description.damping[i],
+            loss_factor: description.loss_factor,
+            is_rigid: description.rigid[i],
+            row: relative[i / 3].tr_mul(&x_rf.rotation.column(i % 3)),
+        };
+        ElasticDirection::OF_BUSH.into_iter().enumerate().map(row).collect()
+    }
+
+    /// Row of a spring or damper; `None` for a line without length.
+    pub(super) fn element_row(&self, kinematics: &Kinematics, element: &LinearElement) -> Option<ElasticRow> {
+        let frame = |link: LinkId| kinematics.link_frame(self, link);
+        let velocity = |link: LinkId, point: &Vector3<f64>| self.point_jacobian(kinematics, link, point);
+        let twist = |id: JointId| {
+            let joint = self.mechanism.joint(id);
+            let axis = frame(joint.child()).vector(joint.axis());
+            let [child, parent] =
+                [joint.child(), joint.parent()].map(|link| self.angular_jacobian(kinematics, link));
+            (child - parent).tr_mul(&axis)
+        };
+        let row = match &element.motion {
+            ElementMotion::Length([(a, at_a), (b, at_b)]) => {
+                let line = (frame(*b).point(at_b) - frame(*a).point(at_a)).try_normalize(0.0)?;
+                (velocity(*b, at_b) - velocity(*a, at_a)).tr_mul(&line)
+            }
+            ElementMotion::Along(link, point, direction) => {
+                let root = self.mechanism.root();
+                let at = frame(*link).point(point);
+                (velocity(*link, point) - velocity(root, &at)).tr_mul(direction)
+            }
+            ElementMotion::Twist(joint, None) => twist(*joint),
+            ElementMotion::Twist(joint, Some(other)) => twist(*joint) - twist(*other),
+        };
+        Some(ElasticRow {
+            element: element.name.clone(),
+            direction: ElasticDirection::Element,
+            stiffness: element.stiffness,
+            damping: element.damping,
+            loss_factor: 0.0,
+            is_rigid: false,
+            row,
+        })
+    }
+}

@@ -1,0 +1,127 @@
+//! Free and rigid mass of a contact, and the residual compliance of the bushes.
+
+use super::elements::ElasticDirection;
+use super::subspace::split;
+use super::system::{ComplianceError, ElasticSystem};
+use crate::dense::matrices::{MatrixResponse, MatrixView, effective_mass};
+use crate::kinematics::outcome::EffectiveMass;
+use crate::tolerances::{CLEAR_OF_RIGID_MOTION, IMMOVABLE, REDUCED_ACCURACY};
+use nalgebra::{DMatrix, DVector};
+
+/// Residual compliance of the bushes at a contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResidualCompliance {
+    /// m̄ with all bushes free: limit of stiff contacts.
+    pub free: EffectiveMass,
+    /// m̄ with the rigid rows of the bushes held: limit of soft contacts.
+    pub rigid: EffectiveMass,
+    /// c_res, m/N (rad/(N·m) for a moment); `None` if the contact is massless or no motion closes the gap.
+    pub compliance: Option<f64>,
+    /// Shares of the rows in the elastic energy, the largest first.
+    pub shares: Vec<RowShare>,
+    /// True if no stiffness and no damping acts along the motion of the rigid mechanism. The lower bounds of an impact need this.
+    pub is_free_along_motion: bool,
+}
+
+/// Share of a row of a bush in the elastic energy of the residual compliance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowShare {
+    /// Name of the bush.
+    pub element: String,
+    /// Direction in the bush.
+    pub direction: ElasticDirection,
+    /// Share, from 0 to 1.
+    pub share: f64,
+}
+
+impl ElasticSystem {
+    /// Free mass, rigid mass and residual compliance.
+    ///
+    /// ```text
+    /// c_res = fᵀ K⁺ f,   f = jᵀ − M v*/m̄   (inertia relief; f = jᵀ if the rigid mechanism is immovable)
+    /// h(ω) = −1/(ω² m̄) + c_res + O(ω²)     for the receptance with the rigid rows alone
+    /// ```
+    ///
+    /// K contains the rows that the rigid mechanism holds, v* is the velocity of the rigid mechanism at unit closing speed. One solution of
+    /// a linear system in the complement of the rigid motions, which is found from the directions of the rows, not from their stiffness.
+    ///
+    /// # Errors
+    /// [`ComplianceError`]: masses that are not positive semi-definite, a decomposition that does not converge.
+    pub fn residual(&self) -> Result<ResidualCompliance, ComplianceError> {
+        let m = self.contact.len();
+        let rows = self.rows_where(|row| row.is_rigid && row.acts());
+        let held = split(&rows, m, self.floor).ok_or(ComplianceError::Decomposition)?;
+        let free = minimum(&self.mass, &self.contact)?;
+        let (reduced, closing) = (held.null.tr_mul(&self.mass) * &held.null, held.null.tr_mul(&self.contact));
+        // On the rigid motions a contact row that vanishes is rounding, however small the largest of its entries is.
+        let is_held = closing.norm() <= IMMOVABLE * self.contact.norm();
+        let rigid = if is_held { None } else { Some(minimum(&reduced, &closing)?) };
+        let mass = rigid.as_ref().map_or(EffectiveMass::Immovable, |found| found.effective_mass);
+        let motion = rigid.map(|found| &held.null * DVector::from_vec(found.velocity));
+        let mut result = ResidualCompliance {
+            free: free.effective_mass,
+            rigid: mass,
+            compliance: None,
+            shares: Vec::new(),
+            is_free_along_motion: motion.as_ref().is_none_or(|v| self.is_free_along(v)),
+        };
+        let force = match (mass, free.effective_mass) {
+            (EffectiveMass::Massless, _) | (_, EffectiveMass::Immovable) => return Ok(result),
+            (EffectiveMass::Immovable, _) => self.contact.clone(),
+            (EffectiveMass::Finite(mass), _) => {
+                let Some(motion) = motion else { return Ok(result) };
+                &self.contact - &self.mass * motion / mass
+            }
+        };
+        let stiffness = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
+        let stiffness = held.range.tr_mul(&stiffness) * &held.range;
+        let Some(deflection) = solve_positive(&stiffness, &held.range.tr_mul(&force)) else {
+            return Ok(result);
+        };
+        let deflection = &held.range * deflection;
+        let energy_of = |stiffness: f64, row: &DVector<f64>| stiffness * row.dot(&deflection).powi(2);
+        let rigid_rows = || self.rows.iter().filter(|row| row.is_rigid);
+        let compliance: f64 = rigid_rows().map(|row| energy_of(row.stiffness, &row.row)).sum();
+        result.compliance = Some(compliance);
+        if compliance > 0.0 {
+            result.shares = rigid_rows()
+                .map(|row| RowShare {
+                    element: row.element.clone(),
+                    direction: row.direction,
+                    share: energy_of(row.stiffness, &row.row) / compliance,
+                })
+                .collect();
+            result.shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+        }
+        Ok(result)
+    }
+
+    /// True if no element with stiffness or damping resists a motion.
+    fn is_free_along(&self, motion: &DVector<f64>) -> bool {
+        let resists =
+            |row: &DVector<f64>| row.dot(motion).abs() > CLEAR_OF_RIGID_MOTION * row.norm() * motion.norm();
+        !self.rows.iter().any(|row| row.acts() && resists(&row.row))
+    }
+}
+
+/// m̄ of a reduced system, whose coordinates all have the unit of a length.
+fn minimum(mass: &DMatrix<f64>, contact: &DVector<f64>) -> Result<MatrixResponse, ComplianceError> {
+    let symmetric = (mass + mass.transpose()) / 2.0;
+    let n = contact.len();
+    let view =
+        MatrixView::column_major(symmetric.as_slice(), n, n).map_err(|_| ComplianceError::Decomposition)?;
+    // Entries of the basis are exact to some roundings of the decomposition.
+    let options = crate::dense::matrices::MatrixOptions::new().accuracy(REDUCED_ACCURACY);
+    Ok(effective_mass(view, contact.as_slice(), None, &options)?)
+}
+
+/// Solves A x = b for a symmetric positive definite matrix, scaled to unit diagonal. `None` if it is not positive definite.
+pub(super) fn solve_positive(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
+    if b.is_empty() {
+        return Some(b.clone());
+    }
+    let scale = DVector::from_fn(b.len(), |i, _| 1.0 / a[(i, i)].sqrt());
+    let scaled = DMatrix::from_fn(b.len(), b.len(), |r, c| scale[r] * a[(r, c)] * scale[c]);
+    let solution = scaled.cholesky()?.solve(&b.component_mul(&scale));
+    Some(solution.component_mul(&scale))
+}

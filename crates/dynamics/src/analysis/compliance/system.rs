@@ -1,0 +1,205 @@
+//! Matrices of a mechanism at a pose with elastic bushes.
+
+use super::elements::{ElasticRow, LinearElement};
+use super::subspace::split;
+use crate::analysis::pose::Pose;
+use crate::dense::matrices::MatrixError;
+use crate::kinematics::contact::LocatedContact;
+use crate::kinematics::frames::Kinematics;
+use crate::model::Model;
+use crate::model::conditions::Conditions;
+use crate::tolerances::{COMPLIANT_COORDINATES, INEXACT_RANK_FACTOR, LARGEST_RANK_FLOOR, RANK_FLOOR};
+use nalgebra::{DMatrix, DVector};
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+/// Mechanism at a pose whose bushes are elastic, with a contact.
+///
+/// | symbol | meaning                                             | shape | unit                 |
+/// |--------|-----------------------------------------------------|-------|----------------------|
+/// | M      | mass matrix over the null space of the ideal rows   | m×m   | kg                   |
+/// | K, C   | Σ kᵢ bᵢᵀbᵢ and Σ cᵢ bᵢᵀbᵢ over the rows of the elements | m×m   | N/m, N·s/m           |
+/// | j      | closing speed of the contact                        | 1×m   | 1                    |
+///
+/// The positions of the rigid mechanism are those of the pose: forces of springs at rest and their geometric stiffness are left out.
+#[derive(Clone, Debug)]
+pub struct ElasticSystem {
+    pub(super) model: Model,
+    pub(super) kinematics: Kinematics,
+    /// N: velocities of the released mechanism per coordinate z.
+    pub(super) basis: DMatrix<f64>,
+    pub(super) mass: DMatrix<f64>,
+    pub(super) contact: DVector<f64>,
+    /// Rows of the elements over z, without ideal rows.
+    pub(super) rows: Vec<ElasticRow>,
+    /// Threshold for singular values relative to the largest.
+    pub(super) floor: f64,
+}
+
+/// Error of a mechanism with bushes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ComplianceError {
+    /// The mechanism has no bush.
+    #[error("the model has no bush: all joints are ideal")]
+    NoBush,
+    /// A joint in place of which a bush acts is locked.
+    #[error("joint \"{joint}\" is locked, and a bush acts in its place: leave out one of them")]
+    LockedBush {
+        /// The joint.
+        joint: String,
+    },
+    /// Too many coordinates.
+    #[error("the mechanism with free bushes has {got} coordinates; at most {most} are computed")]
+    Size {
+        /// Number of coordinates.
+        got: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// A decomposition did not converge.
+    #[error(
+        "the decomposition of the constraint rows does not converge: check the masses and the stiffness of the bushes"
+    )]
+    Decomposition,
+    /// Invalid matrices.
+    #[error(transparent)]
+    Matrix(#[from] MatrixError),
+}
+
+impl ElasticSystem {
+    /// Matrices at a pose. `elements`: springs and dampers that act beside the bushes; `other_mass`: mass of a free body on the other side of the
+    /// contact, kg.
+    ///
+    /// # Errors
+    /// [`ComplianceError`]: no bush, a locked joint with a bush, a mechanism that is too large.
+    pub fn new(
+        pose: &Pose,
+        contact: &LocatedContact,
+        elements: &[LinearElement],
+        other_mass: Option<f64>,
+    ) -> Result<Self, ComplianceError> {
+        let (model, kinematics) = released(pose)?;
+        let mechanism = Arc::clone(&model.mechanism);
+        let own = model.coordinates.len();
+        let n = own + usize::from(other_mass.is_some());
+        if n > COMPLIANT_COORDINATES {
+            return Err(ComplianceError::Size { got: n, most: COMPLIANT_COORDINATES });
+        }
+        // A coordinate of unit value moves points by about 1 m.
+        let length = mechanism.characteristic_length();
+        let scale = DVector::from_fn(n, |c, _| {
+            model.coordinates.get(c).filter(|c| c.turns).map_or(1.0, |_| 1.0 / length)
+        });
+        let extended =
+            |row: &DVector<f64>| DVector::from_fn(n, |c, _| if c < own { row[c] * scale[c] } else { 0.0 });
+        let mut mass = DMatrix::zeros(n, n);
+        mass.view_mut((0, 0), (own, own)).copy_from(&model.mass_matrix(&kinematics));
+        let mut row = vec![0.0; model.velocity_coordinates.len()];
+        for entry in model.contact_row(&kinematics, contact).entries {
+            row[entry.velocity] = entry.value;
+        }
+        let mut closing = extended(&DVector::from_vec(model.reduce_vector(&row, |multiplier| multiplier)));
+        if let Some(other) = other_mass {
+            mass[(own, own)] = other;
+            closing[own] = 1.0;
+        }
+        let mass = DMatrix::from_fn(n, n, |r, c| scale[r] * mass[(r, c)] * scale[c]);
+        let bushes = mechanism.bushes().iter().flat_map(|bush| model.bush_rows(&kinematics, bush));
+        let elements = elements.iter().filter_map(|element| model.element_row(&kinematics, element));
+        let mut elastic: Vec<ElasticRow> = bushes.chain(elements).collect();
+        elastic.iter_mut().for_each(|row| row.row = extended(&row.row));
+        let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness) / length;
+        let floor = RANK_FLOOR.max(INEXACT_RANK_FACTOR * inexactness).min(LARGEST_RANK_FLOOR);
+        let loops = model.constraint_matrix(&kinematics);
+        let is_ideal = |row: &&ElasticRow| row.stiffness == f64::INFINITY;
+        let mut ideal: Vec<DVector<f64>> =
+            (0..loops.nrows()).map(|r| extended(&loops.row(r).transpose())).collect();
+        ideal.extend(elastic.iter().filter(is_ideal).map(|row| row.row.clone()));
+        elastic.retain(|row| !is_ideal(&row));
+        let basis = split(&stacked(&ideal, n), n, floor).ok_or(ComplianceError::Decomposition)?.null;
+        for row in &mut elastic {
+            let before = row.row.norm();
+            row.row = basis.tr_mul(&row.row);
+            // A row on ideal rows alone is rounding.
+            if row.row.norm() <= floor * before {
+                row.row.fill(0.0);
+            }
+        }
+        Ok(Self {
+            mass: basis.tr_mul(&mass) * &basis,
+            contact: basis.tr_mul(&closing),
+            basis: DMatrix::from_fn(own, basis.ncols(), |r, c| scale[r] * basis[(r, c)]),
+            rows: elastic,
+            model,
+            kinematics,
+            floor,
+        })
+    }
+
+    /// Σ f(row) bᵀb over the rows of the elements.
+    pub(super) fn sum_of_rows(&self, factor: impl Fn(&ElasticRow) -> f64) -> DMatrix<f64> {
+        let m = self.contact.len();
+        let mut sum = DMatrix::zeros(m, m);
+        for row in &self.rows {
+            let factor = factor(row);
+            if factor != 0.0 {
+                sum.ger(factor, &row.row, &row.row, 1.0);
+            }
+        }
+        sum
+    }
+
+    /// Rows of the elements for which `is_wanted` is true, one below the other.
+    pub(super) fn rows_where(&self, is_wanted: impl Fn(&ElasticRow) -> bool) -> DMatrix<f64> {
+        let rows: Vec<DVector<f64>> =
+            self.rows.iter().filter(|row| is_wanted(row)).map(|row| row.row.clone()).collect();
+        stacked(&rows, self.contact.len())
+    }
+}
+
+/// Matrix with the given rows of length `n`.
+fn stacked(rows: &[DVector<f64>], n: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c])
+}
+
+/// Model of the mechanism with free bushes, under the conditions of the pose and drawn at it.
+fn released(pose: &Pose) -> Result<(Model, Kinematics), ComplianceError> {
+    let rigid = pose.assembly.model();
+    let mechanism = &rigid.mechanism;
+    if mechanism.bushes().is_empty() {
+        return Err(ComplianceError::NoBush);
+    }
+    let replaced = || mechanism.bushes().iter().flat_map(|bush| bush.joints());
+    if let Some(joint) = replaced().find(|joint| rigid.own_locks[joint.index()]) {
+        return Err(ComplianceError::LockedBush { joint: mechanism.joint(*joint).name().to_owned() });
+    }
+    let frame = |link| pose.kinematics.link_frame(rigid, link);
+    let frames: Vec<Transform<f64>> = mechanism
+        .joints()
+        .iter()
+        .map(|joint| frame(joint.parent()).inverse() * frame(joint.child()))
+        .collect();
+    let first = |joint| pose.joint(joint).first().copied().unwrap_or(0.0);
+    let positions: Vec<f64> = mechanism.joint_ids().map(first).collect();
+    let drawn = Arc::new(mechanism.released(&frames, &positions));
+    let mut conditions = Conditions::new().base(rigid.base);
+    for id in mechanism.joint_ids() {
+        let joint = mechanism.joint(id);
+        if rigid.own_locks[id.index()] {
+            conditions = conditions.lock(joint.name());
+        }
+        let body = rigid.body_of_joint[id.index()].map(|body| &rigid.bodies[body]);
+        let is_replaced = replaced().any(|other| *other == id);
+        if let Some(body) = body.filter(|body| !is_replaced && !body.armature.is_empty()) {
+            conditions = conditions.armature(joint.name(), body.armature.clone());
+        }
+    }
+    for hold in &rigid.holds {
+        conditions = conditions.hold(mechanism.link(hold.link).name(), hold.point, hold.normal);
+    }
+    // The conditions are those of a compiled model with the same names.
+    let model = Model::compile(&drawn, &conditions).map_err(|_| ComplianceError::Decomposition)?;
+    let kinematics = Kinematics::zero(&model);
+    Ok((model, kinematics))
+}

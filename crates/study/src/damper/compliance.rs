@@ -1,0 +1,175 @@
+//! Compliance of the bushes at a contact: free mass, residual stiffness, and the range in which the rigid mass holds.
+
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::damper::sheet_forces::{
+    ElementForce, SheetElement, SheetTyre, sheet_bars, sheet_elements, sheet_tyres,
+};
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::status::Status;
+use crate::question::tables::damping::DampingQuestion;
+use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE};
+use percuss_dynamics::{ComplianceError, ElasticSystem, ElementMotion, LinearElement, ResidualCompliance};
+use percuss_spatial::Vector3;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::f64::consts::{PI, TAU};
+
+/// Compliance of the bushes at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ComplianceRecord {
+    /// m̄ with all bushes free, the limit of stiff contacts, in the unit of the report; null unless finite.
+    pub free_mass: Option<f64>,
+    /// Kind of result with all bushes free.
+    pub free_status: Status,
+    /// Residual compliance c_res of the bushes, m/N; null if the contact is massless or immovable.
+    pub residual_compliance: Option<f64>,
+    /// Residual stiffness 1/c_res, N/m; null if no bush gives way.
+    pub residual_stiffness: Option<f64>,
+    /// Shares of the bushes in the elastic energy of the residual compliance, the largest first.
+    pub rows: Vec<BushShareRecord>,
+    /// True if no spring, damper, tyre, anti-roll bar or free rotation of a bush with stiffness acts along the motion of the rigid mechanism: the lower bounds
+    /// of an impact hold.
+    pub lower_bounds_hold: bool,
+    /// Springs, dampers, tyres and anti-roll bars of the sheet.
+    pub beside: Vec<String>,
+    /// Largest stiffnesses of a contact, N/m, up to which the rigid mass is right within 1 % and within 5 %, by the rule of thumb.
+    pub rigid_up_to: Option<[f64; 2]>,
+    /// Contact of the given stiffness; null without a stiffness.
+    pub contact: Option<CompliantContactRecord>,
+}
+
+/// Share of a bush.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct BushShareRecord {
+    /// The bush.
+    pub bush: String,
+    /// Direction in the bush: `radial x`, `radial y`, `axial`, `conical x`, `conical y`, `torsional`.
+    pub direction: &'static str,
+    /// Share of the elastic energy, from 0 to 1.
+    pub share: f64,
+}
+
+/// Contact of a given stiffness on the mechanism with bushes.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CompliantContactRecord {
+    /// Stiffness k of the contact, N/m.
+    pub stiffness: f64,
+    /// Frequency √(k/m̄)/2π of the rigid mechanism on the contact, Hz; null unless m̄ is finite.
+    pub frequency: Option<f64>,
+    /// Duration π√(m̄/k) of the contact of the rigid mechanism, s; null unless m̄ is finite.
+    pub duration: Option<f64>,
+    /// Estimated relative change of the impulse by the bushes, 1.3 k c_res: a rule of thumb for small values.
+    pub impulse_change: Option<f64>,
+    /// Estimated relative change of the peak force by the bushes, 1.2 k c_res: a rule of thumb for small values.
+    pub force_change: Option<f64>,
+    /// Proved bounds of the peak force per approach speed, N·s/m: √(k m_free) and √(k m̄). The lower bound is null if a stiffness or a damping acts
+    /// along the motion, the upper bound if m̄ is not finite.
+    pub peak_force_per_speed: [Option<f64>; 2],
+    /// The same bounds at the given approach speed, N.
+    pub peak_force: Option<[Option<f64>; 2]>,
+}
+
+/// Springs, dampers, tyres and the anti-roll bar of the suspension sheet as linear elements; a damper has its slope at speed 0.
+fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
+    let model = evaluated.prepared.model;
+    let linear = |element: SheetElement<'_>| {
+        let (stiffness, damping) = match element.force {
+            ElementForce::Spring(spring) => (spring.rate, 0.0),
+            ElementForce::Damper(curve) => {
+                let change = curve.force(DAMPER_SLOPE_SPEED) - curve.force(-DAMPER_SLOPE_SPEED);
+                (0.0, change / (2.0 * DAMPER_SLOPE_SPEED))
+            }
+        };
+        let motion = ElementMotion::Length(element.ends);
+        LinearElement { name: element.name.to_owned(), motion, stiffness, damping }
+    };
+    let tyre = |tyre: SheetTyre<'_>| LinearElement {
+        name: format!("tyre at {}", tyre.name),
+        motion: ElementMotion::Along(tyre.link, Vector3::zeros(), Vector3::z()),
+        stiffness: tyre.force.rate,
+        damping: tyre.force.damping,
+    };
+    let bar = sheet_bars(model).map(|bar| LinearElement {
+        name: "anti-roll bar".to_owned(),
+        motion: ElementMotion::Twist(bar.joint, bar.other),
+        stiffness: bar.stiffness,
+        damping: 0.0,
+    });
+    let elements = sheet_elements(model).into_iter().map(linear);
+    elements.chain(sheet_tyres(model).into_iter().map(tyre)).chain(bar).collect()
+}
+
+/// Mechanism with elastic bushes at the evaluated contact, with the springs and dampers of the sheet.
+pub(crate) fn elastic_system(evaluated: &EvaluatedQuestion) -> Result<ElasticSystem, ComplianceError> {
+    let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
+    ElasticSystem::new(pose, &result.response.contact, &linear_elements(evaluated), prepared.other_mass())
+}
+
+/// True if the model has bushes in place of joints.
+pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
+    let bushes = evaluated.prepared.model.mechanism.bushes();
+    bushes.iter().any(|bush| bush.description().rigid.contains(&true))
+}
+
+/// Compliance of the bushes at a contact; `None` for a model without bushes in place of joints, or with the reason as a finding. `damping`: contact
+/// whose stiffness is judged.
+pub(crate) fn compliance(
+    evaluated: &EvaluatedQuestion,
+    damping: Option<&DampingQuestion>,
+) -> (Option<ComplianceRecord>, Option<Finding>) {
+    if !has_elastic_joints(evaluated) {
+        return (None, None);
+    }
+    match elastic_system(evaluated).and_then(|system| system.residual()) {
+        Ok(found) => (Some(record(evaluated, damping, found)), None),
+        Err(error) => {
+            let message = format!("the compliance of the bushes is not computed: {error}");
+            (None, Some(Finding::about_result(FindingKind::NoCompliance, message)))
+        }
+    }
+}
+
+/// Record of a residual compliance.
+fn record(
+    evaluated: &EvaluatedQuestion,
+    damping: Option<&DampingQuestion>,
+    found: ResidualCompliance,
+) -> ComplianceRecord {
+    let (free_status, free_mass) = Status::classify(found.free);
+    let compliance = found.compliance;
+    let positive = compliance.filter(|c| *c > 0.0);
+    let rows = found.shares.iter().map(|row| BushShareRecord {
+        bush: row.element.clone(),
+        direction: row.direction.name(),
+        share: row.share,
+    });
+    let linear = damping.filter(|damping| damping.stiffness.is_some() && damping.exponent() == 1.0);
+    let contact = linear.map(|damping| {
+        let (stiffness, rigid) =
+            (damping.stiffness(), Status::classify(evaluated.result.response.effective_mass).1);
+        let bound = |mass: Option<f64>| mass.map(|mass| (stiffness * mass).sqrt());
+        let free = if free_status == Status::Massless { Some(0.0) } else { free_mass };
+        let bounds = [bound(free).filter(|_| found.is_free_along_motion), bound(rigid)];
+        CompliantContactRecord {
+            stiffness,
+            frequency: rigid.map(|mass| (stiffness / mass).sqrt() / TAU),
+            duration: rigid.map(|mass| PI * (mass / stiffness).sqrt()),
+            impulse_change: compliance.map(|c| IMPULSE_CHANGE * stiffness * c),
+            force_change: compliance.map(|c| FORCE_CHANGE * stiffness * c),
+            peak_force_per_speed: bounds,
+            peak_force: damping.speed().map(|speed| bounds.map(|bound| bound.map(|force| force * speed))),
+        }
+    });
+    ComplianceRecord {
+        free_mass,
+        free_status,
+        residual_compliance: compliance,
+        residual_stiffness: positive.map(|c| 1.0 / c),
+        rows: rows.collect(),
+        lower_bounds_hold: found.is_free_along_motion,
+        beside: linear_elements(evaluated).into_iter().map(|element| element.name).collect(),
+        rigid_up_to: positive.map(|c| [0.01, 0.05].map(|change| change / (IMPULSE_CHANGE * c))),
+        contact,
+    }
+}
