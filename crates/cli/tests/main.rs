@@ -24,6 +24,7 @@ mod impacts {
     mod drives;
     mod extremes;
     mod free_body;
+    mod identify;
     mod masses_and_peaks;
     mod moments;
     mod reflected;

@@ -2,7 +2,7 @@
 //! limits and filters.
 
 use percuss_contact::identification::{
-    DamperForm, Estimate, Identification, Known, Measured, Record, Signal, identify,
+    DamperForm, Estimate, Identification, IdentifiedSignal, Known, Measured, Record, Signal, identify,
 };
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
@@ -17,6 +17,8 @@ struct Planted {
     form: DamperForm,
     speed: f64,
     gravity: f64,
+    /// Spring of another law, F(x).
+    spring: Option<fn(f64) -> f64>,
 }
 
 /// Signals of the motion.
@@ -33,7 +35,7 @@ struct Motion {
 impl Planted {
     fn force(&self, x: f64, v: f64) -> f64 {
         let x = x.max(0.0);
-        let spring = self.stiffness * x.powf(self.exponent);
+        let spring = self.spring.map_or_else(|| self.stiffness * x.powf(self.exponent), |law| law(x));
         match self.form {
             DamperForm::HuntCrossley => spring * (1.0 + self.damping * v),
             DamperForm::KelvinVoigt => spring + self.damping * x.powf(0.5 * (self.exponent - 1.0)) * v,
@@ -180,7 +182,7 @@ fn random_contact(random: &mut StdRng) -> Planted {
         DamperForm::KelvinVoigt => damping * stiffness * depth.powf(0.5 * (exponent + 1.0)) / speed,
     };
     let gravity = if random.random() { 9.80665f64.min(0.02 * speed * speed / depth) } else { 0.0 };
-    Planted { mass, stiffness, exponent, damping, form, speed, gravity }
+    Planted { mass, stiffness, exponent, damping, form, speed, gravity, spring: None }
 }
 
 /// Signals of the records in turn.
@@ -296,6 +298,7 @@ fn several_records_of_an_elastic_contact_share_their_unknowns() {
         form: DamperForm::KelvinVoigt,
         speed: 1.0,
         gravity: 0.0,
+        spring: None,
     };
     let mut last = f64::INFINITY;
     for count in [1, 4, 12] {
@@ -340,6 +343,7 @@ fn a_fall_from_rest_is_an_approach() {
         form: DamperForm::KelvinVoigt,
         speed: 0.8,
         gravity: 9.80665,
+        spring: None,
     };
     let motion = planted.motion();
     let fall = planted.speed / planted.gravity;
@@ -385,6 +389,7 @@ fn filtered_records_give_the_planted_values_with_their_class() {
         form: DamperForm::HuntCrossley,
         speed: 1.4,
         gravity: 0.0,
+        spring: None,
     };
     let spoiled = Spoiled { noise: 0.01, offset: 0.03, ..Spoiled::default() };
     let mut record = record(&planted, &[Measured::Force, Measured::Acceleration], 1000, spoiled, &mut random);
@@ -419,6 +424,136 @@ fn samples_at_a_limit_and_outliers_are_named() {
         signal.clipped,
         signal.outliers
     );
+}
+
+/// Planted contact of a stop: 45 kg at 1 m/s.
+const STOP: Planted = Planted {
+    mass: 45.0,
+    stiffness: 1.2e6,
+    exponent: 1.4,
+    damping: 0.35,
+    form: DamperForm::HuntCrossley,
+    speed: 1.0,
+    gravity: 0.0,
+    spring: None,
+};
+
+/// Force over penetration of a progressive stop: a line between six points.
+fn six_points(x: f64) -> f64 {
+    let points = [(0.0, 0.0), (0.01, 180.0), (0.02, 520.0), (0.03, 1300.0), (0.04, 3300.0), (0.05, 9000.0)];
+    let line = points.windows(2).find(|pair| x <= pair[1].0).unwrap_or(&points[4..]);
+    let [(x0, f0), (x1, f1)] = [line[0], line[1]];
+    f0 + (f1 - f0) * (x - x0) / (x1 - x0)
+}
+
+/// A law with two powers is found exactly; a line between points is near it, and its contradiction is stated.
+#[test]
+fn springs_of_more_than_one_power_are_found() {
+    let mut random = StdRng::seed_from_u64(3);
+    let spoiled = Spoiled { noise: 0.002, offset: 0.01, ..Spoiled::default() };
+    let signals = &[Measured::Force, Measured::Acceleration];
+    let cubic = Planted { spring: Some(|x| 2e4 * x + 6e7 * x.powi(3)), speed: 1.5, ..STOP };
+    let motion = cubic.motion();
+    let found = identify(&[record(&cubic, signals, 600, spoiled, &mut random)], &Known::default())
+        .expect("a contact");
+    let (second, power) = found.second_term.expect("two terms");
+    assert!(power == 1.0 && (second.value - 2e4).abs() < 3.0 * second.uncertainty, "{second:?}");
+    let figures = |found: &Identification| {
+        let record = &found.records[0];
+        [
+            record.restitution,
+            record.speed,
+            record.peak_force,
+            record.max_penetration,
+            record.contact_duration,
+            found.mass,
+        ]
+    };
+    let planted = |motion: &Motion, planted: &Planted| {
+        [
+            motion.restitution,
+            planted.speed,
+            motion.peak_force,
+            motion.max_penetration,
+            motion.duration,
+            planted.mass,
+        ]
+    };
+    for (estimate, value) in figures(&found).into_iter().zip(planted(&motion, &cubic)) {
+        assert!(
+            (estimate.value - value).abs() < 3.0 * estimate.uncertainty + 1e-4 * value,
+            "{estimate:?} {value}"
+        );
+    }
+    for speed in [1.0, 2.0] {
+        let stop = Planted { spring: Some(six_points), damping: 0.4 / speed, speed, ..STOP };
+        let motion = stop.motion();
+        let record = record(&stop, signals, 600, spoiled, &mut random);
+        for (exponent, mass, given) in
+            [(None, None, None), (None, Some(45.0), Some(speed)), (Some(3.0), None, None)]
+        {
+            let known = Known { exponent, mass, ..Known::default() };
+            let found = identify(&[Record { speed: given, ..record.clone() }], &known).expect("a contact");
+            let contradicts =
+                |signal: &IdentifiedSignal| signal.contradicts(found.records[0].contact_duration.value);
+            assert!(found.records[0].signals.iter().any(contradicts), "{speed} {exponent:?}");
+            for (estimate, value) in figures(&found).into_iter().zip(planted(&motion, &stop)) {
+                // A law with a given exponent has an error that its residuals do not show.
+                let allowed =
+                    2.0 * estimate.uncertainty + if exponent.is_some() { 0.5 * value } else { 1e-4 * value };
+                assert!(
+                    (estimate.value - value).abs() < allowed,
+                    "{speed} {exponent:?}: {estimate:?} {value}"
+                );
+            }
+        }
+    }
+}
+
+/// A force with an acceleration does not show the weight; a known speed does.
+#[test]
+fn the_weight_is_named_where_it_changes_the_result() {
+    let mut random = StdRng::seed_from_u64(4);
+    let fall = Planted { gravity: 9.80665, ..STOP };
+    let spoiled = Spoiled { noise: 0.002, ..Spoiled::default() };
+    let record = record(&fall, &[Measured::Force, Measured::Acceleration], 600, spoiled, &mut random);
+    let blind = identify(std::slice::from_ref(&record), &Known::default()).expect("a contact");
+    let (_, other) = blind.other_weight.expect("a weight");
+    assert!((other.speed - 1.0).abs() < 0.01 && blind.records[0].speed.value > 1.1, "{other:?}");
+    let record = Record { speed: Some(1.0), ..record };
+    let without = identify(std::slice::from_ref(&record), &Known::default()).expect("a contact");
+    assert!(without.other_weight.is_some_and(|(is_better, _)| is_better), "{:?}", without.other_weight);
+    let known = Known { gravity: 9.80665, ..Known::default() };
+    let found = identify(&[record], &known).expect("a contact");
+    assert!(found.other_weight.is_none_or(|(is_better, _)| !is_better), "{:?}", found.other_weight);
+    for (estimate, value) in pairs(&found, &fall, &fall.motion()) {
+        assert!(
+            (estimate.value - value).abs() < 3.0 * estimate.uncertainty + 1e-4 * value,
+            "{estimate:?} {value}"
+        );
+    }
+}
+
+/// The force of a linear damper jumps between two samples, at any phase.
+#[test]
+fn a_jump_at_the_touch_has_no_influence_on_the_uncertainty() {
+    let mut random = StdRng::seed_from_u64(6);
+    let stiff =
+        Planted { stiffness: 1e5, exponent: 1.0, damping: 600.0, form: DamperForm::KelvinVoigt, ..STOP };
+    let motion = stiff.motion();
+    let spoiled = Spoiled { noise: 0.004, offset: 0.01, ..Spoiled::default() };
+    let (mut inside, mut all) = (0, 0);
+    for _ in 0..12 {
+        let record = record(&stiff, &[Measured::Force, Measured::Acceleration], 900, spoiled, &mut random);
+        let found = identify(&[record], &Known::default()).expect("a contact");
+        assert!(found.records[0].signals.iter().all(|signal| signal.at_touch == 2), "{:?}", found.records[0]);
+        for (estimate, value) in pairs(&found, &stiff, &motion) {
+            all += 1;
+            inside +=
+                usize::from((estimate.value - value).abs() <= 2.0 * estimate.uncertainty + 1e-4 * value);
+        }
+    }
+    assert!(inside as f64 >= 0.85 * f64::from(all), "{inside} of {all}");
 }
 
 #[test]

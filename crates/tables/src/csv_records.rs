@@ -1,4 +1,4 @@
-//! Reader of comma-separated text (RFC 4180), record by record, in bounded memory.
+//! Reader of comma-separated text (RFC 4180), or with another separator, record by record, in bounded memory.
 //!
 //! The crate `csv` is not used: it accepts a quote that is never closed, does not limit the length of a record, and does not
 //! recognise a quoted cell after blanks.
@@ -12,6 +12,7 @@ use std::ops::Range;
 #[derive(Debug)]
 pub struct CsvRecords<R> {
     input: R,
+    separator: char,
     /// Number of the line to be read next, from 1.
     next_line: usize,
     /// First line of the last record.
@@ -28,7 +29,13 @@ impl<R: BufRead> CsvRecords<R> {
     /// Records of a text, from its first line on.
     pub fn new(input: R) -> Self {
         let (bytes, text, cells) = (Vec::new(), String::new(), Vec::new());
-        Self { input, next_line: 1, line: 0, bytes, text, cells }
+        Self { input, separator: ',', next_line: 1, line: 0, bytes, text, cells }
+    }
+
+    /// The same records with another separator of the cells.
+    #[must_use]
+    pub fn separated_by(self, separator: char) -> Self {
+        Self { separator, ..self }
     }
 
     /// Cells of the last record, without quotes.
@@ -72,7 +79,7 @@ impl<R: BufRead> CsvRecords<R> {
             };
             self.text.clear();
             self.cells.clear();
-            split_record(text, &mut self.text, &mut self.cells);
+            split_record(text, self.separator, &mut self.text, &mut self.cells);
             return Ok(true);
         }
     }
@@ -91,11 +98,11 @@ impl<R: BufRead> CsvRecords<R> {
 }
 
 /// Splits a record. Appends the cells, without quotes and surrounding blanks, to `text`, and their ranges to `cells`.
-fn split_record(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
+fn split_record(record: &str, separator: char, text: &mut String, cells: &mut Vec<Range<usize>>) {
     let mut rest = record;
     loop {
         let cell_start = text.len();
-        let after = match rest.trim_start().strip_prefix('"') {
+        let after = match rest.trim_start_matches([' ', '\u{a0}']).strip_prefix('"') {
             Some(quoted) => {
                 let mut quoted = quoted;
                 // An even number of quotes: every quoted field is closed.
@@ -114,7 +121,7 @@ fn split_record(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) 
             }
             None => rest,
         };
-        let (last_part, more) = match after.split_once(',') {
+        let (last_part, more) = match after.split_once(separator) {
             Some((last_part, more)) => (last_part, Some(more)),
             None => (after, None),
         };

@@ -9,44 +9,58 @@ mod fit;
 mod motion;
 mod record;
 mod result;
+mod search;
 mod start;
 
 pub use record::{
-    DamperForm, Estimate, Identification, IdentifiedRecord, IdentifiedSignal, Known, LEAST_SAMPLES,
-    MOST_SAMPLES, Measured, Record, SampleUse, Signal,
+    DamperForm, EXPONENTS, Estimate, Identification, IdentifiedRecord, IdentifiedSignal, Known,
+    LEAST_SAMPLES, MOST_SAMPLES, Measured, OtherModel, Record, SampleUse, Signal,
 };
 
 use crate::ContactLawError;
 use crate::error::{LawParameter, positive};
 use fit::Fit;
-use record::{EXPONENTS, finds_mass, has};
+use record::{finds_mass, has};
+use search::no_motion;
 
 /// Identifies the contact of measured impacts.
 ///
 /// The mass is identified if a record has a force with another signal or a known speed; otherwise `known.mass` is used.
 ///
 /// # Errors
-/// [`ContactLawError`]: no record or more than [`MOST_SAMPLES`]; a record with less than [`LEAST_SAMPLES`] or without an impact; times that do
+/// [`ContactLawError`]: no record, or more than [`MOST_SAMPLES`] around the impacts; a record with less than [`LEAST_SAMPLES`] or without an impact; times that do
 /// not increase; numbers that are not finite; a mass that is needed and not known; a search without a result.
 pub fn identify(records: &[Record], known: &Known) -> Result<Identification, ContactLawError> {
     check(records, known)?;
-    let of_form = |form| Fit::new(records, known, form).and_then(Fit::best);
-    let fit = match known.damper {
-        Some(form) => of_form(form)?,
-        None => {
-            let fits = [DamperForm::HuntCrossley, DamperForm::KelvinVoigt].map(of_form);
-            match fits {
-                [Ok(first), Ok(second)] => {
-                    let (better, other) =
-                        if first.misfit() <= second.misfit() { (first, second) } else { (second, first) };
-                    better.with_other(&other)
-                }
-                [Ok(only), Err(_)] | [Err(_), Ok(only)] => only,
-                [Err(error), Err(_)] => return Err(error),
-            }
-        }
+    let forms = match known.damper {
+        Some(form) => vec![form],
+        None => vec![DamperForm::HuntCrossley, DamperForm::KelvinVoigt],
     };
-    fit.identification()
+    let fits = forms.into_iter().map(|form| Fit::new(records, *known, form).and_then(Fit::best));
+    let (fits, errors): (Vec<_>, Vec<_>) = fits.partition(Result::is_ok);
+    let fits: Vec<Fit> = fits.into_iter().flatten().collect();
+    let seconds = fits.iter().filter_map(|fit| fit.with_second_term()?.best().ok());
+    let second = best_form(seconds.collect());
+    let Some((fit, other_form)) = best_form(fits) else {
+        return Err(errors.into_iter().find_map(Result::err).unwrap_or_else(no_motion));
+    };
+    match second.filter(|(second, _)| fit.needs_second_term(second)) {
+        Some((second, other_form)) if known.exponent.is_none() => {
+            second.identification(&second.compared(other_form, Some(&fit)))
+        }
+        second => fit.identification(&fit.compared(other_form, second.as_ref().map(|(second, _)| second))),
+    }
+}
+
+/// The fit with the better form of the damper, and the mean square of the residuals with the other form divided by its. A contact that gains
+/// energy is the worse one.
+fn best_form(mut fits: Vec<Fit<'_>>) -> Option<(Fit<'_>, Option<f64>)> {
+    let rank = |fit: &Fit| (fit.gains_energy(&fit.unknowns), fit.misfit());
+    fits.sort_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let mut fits = fits.into_iter();
+    let best = fits.next()?;
+    let ratio = fits.next().map(|other| best.ratio_of(&other));
+    Some((best, ratio))
 }
 
 /// Checks the records and the known values.
@@ -54,12 +68,6 @@ fn check(records: &[Record], known: &Known) -> Result<(), ContactLawError> {
     let refuse = |why: String| Err(ContactLawError::Record { record: None, why });
     if records.is_empty() {
         return refuse("no record is given; expected the times and signals of at least one impact".into());
-    }
-    let samples: usize = records.iter().map(|record| record.times.len() * record.signals.len()).sum();
-    if samples > MOST_SAMPLES {
-        return refuse(format!(
-            "{samples} samples; expected {MOST_SAMPLES} at most: cut the records around the impacts, or take every tenth sample"
-        ));
     }
     for (number, record) in records.iter().enumerate() {
         let refuse = |why: String| Err(ContactLawError::Record { record: Some(number), why });

@@ -2,12 +2,15 @@
 
 use super::record::{DamperForm, Measured};
 use crate::Sample;
-use crate::stepping::{Stepping, runge_kutta_step};
+use crate::stepping::runge_kutta_step;
 
 /// Estimated durations after which the mass rests on the contact.
 const MOST_DURATIONS: f64 = 20.0;
 /// Iterations for the time of the separation: 1e-12 of a step.
 const END_ITERATIONS: usize = 12;
+
+/// Least penetration of a quotient of powers, m.
+const LEAST_DEPTH: f64 = 1e-30;
 
 /// Contact of a constant mass.
 #[derive(Clone, Copy, Debug)]
@@ -15,26 +18,36 @@ pub(super) struct Contact {
     pub mass: f64,
     pub stiffness: f64,
     pub exponent: f64,
+    /// Coefficient and exponent of a second term of the spring.
+    pub second: (f64, f64),
     pub damping: f64,
     pub form: DamperForm,
     pub gravity: f64,
 }
 
 impl Contact {
+    /// Force of the spring at a penetration above 0, N; `power`: the penetration to the power of the exponent.
+    fn spring(&self, depth: f64, power: f64) -> f64 {
+        let (coefficient, exponent) = self.second;
+        let second = if coefficient == 0.0 { 0.0 } else { coefficient * depth.powf(exponent) };
+        self.stiffness * power + second
+    }
+
     /// Force, N, with penetrations below 0 as 0. The damper has at least the effect of the penetration `floor`, m.
     fn force(&self, depth: f64, rate: f64, floor: f64) -> f64 {
         let depth = depth.max(0.0);
-        let spring = self.stiffness * depth.powf(self.exponent);
         match self.form {
-            DamperForm::HuntCrossley => spring * (1.0 + self.damping * rate),
+            DamperForm::HuntCrossley => {
+                self.spring(depth, depth.powf(self.exponent)) * (1.0 + self.damping * rate)
+            }
+            // Below p = 1 the damper is linear: it has no infinite force at the touch.
+            DamperForm::KelvinVoigt if self.exponent <= 1.0 => {
+                self.spring(depth, depth.powf(self.exponent)) + self.damping * rate
+            }
             DamperForm::KelvinVoigt => {
-                // Below p = 1 the damper is linear: it has no infinite force at the touch.
-                let scale = if self.exponent <= 1.0 {
-                    1.0
-                } else {
-                    depth.max(floor).powf(0.5 * (self.exponent - 1.0))
-                };
-                spring + self.damping * scale * rate
+                let scale = depth.powf(0.5 * (self.exponent - 1.0));
+                let at_least = if depth < floor { floor.powf(0.5 * (self.exponent - 1.0)) } else { scale };
+                self.spring(depth, depth * scale * scale) + self.damping * at_least * rate
             }
         }
     }
@@ -55,24 +68,31 @@ impl Motion {
         let step = duration / steps;
         // The mean of the first step: a step from an infinite slope would have an error that changes with the exponent.
         let floor = 0.25 * speed * step;
-        let force = |depth: f64, rate: f64| contact.force(depth, rate, floor);
-        let weight = -contact.mass * contact.gravity;
-        let stepping = Stepping {
-            force: &force,
-            ends_at_zero_force: true,
-            corners: &[],
-            step,
-            speed,
-            beside: &|_, _| weight,
-            most_steps: (MOST_DURATIONS * steps) as usize,
+        let rates = |(depth, rate): (f64, f64)| {
+            (rate, contact.gravity - contact.force(depth, rate, floor) / contact.mass)
         };
-        let mut samples = Vec::new();
-        let profile = [(0.0, contact.mass), (1.0, contact.mass)];
-        let found = stepping.run(&profile, |sample| samples.push(sample))?;
-        let mut motion = Self { contact, speed, samples };
-        motion.refine_end(step);
-        let is_finite = found.peak_force.is_finite() && motion.end().rate.is_finite();
-        is_finite.then_some(motion)
+        let sample = |time: f64, (penetration, rate): (f64, f64)| Sample {
+            time,
+            penetration,
+            rate,
+            force: contact.force(penetration, rate, floor),
+        };
+        let mut state = (0.0, speed);
+        let mut samples = vec![sample(0.0, state)];
+        for number in 1..=(MOST_DURATIONS * steps) as usize {
+            state = runge_kutta_step(state, step, &rates);
+            let next = sample(number as f64 * step, state);
+            if !next.force.is_finite() {
+                return None;
+            }
+            samples.push(next);
+            if state.1 < 0.0 && (next.force <= 0.0 || state.0 <= 0.0) {
+                let mut motion = Self { contact, speed, samples };
+                motion.refine_end(step);
+                return motion.end().rate.is_finite().then_some(motion);
+            }
+        }
+        None
     }
 
     /// Moves the end to the zero of a smooth function of the state: the penetration, or the force divided by the power of the damper. The
@@ -82,8 +102,10 @@ impl Motion {
         let [.., before, end] = &mut samples[..] else { return };
         let remaining = |(depth, rate): (f64, f64)| match contact.form {
             DamperForm::KelvinVoigt if contact.damping > 0.0 => {
-                let power = 0.5 * (contact.exponent + 1.0).min(2.0 * contact.exponent);
-                contact.stiffness * depth.signum() * depth.abs().powf(power) + contact.damping * rate
+                let x = depth.abs().max(LEAST_DEPTH);
+                let scale = x.powf(0.5 * (contact.exponent - 1.0).max(0.0));
+                let spring = contact.spring(x, x.powf(contact.exponent)) / scale;
+                depth.signum() * spring + contact.damping * rate
             }
             // Without a damper that pulls, the force vanishes with the penetration.
             _ => depth,
@@ -124,22 +146,29 @@ impl Motion {
         [-end.rate / self.speed, largest(|s| s.force), largest(|s| s.penetration), end.time]
     }
 
-    /// Signals at a time after the touch, s, which increases from call to call; `cursor`: 0 before the first call. `width`, s: if above 0, a
-    /// force that begins with a jump rises over it.
-    pub fn signal(&self, quantity: Measured, time: f64, width: f64, cursor: &mut usize) -> f64 {
-        let state = self.state(time, cursor);
-        let rises = |force: f64| {
-            if time.abs() < 0.5 * width {
-                // The jump is the force of the damper at the touch.
-                let jump = self.samples[0].force;
-                force - jump * f64::from(u8::from(time >= 0.0)) + jump * (time / width + 0.5)
-            } else {
-                force
-            }
+    /// States at times after the touch, s, which increase.
+    pub fn states(&self, times: impl Iterator<Item = f64>) -> Vec<Sample> {
+        let mut cursor = 0;
+        times.map(|time| self.state(time, &mut cursor)).collect()
+    }
+
+    /// Force at the touch, N.
+    pub fn jump(&self) -> f64 {
+        self.samples[0].force
+    }
+
+    /// Signal in a state. `width`, s: if above 0, a force that begins with a jump rises over it.
+    pub fn signal(&self, quantity: Measured, state: &Sample, width: f64) -> f64 {
+        let time = state.time;
+        let force = if time.abs() < 0.5 * width {
+            let reached = if time >= 0.0 { 1.0 } else { 0.0 };
+            state.force + self.jump() * (time / width + 0.5 - reached)
+        } else {
+            state.force
         };
         match quantity {
-            Measured::Force => rises(state.force),
-            Measured::Acceleration => rises(state.force) / self.contact.mass,
+            Measured::Force => force,
+            Measured::Acceleration => force / self.contact.mass,
             Measured::Velocity => state.rate,
             Measured::Displacement => state.penetration,
         }

@@ -1,15 +1,16 @@
 //! Records of impacts, what is known about them, and the result of an identification.
 
+use nalgebra::DVector;
 use serde::Serialize;
 
 /// Fewest samples of a record.
 pub const LEAST_SAMPLES: usize = 20;
-/// Most samples of all signals and records together.
+/// Most samples of all signals and records together, around the impacts.
 pub const MOST_SAMPLES: usize = 200_000;
 /// Part of the largest value, and of the duration, above which residuals contradict the law.
 const CONTRADICTION: f64 = 0.02;
 /// Exponents of the spring that are searched.
-pub(super) const EXPONENTS: std::ops::RangeInclusive<f64> = 0.5..=8.0;
+pub const EXPONENTS: std::ops::RangeInclusive<f64> = 0.5..=8.0;
 
 /// Measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -106,6 +107,8 @@ pub enum SampleUse {
     AtLimit,
     /// Outlier.
     Outlier,
+    /// At a jump of the force at the touch, which no sensor follows.
+    AtTouch,
 }
 
 impl SampleUse {
@@ -115,6 +118,7 @@ impl SampleUse {
             Self::Used => "used",
             Self::AtLimit => "at the limit",
             Self::Outlier => "outlier",
+            Self::AtTouch => "at the touch",
         }
     }
 }
@@ -137,10 +141,15 @@ pub struct IdentifiedSignal {
     pub relative_residual: f64,
     /// Time over which residuals are correlated, s; 0 if neighbours are independent.
     pub correlation_time: f64,
+    /// Root mean square of the residuals during the contact divided by that before and after it, by which the uncertainties are larger; null if the residuals are independent, or not
+    /// significantly larger during the contact.
+    pub excess: Option<f64>,
     /// Number of samples at the limit of the sensor, which are not used.
     pub clipped: usize,
     /// Times of outliers, s, which are not used.
     pub outliers: Vec<f64>,
+    /// Number of samples beside a jump of the force at the touch, which are not used.
+    pub at_touch: usize,
     /// Use of each sample at the used times.
     #[serde(skip)]
     pub uses: Vec<SampleUse>,
@@ -150,10 +159,11 @@ pub struct IdentifiedSignal {
 }
 
 impl IdentifiedSignal {
-    /// True if the residuals are above 2 % of the largest value, and correlated over 2 % of the duration of the contact, s: the contact has
-    /// another law.
+    /// True if the contact has another law: the residuals are larger during the contact than beside it, or they are above 2 % of the largest
+    /// value and correlated over 2 % of the duration of the contact, s.
     pub fn contradicts(&self, duration: f64) -> bool {
-        self.relative_residual > CONTRADICTION && self.correlation_time > CONTRADICTION * duration
+        let is_correlated = self.correlation_time > CONTRADICTION * duration;
+        is_correlated && (self.relative_residual > CONTRADICTION || self.excess.is_some())
     }
 }
 
@@ -184,6 +194,31 @@ pub struct IdentifiedRecord {
     pub signals: Vec<IdentifiedSignal>,
 }
 
+/// Result of another model of the contact: the values of the first record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherModel {
+    /// Mean square of the residuals of the other model divided by that of the result.
+    pub ratio: f64,
+    /// m̄, kg.
+    pub mass: f64,
+    /// Approach speed, m/s.
+    pub speed: f64,
+    /// Restitution.
+    pub restitution: f64,
+    /// Largest penetration, m.
+    pub max_penetration: f64,
+    /// Duration, s.
+    pub contact_duration: f64,
+}
+
+impl OtherModel {
+    /// Values from the quantities of a result.
+    pub(super) fn new(ratio: f64, figures: &DVector<f64>) -> Self {
+        let [speed, restitution, _, max_penetration, contact_duration] = [4, 5, 6, 7, 8].map(|k| figures[k]);
+        Self { ratio, mass: figures[0], speed, restitution, max_penetration, contact_duration }
+    }
+}
+
 /// Identified contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identification {
@@ -191,13 +226,21 @@ pub struct Identification {
     pub damper: DamperForm,
     /// Mean square of the residuals with the other form, divided by that with this form; `None` if the form is known, or has no motion.
     pub other_form: Option<f64>,
+    /// Coefficient c (N/m^q) and exponent q of a second term c x^q of the spring; `None` if one term suffices.
+    pub second_term: Option<(Estimate, f64)>,
+    /// The result with one term of the spring in place of two, or with two in place of the one with the given exponent; `None` if two terms are
+    /// not significantly better. With a given exponent the uncertainties of the mass and of the records include the difference.
+    pub other_spring: Option<OtherModel>,
+    /// The result with the weight, or without a given weight, if the residuals do not exclude it and it differs by more than two standard
+    /// uncertainties; true if the residuals are significantly smaller with it.
+    pub other_weight: Option<(bool, OtherModel)>,
     /// m̄, kg; a known mass that the records do not determine has the uncertainty 0.
     pub mass: Estimate,
     /// True if the records determine the mass.
     pub finds_mass: bool,
     /// k, N/mᵖ.
     pub stiffness: Estimate,
-    /// p.
+    /// p, with the uncertainty 0 at an end of [`EXPONENTS`].
     pub exponent: Estimate,
     /// c, N·s/m^((p+1)/2), or d, s/m.
     pub damping: Estimate,

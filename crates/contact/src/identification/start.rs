@@ -98,6 +98,19 @@ impl Start {
         Ok(Self { first, times, signals, touch, duration, spacing })
     }
 
+    /// Every `stride`-th sample.
+    pub fn thin(&mut self, stride: usize) {
+        fn thin<T: Copy>(values: &mut Vec<T>, stride: usize) {
+            *values = values.iter().copied().step_by(stride).collect();
+        }
+        thin(&mut self.times, stride);
+        for signal in &mut self.signals {
+            thin(&mut signal.values, stride);
+            thin(&mut signal.uses, stride);
+        }
+        self.spacing *= stride as f64;
+    }
+
     /// First estimates of approach speed (m/s), mass (kg) and penetration (m).
     pub fn estimates(&self, record: &Record, mass: Option<f64>) -> [f64; 3] {
         let amplitude = |quantity| {

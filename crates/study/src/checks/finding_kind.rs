@@ -73,6 +73,7 @@ finding_kinds! {
     HoldUndetermined = "hold-undetermined", Note, Pose;
     ImmovableMechanism = "immovable-mechanism", Note, Pose;
     ImmovableRobot = "immovable-robot", Warning, Report;
+    ImplausibleContact = "implausible-contact", Warning, Report;
     IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
     InexactLoops = "inexact-loops", Warning, Model;
     LawContradicted = "law-contradicted", Warning, Report;
@@ -95,6 +96,7 @@ finding_kinds! {
     OpenLoops = "open-loops", Warning, Pose;
     OtherAssembly = "other-assembly", Warning, Pose;
     OutsideLimits = "outside-limits", Warning, Positions;
+    PartsNotUsed = "parts-not-used", Note, Report;
     PenetrationUnreachable = "penetration-unreachable", Warning, Report;
     PointConverted = "point-converted", Note, Pose;
     PointMassBase = "point-mass-base", Warning, Model;
@@ -120,9 +122,11 @@ finding_kinds! {
     UnclearRankHere = "unclear-rank-here", Warning, Pose;
     UndeterminedMotion = "undetermined-motion", Note, Pose;
     UnitOfContacts = "unit-of-contacts", Warning, Report;
+    UnitsAssumed = "units-assumed", Warning, Report;
     UnknownError = "unknown-error", Warning, Pose;
     UnusedGuess = "unused-guess", Warning, Pose;
     WeaklyConstrained = "weakly-constrained", Warning, Model;
+    WeightNotGiven = "weight-not-given", Warning, Report;
     WithoutFriction = "without-friction", Warning, Report;
     WrongWayStop = "wrong-way-stop", Warning, Report;
 }

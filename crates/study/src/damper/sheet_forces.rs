@@ -184,34 +184,30 @@ impl SheetTyre<'_> {
     }
 }
 
-/// Warning about springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, with both restitutions. To first order
-/// they act on the contact as the change Σ k i² x of the spring forces since the touch, the damper forces Σ i F(i ẋ), and the same for a tyre
-/// until it leaves the road; i is the change of the length, the twist or the height of the wheel per penetration. `duration` (s) and `alone`:
-/// duration and restitution without these forces.
-pub(crate) fn springs_finding(
-    evaluated: &EvaluatedQuestion,
-    (compliant, damper): (CompliantContact, Damper),
-    speed: f64,
-    (duration, alone): (f64, f64),
-) -> Result<Option<Finding>, StudyError> {
+/// Force of springs, dampers, tyres and the anti-roll bar of the sheet against the penetration, over penetration (m) and rate (m/s).
+pub(crate) type ForceBeside<'e> = Box<dyn Fn(f64, f64) -> f64 + 'e>;
+
+/// Names of the springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, and their force. To first order they act
+/// on the contact as the change Σ k i² x of the spring forces since the touch, the damper forces Σ i F(i ẋ), and the same for a tyre until it
+/// leaves the road; i is the change of the length, the twist or the height of the wheel per penetration. `None`: none acts.
+pub(crate) fn force_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<(Vec<&'e str>, ForceBeside<'e>)> {
     let EvaluatedQuestion { prepared, result, .. } = evaluated;
     if result.response.contact.is_moment {
-        return Ok(None);
+        return None;
     }
-    let elements = sheet_elements(prepared.model);
-    let acting: Vec<(f64, &SheetElement)> = elements
-        .iter()
+    let model = prepared.model;
+    let acting: Vec<(f64, SheetElement<'e>)> = sheet_elements(model)
+        .into_iter()
         .filter_map(|element| Some((element.length_rate(evaluated)?, element)))
         .filter(|(ratio, _)| *ratio != 0.0)
         .collect();
-    let tyres = sheet_tyres(prepared.model);
-    let tyres: Vec<(f64, f64, &SheetTyre)> = tyres
-        .iter()
+    let tyres: Vec<(f64, f64, SheetTyre<'e>)> = sheet_tyres(model)
+        .into_iter()
         .filter_map(|tyre| Some((tyre.rise(evaluated)?.0, tyre.force_at_touch(evaluated).ok()?, tyre)))
         .filter(|(rise, _, _)| *rise != 0.0)
         .collect();
     let rates = &result.mechanism_response().joint_velocities;
-    let bar = sheet_bars(prepared.model).and_then(|bar| {
+    let bar = sheet_bars(model).and_then(|bar| {
         let rate = |joint: JointId| rates.get(joint.index()).and_then(|rates| rates.first().copied());
         let twist = rate(bar.joint)? - bar.other.map_or(Some(0.0), rate)?;
         (twist != 0.0).then_some(bar.stiffness * twist * twist)
@@ -220,14 +216,14 @@ pub(crate) fn springs_finding(
     names.extend(bar.map(|_| "anti-roll bar"));
     names.extend(tyres.first().map(|_| "tyre"));
     if names.is_empty() {
-        return Ok(None);
+        return None;
     }
-    let beside = |x: f64, v: f64| -> f64 {
-        let force = |(i, element): &(f64, &SheetElement)| match &element.force {
+    let beside = move |x: f64, v: f64| -> f64 {
+        let force = |(i, element): &(f64, SheetElement)| match &element.force {
             ElementForce::Spring(spring) => spring.rate * i * i * x,
             ElementForce::Damper(curve) => i * curve.force(i * v),
         };
-        let of_tyre = |(i, force, tyre): &(f64, f64, &SheetTyre)| {
+        let of_tyre = |(i, force, tyre): &(f64, f64, SheetTyre)| {
             let TyreForce { rate, damping, .. } = tyre.force;
             i * (force - (force - i * (rate * x + damping * v)).max(0.0))
         };
@@ -235,6 +231,18 @@ pub(crate) fn springs_finding(
             + tyres.iter().map(of_tyre).sum::<f64>()
             + bar.unwrap_or(0.0) * x
     };
+    Some((names, Box::new(beside)))
+}
+
+/// Warning about springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, with both restitutions. `duration` (s)
+/// and `alone`: duration and restitution without these forces.
+pub(crate) fn springs_finding(
+    evaluated: &EvaluatedQuestion,
+    (compliant, damper): (CompliantContact, Damper),
+    speed: f64,
+    (duration, alone): (f64, f64),
+) -> Result<Option<Finding>, StudyError> {
+    let Some((names, beside)) = force_beside(evaluated) else { return Ok(None) };
     let beside = restitution_beside_forces(damper, compliant, speed, &beside)?;
     let message = match beside {
         Some(e) if (e - alone).abs() <= SPRING_EFFECT => return Ok(None),

@@ -1,9 +1,10 @@
 //! Force curve of a contact as given by the user, or by a suspension sheet.
 
 use crate::model::loading::refuse_pipe;
+use crate::tables::text_layout::{ColumnKind, DecimalMark, no_unit, separator, unit};
 use crate::values::quantities::{Force, Length, schema_of};
 use percuss_contact::ForceCurve;
-use percuss_units::QuantityError;
+use percuss_units::{Dimension, QuantityError, Unit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::io::Read;
@@ -120,7 +121,7 @@ impl GivenCurve {
     }
 
     /// Reads the points or powers of a text (`0:0,10mm:500N`, `x:200N/mm,x^3:0.4N/mm^3,to:40mm`), or a file with a table of two columns, deflection and force, separated by commas, semicolons or tabs. Lines from `#` on are ignored. Numbers
-    /// have units (`2mm`, `1.5kN`), or the units in brackets of a header (`deflection (mm), force (N)`), or are in m and N.
+    /// have a decimal point or comma, and units (`2mm`, `1.5kN`), or the units of a header (`deflection (mm), force (N)`; `mm, N`), or are in m and N.
     ///
     /// # Errors
     /// A message: an unreadable file, a line without two quantities, points that are no curve.
@@ -143,42 +144,55 @@ impl GivenCurve {
 
     /// Reads the text of a table; the error has the number of the line.
     fn parse(text: &str) -> Result<Self, (usize, String)> {
-        let mut units = [String::new(), String::new()];
+        let mut units = [None, None];
         let (mut points, mut last) = ([Vec::new(), Vec::new()], 0);
+        let mut mark = DecimalMark::default();
         let text = text.trim_start_matches('\u{feff}');
         for (number, line) in text.lines().enumerate().map(|(i, line)| (i + 1, line)) {
             let line = line.split('#').next().unwrap_or_default().trim();
             if line.is_empty() {
                 continue;
             }
-            let separator = [';', '\t', ','].into_iter().find(|c| line.contains(*c)).unwrap_or(' ');
             let cells: Vec<&str> =
-                line.split(separator).map(str::trim).filter(|cell| !cell.is_empty()).collect();
+                line.split(separator(line)).map(str::trim).filter(|cell| !cell.is_empty()).collect();
             let [x, f] = cells[..] else {
                 return Err((number, format!("{} cells; expected two, deflection and force", cells.len())));
             };
-            let is_header = |cell: &str| cell.starts_with(|c: char| c.is_alphabetic());
+            let is_header = |cell: &str| cell.starts_with(|c: char| c.is_alphabetic() || "[(".contains(c));
             if last == 0 && is_header(x) && is_header(f) {
-                units = [x, f].map(|cell| {
-                    let unit =
-                        cell.rsplit_once(['(', '[']).map(|(_, rest)| rest.trim_end_matches([')', ']']));
-                    unit.unwrap_or_default().trim().to_owned()
-                });
-            } else {
-                // A number takes the unit of its column.
-                let with_unit = |cell: &str, unit: &str| match cell.parse::<f64>() {
-                    Ok(_) => format!("{cell}{unit}"),
-                    Err(_) => cell.to_owned(),
-                };
-                let fault = |error: QuantityError| (number, error.to_string());
-                points[0].push(with_unit(x, &units[0]).parse::<Length>().map_err(fault)?.0);
-                points[1].push(with_unit(f, &units[1]).parse::<Force>().map_err(fault)?.0);
+                for (own, (cell, dimension)) in
+                    units.iter_mut().zip([(x, Dimension::Length), (f, Dimension::Force)])
+                {
+                    *own = unit_of_head(cell, dimension).map_err(|why| (number, why))?.or(*own);
+                }
+                continue;
             }
+            // A number takes the unit of its column.
+            let mut with_unit = |cell: &str, unit: Option<&Unit>| -> Result<String, (usize, String)> {
+                let cell = mark.with_point(cell).map_err(|why| (number, why))?;
+                let unit = unit.filter(|_| cell.parse::<f64>().is_ok()).map_or("", |unit| unit.name);
+                Ok(format!("{cell}{unit}"))
+            };
+            let fault = |error: QuantityError| (number, error.to_string());
+            points[0].push(with_unit(x, units[0])?.parse::<Length>().map_err(fault)?.0);
+            points[1].push(with_unit(f, units[1])?.parse::<Force>().map_err(fault)?.0);
             last = number;
         }
         let [x, f] = points;
         let curve = ForceCurve::new(x, f).map_err(|error| (last.max(1), error.to_string()))?;
         Ok(Self { curve: Arc::new(curve), stop: None })
+    }
+}
+
+/// Unit in a head of a column: alone, in brackets, or behind a word. Error: a unit that is not known.
+fn unit_of_head(head: &str, dimension: Dimension) -> Result<Option<&'static Unit>, String> {
+    let bracket = head.split_once(['(', '[']).map(|(_, rest)| rest);
+    let behind = bracket.or_else(|| head.rsplit_once(['_', ' ', '/']).map(|(_, rest)| rest));
+    match (unit(head, dimension).or_else(|| unit(behind?, dimension)), ColumnKind::of_head(head)) {
+        (Some(unit), _) => Ok(Some(unit)),
+        // A word without a unit, or words that are all known.
+        (None, found) if behind.is_none() || bracket.is_none() && found.is_ok() => Ok(None),
+        (None, _) => Err(no_unit(behind.unwrap_or_default().trim_end_matches([')', ']']), dimension)),
     }
 }
 
@@ -217,6 +231,9 @@ mod tests {
             "deflection (mm); force [kN]\n0;0\n2;0.08\n\n10;1.5\n",
             "\u{feff}# of the supplier\n0mm\t0\n2mm\t80N\n1cm\t1.5kN\n",
             "0 0\n0.002 80\n0.01 1500",
+            "Weg [mm];Kraft [kN]\n0;0\n2;0,08\n10,0;1,5\n",
+            "mm,N\n0,0\n2,80\n10,1500",
+            "deflection,force\nmm,N\n0,0\n2,80\n10,1500",
         ] {
             let found = curve(text).expect("a curve");
             for (a, b) in found.deflections().iter().zip(expected.deflections()) {

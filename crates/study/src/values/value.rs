@@ -74,6 +74,13 @@ pub(crate) enum Words {
     Many(Vec<String>),
 }
 
+/// Reads one value or several.
+pub(crate) fn one_or_many<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    from: D,
+) -> Result<Vec<T>, D::Error> {
+    Ok(OneOrMany::deserialize(from)?.list())
+}
+
 /// Reads one word or several words, each parsed as on the command line.
 pub(crate) fn words<'de, D: Deserializer<'de>, T: FromStr<Err: Display>>(
     from: D,

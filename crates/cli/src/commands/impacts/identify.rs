@@ -106,6 +106,10 @@ fn facts(report: &IdentificationReport) -> Vec<(&'static str, String)> {
     facts.extend(report.compared.as_ref().map(|compared| ("expected mass", comparison(compared))));
     facts.push(("stiffness", plus_minus(report.stiffness, 1.0, &format!("N/m{}", power(p)))));
     facts.push(("exponent", plus_minus(report.exponent, 1.0, "")));
+    if let (Some(second), Some(q)) = (report.second_stiffness, report.second_exponent) {
+        let unit = format!("N/m{0}, of x{0}", power(q));
+        facts.push(("second term", plus_minus(second, 1.0, &unit)));
+    }
     if let Some(damping) = report.damping {
         let unit = format!("N·s/m{}", power(0.5 * (p + 1.0)));
         facts.push(("damping", plus_minus(damping, 1.0, &unit)));
@@ -212,6 +216,12 @@ fn left_out(impact: &MeasuredImpact) -> Vec<String> {
         let (name, _) = signal.quantity.name_and_unit();
         if signal.clipped > 0 {
             texts.push(format!("{name}: {} samples at the limit of the sensor are not used", signal.clipped));
+        }
+        if signal.at_touch > 0 {
+            texts.push(format!(
+                "{name}: {} samples beside the jump of the force at the touch are not used",
+                signal.at_touch
+            ));
         }
         if !signal.outliers.is_empty() {
             let times: Vec<String> =

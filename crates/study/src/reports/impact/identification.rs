@@ -3,6 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::finite_mass;
+use crate::damper::sheet_forces::force_beside;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::{Input, Model};
@@ -13,11 +14,11 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::identify::IdentifyQuestion;
 use crate::reports::explain::explain_parts;
-use crate::tables::records::{RecordColumn, read_record};
+use crate::tables::records::{MOST_NUMBERS, ReadRecord, RecordColumn, read_record};
 use percuss_contact::ContactLawError;
 use percuss_contact::identification::{
-    DamperForm, Estimate, Identification, IdentifiedRecord, MOST_SAMPLES, Measured, Record, SampleUse,
-    identify,
+    DamperForm, EXPONENTS, Estimate, Identification, IdentifiedRecord, Measured, OtherModel, Record,
+    SampleUse, identify,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -26,6 +27,14 @@ use serde::Serialize;
 const GUESS: f64 = 0.2;
 /// Standard uncertainties within which a mass agrees: 95 of 100 cases.
 const AGREEMENT: f64 = 2.0;
+/// Values of a contact beyond which a unit or a column is wrong rather than the contact is unusual: approach speed (m/s), penetration (m),
+/// duration (s), and ratio of the identified mass and the expected one.
+const MOST_SPEED: f64 = 50.0;
+const MOST_PENETRATION: f64 = 0.5;
+const MOST_DURATION: f64 = 2.0;
+const MOST_MASS_RATIO: f64 = 5.0;
+/// Part of the largest force above which forces of the sheet change the result.
+const FORCE_BESIDE: f64 = 0.02;
 /// Number of links that are listed as explanations.
 const EXPLANATIONS: usize = 3;
 
@@ -111,6 +120,10 @@ pub struct IdentificationReport {
     pub stiffness: Estimate,
     /// Exponent p.
     pub exponent: Estimate,
+    /// Coefficient c of a second term c x^q of the spring, N/m^q; null if the spring has one term.
+    pub second_stiffness: Option<Estimate>,
+    /// Exponent q of the second term.
+    pub second_exponent: Option<f64>,
     /// Damping c of c x^((p-1)/2) v, N·s/m^((p+1)/2); null for the other form.
     pub damping: Option<Estimate>,
     /// Dissipation d of d k x^p v, s/m; null for the other form.
@@ -134,20 +147,22 @@ pub fn identify_contact(
     asked.check()?;
     let in_file = |error| StudyError::input(Field::Data, Fault::Table(Box::new(error)));
     let (mut records, mut columns, mut inputs) = (Vec::new(), Vec::new(), Vec::new());
-    let mut samples = 0;
-    for path in &asked.data {
-        let (record, of_file, input) = read_record(path, &asked.ignore).map_err(in_file)?;
-        samples += record.times.len() * record.signals.len();
-        if samples > MOST_SAMPLES {
+    let (mut diagnostics, mut numbers) = (Vec::new(), 0);
+    for (file, path) in asked.data.iter().enumerate() {
+        let ReadRecord { record, columns: of_file, input, findings } =
+            read_record(path, asked).map_err(in_file)?;
+        diagnostics.extend(findings);
+        numbers += record.times.len() * (1 + record.signals.len());
+        if numbers > MOST_NUMBERS {
             let why =
-                format!("more than {MOST_SAMPLES} samples with this file; cut the files around the impacts");
+                format!("more than {MOST_NUMBERS} numbers with this file; cut the files around the impacts");
             return Err(in_file(TableError::in_file(path, why)));
         }
         if inputs.iter().any(|other: &Input| other.sha256 == input.sha256) {
             let why = "it has the contents of another of the files; give each impact once";
             return Err(in_file(TableError::in_file(path, why)));
         }
-        records.push(Record { speed: asked.approach_speed(), ..record });
+        records.push(Record { speed: asked.approach_speed(file), ..record });
         columns.push(of_file);
         inputs.push(input);
     }
@@ -159,8 +174,10 @@ pub fn identify_contact(
         ContactLawError::Record { record: None, why } => StudyError::input(Field::Data, why),
         error => error.into(),
     })?;
-    let mut diagnostics = contradictions(&asked.data, &found.records);
+    diagnostics.extend(contradictions(asked, &found));
     diagnostics.extend(guesses(&found));
+    diagnostics.extend(weight_finding(asked, &found));
+    diagnostics.extend(implausible(&found, mass));
     let parts = asked.data.iter().zip(columns).zip(records).zip(found.records);
     let impacts = parts.map(|(((file, columns), record), identified)| MeasuredImpact {
         file: file.clone(),
@@ -187,6 +204,8 @@ pub fn identify_contact(
         other_form: found.other_form,
         stiffness: found.stiffness,
         exponent: found.exponent,
+        second_stiffness: found.second_term.map(|(stiffness, _)| stiffness),
+        second_exponent: found.second_term.map(|(_, exponent)| exponent),
         damping: of_form(DamperForm::KelvinVoigt),
         dissipation: of_form(DamperForm::HuntCrossley),
         correlation: found.correlation,
@@ -227,6 +246,7 @@ pub fn identify_contact_of(
         changes.truncate(EXPLANATIONS);
         compared.explanations = changes;
     }
+    report.diagnostics.extend(forces_of_sheet(&evaluated, &report));
     let findings = result.findings.iter().cloned().map(DiagnosticRecord::from);
     let own = std::mem::take(&mut report.diagnostics);
     report.diagnostics = model.diagnostics.iter().cloned().chain(findings).chain(own).collect();
@@ -262,21 +282,106 @@ fn guesses(found: &Identification) -> Option<DiagnosticRecord> {
     Some(Finding::about_result(FindingKind::ContactGuessed, message).into())
 }
 
-/// Findings about signals from which the identified contact differs by more than noise.
-fn contradictions(files: &[String], records: &[IdentifiedRecord]) -> Vec<DiagnosticRecord> {
-    let mut findings = Vec::new();
-    for (file, record) in files.iter().zip(records) {
+/// Values of another model of the contact.
+fn values_of(other: &OtherModel) -> String {
+    let OtherModel { ratio, mass, speed, restitution, max_penetration, contact_duration } = other;
+    format!(
+        "with {ratio:.2} times the mean square residual a mass of {mass:.4} kg, a speed of {speed:.4} m/s, a restitution of {restitution:.4}, a \
+         penetration of {:.3} mm and a duration of {:.3} ms",
+        1e3 * max_penetration,
+        1e3 * contact_duration
+    )
+}
+
+/// Findings about signals from which the identified contact differs by more than noise, and about springs of more than one power.
+fn contradictions(asked: &IdentifyQuestion, found: &Identification) -> Vec<DiagnosticRecord> {
+    let mut messages = Vec::new();
+    for (file, record) in asked.data.iter().zip(&found.records) {
         for signal in &record.signals {
             if signal.contradicts(record.contact_duration.value) || signal.relative_residual > GUESS {
                 let (name, _) = signal.quantity.name_and_unit();
-                let message = format!(
+                let included = match signal.excess {
+                    Some(excess) => format!(
+                        "the residuals are {excess:.1} times those before and after the contact, and so are the uncertainties"
+                    ),
+                    None => "the uncertainties do not include that".to_owned(),
+                };
+                messages.push(format!(
                     "{file}: the identified contact differs from the {name} by {:.1} % of its largest value; the contact has another law, \
-                     something acts beside it, or the data are filtered (give the filter), and the uncertainties do not include that",
+                     something acts beside it, or the data are filtered (give the filter); {included}",
                     100.0 * signal.relative_residual
-                );
-                findings.push(Finding::about_result(FindingKind::LawContradicted, message).into());
+                ));
             }
         }
     }
-    findings
+    if let Some(other) = &found.other_spring {
+        let values = values_of(other);
+        messages.push(match found.second_term {
+            Some((_, power)) => {
+                format!("the spring is k x^p + c x^{power}; k x^p alone gives {values}: a law with one power is no law of this contact")
+            }
+            None => format!("a spring with a second power of the penetration gives {values}; leave out the exponent"),
+        });
+    }
+    if EXPONENTS.end() == &found.exponent.value || EXPONENTS.start() == &found.exponent.value {
+        messages.push(format!(
+            "the exponent is at an end of the range {} to {} in which it is searched",
+            EXPONENTS.start(),
+            EXPONENTS.end()
+        ));
+    }
+    let finding = |message| Finding::about_result(FindingKind::LawContradicted, message).into();
+    messages.into_iter().map(finding).collect()
+}
+
+/// Finding about a weight that is not stated, or contradicts the data.
+fn weight_finding(asked: &IdentifyQuestion, found: &Identification) -> Option<DiagnosticRecord> {
+    let (is_better, other) = found.other_weight.as_ref()?;
+    let is_given = asked.gravity.is_some() || asked.drop.is_some();
+    if is_given && !is_better {
+        return None;
+    }
+    let acts = if asked.known(None).gravity == 0.0 { "with the weight" } else { "without the weight" };
+    let verdict = if *is_better { "contradict the motion" } else { "do not show whether the weight acts" };
+    let remedy = "give --gravity for a body that falls onto the contact, --gravity=0 for a horizontal motion";
+    let message = format!("the data {verdict}: {acts} they give {}; {remedy}", values_of(other));
+    Some(Finding::about_result(FindingKind::WeightNotGiven, message).into())
+}
+
+/// Finding about values that no impact has.
+fn implausible(found: &Identification, expected: Option<f64>) -> Option<DiagnosticRecord> {
+    let largest = |of: fn(&IdentifiedRecord) -> Estimate| {
+        found.records.iter().map(|record| of(record).value).fold(0.0, f64::max)
+    };
+    let (speed, duration) = (largest(|record| record.speed), largest(|record| record.contact_duration));
+    let depth = largest(|record| record.max_penetration);
+    let ratio = expected.filter(|_| found.finds_mass).map(|mass| found.mass.value / mass);
+    let values = [
+        (speed > MOST_SPEED).then(|| format!("an approach speed of {speed:.4} m/s")),
+        (depth > MOST_PENETRATION).then(|| format!("a penetration of {depth:.4} m")),
+        (duration > MOST_DURATION).then(|| format!("a duration of {duration:.4} s")),
+        ratio
+            .filter(|ratio| !(1.0 / MOST_MASS_RATIO..MOST_MASS_RATIO).contains(ratio))
+            .map(|ratio| format!("a mass of {:.4} kg, {ratio:.4} times the expected one", found.mass.value)),
+    ];
+    let values: Vec<String> = values.into_iter().flatten().collect();
+    let message = format!("the result is implausible: {}; check the units of the columns", values.join(", "));
+    (!values.is_empty()).then(|| Finding::about_result(FindingKind::ImplausibleContact, message).into())
+}
+
+/// Finding about springs and dampers of the sheet that act during the contact.
+fn forces_of_sheet(evaluated: &EvaluatedQuestion, report: &IdentificationReport) -> Option<DiagnosticRecord> {
+    let (names, force) = force_beside(evaluated)?;
+    let part = |record: &IdentifiedRecord| {
+        let (x, v) = (record.max_penetration.value, record.speed.value);
+        force(x, 0.0).abs().max(force(0.0, v).abs()) / record.peak_force.value
+    };
+    let part = report.impacts.iter().map(|impact| part(&impact.identified)).fold(0.0, f64::max);
+    let message = format!(
+        "springs and dampers of the sheet act during the contact ({}), with up to {:.0} % of its largest force, and are not in the fit: a \
+         measured motion includes them; remove them from the rig, or measure the impact with a speed at which their force is small",
+        names.join(", "),
+        100.0 * part
+    );
+    (part > FORCE_BESIDE).then(|| Finding::about_result(FindingKind::SpringsAct, message).into())
 }

@@ -52,7 +52,7 @@ pub struct RestitutionQuestion {
         feature = "flags",
         arg(long, value_name = "V", value_delimiter = ',', allow_hyphen_values = true, help_heading = IMPACT)
     )]
-    #[serde(deserialize_with = "speeds")]
+    #[serde(deserialize_with = "value::one_or_many")]
     #[schemars(with = "Option<value::OneOrMany<value::NumberOrText>>", required)]
     pub speed: Vec<Speed>,
     /// Stiffness of the contact (N/m; 200N/mm).
@@ -122,11 +122,6 @@ pub struct RestitutionQuestion {
     /// Force (N) for the penetration at rest.
     #[cfg_attr(feature = "flags", arg(long, value_name = "F", allow_hyphen_values = true, help_heading = IMPACT))]
     pub load: Option<Force>,
-}
-
-/// Reads one speed or several.
-fn speeds<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<Speed>, D::Error> {
-    Ok(value::OneOrMany::deserialize(from)?.list())
 }
 
 impl RestitutionQuestion {
