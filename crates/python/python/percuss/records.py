@@ -263,10 +263,10 @@ class ComplianceRecord(Record):
     rows: list[BushShareRecord]
     """Shares of the bushes in the elastic energy of the residual compliance, the largest first."""
     lower_bounds_hold: bool
-    """True if no spring, damper, tyre or free rotation of a bush with stiffness acts along the motion of the rigid mechanism:
-    the lower bounds of an impact hold."""
+    """True if no spring, damper, tyre, anti-roll bar or free rotation of a bush with stiffness acts along the motion of the
+    rigid mechanism: the lower bounds of an impact hold."""
     beside: list[str]
-    """Springs and dampers of the sheet."""
+    """Springs, dampers, tyres and anti-roll bars of the sheet."""
     rigid_up_to: list[float] | None
     """Largest stiffnesses of a contact, N/m, up to which the rigid mass is right within 1 % and within 5 %, by the rule of
     thumb."""
