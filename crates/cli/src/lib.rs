@@ -78,6 +78,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Damp(args) => commands::damp::run(args),
         Command::Restitution(args) => commands::impacts::restitution::run(args),
         Command::Identify(args) => commands::impacts::identify::run(args),
+        Command::Response(args) => commands::impacts::response::run(args),
         Command::SafeSpeed(args) => commands::impacts::safe_speed::run(args),
         Command::Impact(args) => commands::impacts::rigid_impact::run(args),
         Command::Extremes(args) => commands::impacts::extremes::run(args),

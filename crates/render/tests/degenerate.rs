@@ -158,6 +158,7 @@ fn random_figure(random: &mut StdRng) -> Figure {
         x_label: random_words(random),
         panels: (0..random.random_range(0..4)).map(|_| panel(random)).collect(),
         marks: (0..random.random_range(0..6)).map(|_| mark(random)).collect(),
+        is_logarithmic: false,
         is_half: random.random(),
     }
 }

@@ -30,6 +30,7 @@ pub use checks::response_findings::{matrix_findings, pose_findings, response_fin
 pub use damper::compliance::{BushShareRecord, ComplianceRecord, CompliantContactRecord};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
+pub use damper::response::{ComplexSeries, ModeRecord, ModeShareRecord, ResponseReport, response};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
@@ -73,6 +74,7 @@ pub use question::tables::kinematics::{AxlePosition, KinematicVariable, Kinemati
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};
 pub use question::tables::model::{Acceptable, CheckQuestion, ModelTable};
+pub use question::tables::response::{FrequencyRange, ResponseQuestion};
 pub use question::tables::safe_speed::{Limit, LimitError, SafeSpeedQuestion};
 pub use question::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepQuestion, TableUnit,

@@ -12,6 +12,9 @@ pub(crate) const FORCE_CHANGE: f64 = 1.2;
 /// Speed at which the slope of a damper is taken, m/s: far below the first bend of a curve.
 pub(crate) const DAMPER_SLOPE_SPEED: f64 = 1e-4;
 
+/// Number of frequencies of a response: more than a figure shows.
+pub(crate) const FREQUENCIES: RangeInclusive<usize> = 2..=20_000;
+
 // Limits of queries.
 
 /// Largest distance of a joint from its stop, rad or m, at which the joint counts as at the stop: a position given with six decimals.

@@ -24,7 +24,7 @@ fn every_output_file_is_refused() {
         let message = ask(&model, &request).expect_err(key).message();
         assert!(message.starts_with(&format!("{key}: a request writes no file")), "{message}");
     }
-    assert_eq!(keys.len(), 8, "{keys:?}");
+    assert_eq!(keys.len(), 9, "{keys:?}");
 }
 
 #[test]
@@ -33,7 +33,7 @@ fn every_question_has_its_key_in_the_report() {
     let contact = json!({"link": "rod", "point": [0, 0, -0.8], "normal": [1, 0, 0]});
     let measured = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/measured/bump_stop.csv");
     let request = json!({
-        "contact": contact, "identify": {"data": measured}, "mass": {"explain": true}, "damping": {"stiffness": 1e4, "restitution": 0.5},
+        "contact": contact, "identify": {"data": measured}, "response": {"frequency": "1:10:3"}, "mass": {"explain": true}, "damping": {"stiffness": 1e4, "restitution": 0.5},
         "impact": {"restitution": 0.5, "speed": 1}, "extremes": {"range": ["hinge=-1:1"]},
         "sweep": {"vary": "hinge=0:1:2"}, "map": {"link": "rod", "point": [0, 0, -0.8], "directions": 8},
         "safe_speed": {"energy": 1}, "restitution": {"stiffness": 1e4, "damping": 10, "speed": 1}, "check": {}, "generate": {"language": "rust", "gradient": true}, "convert": {"to": "mjcf"},

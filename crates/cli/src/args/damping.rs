@@ -1,12 +1,13 @@
-//! Flags of `percuss damp`, `percuss restitution`, `percuss identify` and `percuss safe-speed`.
+//! Flags of `percuss damp`, `percuss restitution`, `percuss identify`, `percuss response` and `percuss safe-speed`.
 
 use super::contact::ContactArgs;
-use super::model::ReadingArgs;
+use super::model::{ModelArgs, ReadingArgs};
 use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
 use percuss_study::{
-    DampingQuestion, IdentifyQuestion, JointStop, Mass, RestitutionQuestion, SafeSpeedQuestion,
+    DampingQuestion, IdentifyQuestion, JointStop, Mass, ResponseQuestion, RestitutionQuestion,
+    SafeSpeedQuestion,
 };
 
 /// Heading in the help: source of the effective mass.
@@ -100,6 +101,20 @@ pub struct IdentifyArgs {
     pub mass_from: Option<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
+    pub format: CheckFormat,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+}
+
+/// Flags of `percuss response`.
+#[derive(Debug, Args)]
+pub struct ResponseArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub response: ResponseQuestion,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,

@@ -17,7 +17,7 @@ mod value_parsers;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
-pub use damping::{DampArgs, IdentifyArgs, RestitutionArgs, SafeSpeedArgs};
+pub use damping::{DampArgs, IdentifyArgs, ResponseArgs, RestitutionArgs, SafeSpeedArgs};
 pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs};
 pub use help::short_help::{requested_command, short_help};
 pub use help::usage_error::usage_error;
@@ -124,7 +124,7 @@ pub enum Command {
     /// Write a blank suspension sheet: hardpoints, masses, units, axes.
     #[command(after_help = examples::TEMPLATE)]
     Template(TemplateArgs),
-    /// Convert a suspension sheet, table or Chrono::Vehicle JSON to a URDF+ model.
+    /// Convert a suspension sheet, table or JSON of Chrono to a URDF+ model.
     ///
     /// The model contains explanatory comments.
     #[command(after_help = examples::IMPORT)]
@@ -152,6 +152,15 @@ pub enum Command {
         override_usage = "percuss identify DATA.csv… [--mass-from MODEL --at NAME | --mass KG]\n                        [--speed V | --drop H] [--exponent P] …"
     )]
     Identify(Box<IdentifyArgs>),
+    /// Apparent mass over frequency and natural modes with bushes.
+    ///
+    /// The joints with bushes are elastic; springs, dampers and tyre of the sheet act too. Apparent mass, accelerance, mobility and dynamic
+    /// stiffness at the contact; natural frequencies with the links that move, participation and damping.
+    #[command(
+        after_help = examples::RESPONSE,
+        override_usage = "percuss response MODEL (--at NAME | --link L --point X,Y,Z …)\n                        [--frequency FROM:TO:COUNT] [-o FILE] …"
+    )]
+    Response(Box<ResponseArgs>),
     /// Largest safe speed of a robot that may hit a person.
     ///
     /// Transient contact of ISO/TS 15066, computed with the effective mass.

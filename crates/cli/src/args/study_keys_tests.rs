@@ -52,11 +52,12 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 13] = [
+const KEPT: [(&str, &str); 14] = [
     ("mass", "mass"),
     ("damp", "damping"),
     ("restitution", "restitution"),
     ("identify", "identify"),
+    ("response", "response"),
     ("sweep", "sweep"),
     ("map", "map"),
     ("safe-speed", "safe_speed"),

@@ -502,6 +502,7 @@ fn figure_of(
         x_label: format!("{} ({unit})", varied_name(&varied.name)),
         panels,
         marks: touches(report, designs),
+        is_logarithmic: false,
         is_half: false,
     })
 }

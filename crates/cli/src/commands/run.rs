@@ -6,7 +6,7 @@ use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::damp;
 use crate::commands::exports::{convert, export, generate};
 use crate::commands::impacts::rigid_impact::{self, ImpactView};
-use crate::commands::impacts::{extremes, identify, restitution, safe_speed};
+use crate::commands::impacts::{extremes, identify, response, restitution, safe_speed};
 use crate::commands::map;
 use crate::commands::mass::{self, contact_list};
 use crate::commands::report;
@@ -44,7 +44,9 @@ fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String
     check_distinct_outputs(outputs.iter().cloned())?;
     for (key, path) in outputs {
         match *key {
-            "damping.output" | "identify.output" => drop(ending_of(path, &TABLES_AND_PICTURES)?),
+            "damping.output" | "identify.output" | "response.output" => {
+                ending_of(path, &TABLES_AND_PICTURES)?;
+            }
             "sweep.output" if !(study.variants.is_empty() && study.contacts.is_empty()) => {
                 ending_of(path, &contents::ALL)?;
             }
@@ -178,6 +180,10 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         let output = tables.identify.as_ref().and_then(|asked| asked.output.as_deref());
         identify::show(report, output, CheckFormat::Text, strict)?;
     }
+    if let Some(report) = &report.response {
+        let output = tables.response.as_ref().and_then(|asked| asked.output.as_deref());
+        response::show(report, output, CheckFormat::Text, strict)?;
+    }
     if let Some(report) = &report.impact {
         write_diagnostics(&report.diagnostics, strict)?;
         rigid_impact::write(report, CheckFormat::Text, ImpactView::default())?;
@@ -219,7 +225,7 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
 fn note_left_out_of_rows(study: &StudyFile, has_rows: bool, contacts: Option<&ContactListReport>) {
     let first = contacts.and_then(ContactListReport::first_with_result).map(|first| &first.name);
     let first = first.or(study.contacts.first().map(|first| &first.name));
-    let of_first = ["mass", "restitution", "identify", "impact", "extremes", "safe_speed"];
+    let of_first = ["mass", "restitution", "identify", "response", "impact", "extremes", "safe_speed"];
     let of_first: Vec<String> =
         of_first.into_iter().filter(|table| study.keys.contains(table)).map(in_brackets).collect();
     if let Some(first) = first.filter(|_| !of_first.is_empty()) {

@@ -198,6 +198,7 @@ impl SweepCurves {
             x_label: if unit.is_empty() { varied } else { format!("{varied} ({unit})") },
             panels,
             marks,
+            is_logarithmic: false,
             is_half: false,
         })
     }

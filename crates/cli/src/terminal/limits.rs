@@ -17,7 +17,9 @@ pub const CHANGES_SHOWN: usize = 6;
 pub const MIN_CONTRIBUTION: f64 = 5e-4;
 /// Estimated change of an impulse by the bushes above which the rule of thumb has no meaning.
 pub const MUCH_COMPLIANCE: f64 = 0.25;
-/// Share of a row in the elastic energy of the bushes from which the row is named.
+/// Number of natural modes without --details.
+pub const MODES_SHOWN: usize = 12;
+/// Share of a row in the elastic energy of the bushes, of a link in a mode, or of a mode in the free mass, from which the row is named.
 pub const SEEN_SHARE: f64 = 0.05;
 /// Length of the longest bar beside a table, in characters: a quarter of a line of 80 columns.
 pub const BAR_WIDTH: usize = 20;

@@ -249,6 +249,15 @@ class ComparisonRow(Record):
     """Motion ratio of each design: closing of the contact per varied travel; None without a travel."""
 
 
+class ComplexSeries(Record):
+    """Complex numbers over frequency; None where the response does not exist."""
+
+    real: list[float | None]
+    """Real parts."""
+    imaginary: list[float | None]
+    """Imaginary parts."""
+
+
 class ComplianceRecord(Record):
     """Compliance of the bushes at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment."""
 
@@ -1540,6 +1549,32 @@ class MimicSubstituteRecord(Record):
     """Largest relative error of the reflected inertia over the range, with this armature."""
 
 
+class ModeRecord(Record):
+    """Natural mode of the mechanism with bushes."""
+
+    frequency: float
+    """Natural frequency, Hz; 0 for a motion without stiffness."""
+    damping_ratio: float
+    """Damping ratio of dampers and loss factors, to first order."""
+    participation: float
+    """Participation φ² of the contact in the mass-normalised shape, 1/kg: 1/m_app = Σ φ² ω²/(ω² − ωᵢ²)."""
+    share: float | None
+    """Part of the mode in 1/m_free, from 0 to 1; None if the contact is massless with free bushes."""
+    links: list[ModeShareRecord]
+    """Links with their shares of the kinetic energy, the largest first, at most three: the first names the shape."""
+    elements: list[ModeShareRecord]
+    """Bushes, springs and directions with their shares of the elastic energy, the largest first, at most three."""
+
+
+class ModeShareRecord(Record):
+    """Share of a link or of an element in the energy of a mode."""
+
+    name: str
+    """The link; the element with its direction."""
+    share: float
+    """Share, from 0 to 1."""
+
+
 class MotionForceRecord(Record):
     """Force in a bearing that the velocities before the impact cause alone; it is quadratic in the rates."""
 
@@ -1998,12 +2033,56 @@ class RequestReport(Record):
     """The contact at its pose, with the results of "[mass]" and the damper of "[damping]"."""
     mass_problem: str | None
     """Reason for a missing effective mass at the pose, for a study with a sweep or variants."""
+    response: ResponseReport | None
+    """Response over frequency."""
     restitution: RestitutionReport | None
     """Restitution of a spring and damper."""
     safe_speed: list[SafeSpeedReport] | None
     """Safe speeds."""
     sweep: SweepReport | None
     """Rows of the sweep."""
+
+
+class ResponseReport(Record):
+    """Report of "percuss response", as JSON. Units of a contact along a normal; N·m for N, rad for m and kg·m² for kg at a
+    moment."""
+
+    schema: Literal["percuss.response/1"]
+    """"percuss.response/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    named_contact: NamedContactRecord | None
+    """Named contact; None for a contact given by link, point and normal."""
+    link: str
+    """Contact link."""
+    effective_mass: float | None
+    """m̄ with rigid bushes in the unit of "unit"; None unless finite."""
+    status: Literal["finite", "immovable", "massless"]
+    """Kind of result with rigid bushes."""
+    unit: str
+    """Unit of masses: "kg", or "kg·m²" for a moment about an axis."""
+    is_moment: bool
+    """True for a moment about an axis."""
+    compliance: ComplianceRecord | None
+    """Free mass and residual stiffness; None for a model without bushes in place of joints."""
+    static_stiffness: float | None
+    """Static stiffness of the contact, N/m; None if a motion without stiffness closes the gap."""
+    frequency: list[float]
+    """Frequencies, Hz."""
+    apparent_mass: ComplexSeries
+    """Apparent mass F/ẍ = −1/(ω²h), kg."""
+    accelerance: ComplexSeries
+    """Accelerance ẍ/F, 1/kg."""
+    mobility: ComplexSeries
+    """Mobility ẋ/F, m/(N·s)."""
+    dynamic_stiffness: ComplexSeries
+    """Dynamic stiffness F/x = 1/h, N/m."""
+    modes: list[ModeRecord]
+    """Natural modes in ascending order of the frequency."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""
 
 
 class RestRecord(Record):

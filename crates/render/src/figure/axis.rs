@@ -19,12 +19,13 @@ struct Step {
     exponent: i32,
 }
 
-/// A linear axis.
+/// A linear axis, or one whose values are logarithms to the base 10.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Axis {
     low: f64,
     high: f64,
     step: Step,
+    is_logarithmic: bool,
 }
 
 /// Tick mark of an axis.
@@ -64,10 +65,23 @@ impl Axis {
 
     /// Takes the coarsest step with at most `max_intervals` intervals and at least two ticks.
     fn with_coarsest_step(low: f64, high: f64, max_intervals: u32) -> Axis {
-        let with = |max_intervals| Axis { low, high, step: Step::for_span(high - low, max_intervals) };
+        let with = |max_intervals| Axis {
+            low,
+            high,
+            step: Step::for_span(high - low, max_intervals),
+            is_logarithmic: false,
+        };
         let found =
             (max_intervals..max_intervals + 8).map(with).find(|axis| axis.multiples(axis.step).len() >= 2);
         found.unwrap_or_else(|| with(max_intervals + 8))
+    }
+
+    /// The axis with its values as logarithms: ticks at whole decades, if the axis has two of them.
+    pub fn of_logarithms(self) -> Axis {
+        let decades = Step { mantissa: 1, exponent: 0 };
+        let is_wide = self.multiples(decades).len() >= 2;
+        let step = if is_wide && self.step.exponent < 0 { decades } else { self.step };
+        Axis { step, is_logarithmic: true, ..self }
     }
 
     /// Position of a value along the axis: 0 to 1 inside the range.
@@ -87,13 +101,22 @@ impl Axis {
         let exponent = self.step.engineering_exponent(max_intervals);
         let tick = |&n: &i64| Tick {
             fraction: self.fraction(self.step.value(n)),
-            label: self.step.label(n, exponent),
+            label: if self.is_logarithmic {
+                power_label(self.step.value(n))
+            } else {
+                self.step.label(n, exponent)
+            },
         };
         counts.iter().map(tick).collect()
     }
 
     /// Positions of the minor grid lines, without the major ones.
     pub fn minor(&self) -> Vec<f64> {
+        if self.is_logarithmic {
+            let decades = self.low.floor() as i64..=self.high.floor() as i64;
+            let within = decades.flat_map(|n| (2..10).map(move |m| n as f64 + f64::from(m).log10()));
+            return within.filter(|x| self.contains(*x)).map(|x| self.fraction(x)).collect();
+        }
         let minor = self.step.minor();
         let each = self.step.minor_divisions();
         let between = self.multiples(minor).into_iter().filter(|n| n % each != 0);
@@ -106,6 +129,16 @@ impl Axis {
         let first = (self.low / unit - limits::TICK_SLACK).ceil() as i64;
         let last = (self.high / unit + limits::TICK_SLACK).floor() as i64;
         (first..=last).collect()
+    }
+}
+
+/// Text of 10 to the power `exponent`: `100`, `10⁶`, and for parts of a decade three digits.
+fn power_label(exponent: f64) -> String {
+    let value = 10_f64.powf(exponent);
+    match exponent {
+        n if n != n.round() => format!("{value:.*}", (2.0 - n.floor()).clamp(0.0, 12.0) as usize),
+        n if (-3.0..5.0).contains(&n) => format!("{value:.*}", (-n).max(0.0) as usize),
+        n => format!("10{}", superscript(n as i32)),
     }
 }
 

@@ -97,7 +97,7 @@ pub(crate) fn layout_figure(figure: &Figure) -> Scene {
     }
     y_cursor += 12.0;
 
-    let y_axes: Vec<Axis> = panels.iter().map(y_axis).collect();
+    let y_axes: Vec<Axis> = panels.iter().map(|panel| scaled(y_axis(panel), figure)).collect();
     let left = margin + LABEL_DISTANCE + widest(&y_axes).ceil();
     let names = ends::width_of_names(&panels, page);
     let right = page - margin - names.unwrap_or(0.0);
@@ -227,8 +227,14 @@ fn x_axis(figure: &Figure, width_available: f64) -> Axis {
     (2..=10)
         .rev()
         .map(|most| Axis::without_margin(range, most))
+        .map(|axis| scaled(axis, figure))
         .find(fits)
-        .unwrap_or_else(|| Axis::without_margin(range, 2))
+        .unwrap_or_else(|| scaled(Axis::without_margin(range, 2), figure))
+}
+
+/// The axis, or the axis of the logarithms.
+fn scaled(axis: Axis, figure: &Figure) -> Axis {
+    if figure.is_logarithmic { axis.of_logarithms() } else { axis }
 }
 
 /// Width of the widest tick label of all axes, at least 24 page units.

@@ -25,6 +25,8 @@ pub struct Figure {
     pub x_limits: Option<(f64, f64)>,
     /// Labelled positions on the x axis; their lines cross all panels.
     pub marks: Vec<Mark>,
+    /// True if all coordinates are logarithms to the base 10: the axes show their powers.
+    pub is_logarithmic: bool,
     /// True for a figure beside text, on a page of half the width.
     pub is_half: bool,
 }

@@ -6,6 +6,7 @@ pub(crate) mod damped_contact;
 pub(crate) mod damping;
 pub(crate) mod joint_stop;
 pub(crate) mod penetration;
+pub(crate) mod response;
 pub(crate) mod restitution;
 pub(crate) mod sheet_forces;
 pub(crate) mod simulators;

@@ -3,6 +3,7 @@
 use crate::checks::model_check::{CheckReport, check};
 use crate::damper::damped_contact::{damp_contact, damp_stop};
 use crate::damper::damping::DampingReport;
+use crate::damper::response::{ResponseReport, response};
 use crate::damper::restitution::{RestitutionReport, restitution_at};
 use crate::map::map_report::{MapAnswer, MapReport};
 use crate::map::point_map::{PointMapReport, map_point};
@@ -122,6 +123,9 @@ pub struct RequestReport {
     /// Contact of measured impacts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub identify: Option<IdentificationReport>,
+    /// Response over frequency.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub response: Option<ResponseReport>,
     /// Impact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub impact: Option<ImpactReport>,
@@ -209,6 +213,7 @@ pub fn report_schema() -> Value {
         generator.subschema_for::<DampingReport>(),
         generator.subschema_for::<RestitutionReport>(),
         generator.subschema_for::<IdentificationReport>(),
+        generator.subschema_for::<ResponseReport>(),
         generator.subschema_for::<ImpactReport>(),
         generator.subschema_for::<ExtremesReport>(),
         generator.subschema_for::<ReflectedReport>(),
@@ -237,7 +242,7 @@ pub fn report_schema() -> Value {
 impl StudyFile {
     /// Names of the tables with a result, and of the comparison of contacts and variants. Without a contact, the first given table has the
     /// main result.
-    pub const TABLES: [&str; 13] = [
+    pub const TABLES: [&str; 14] = [
         "damping",
         "map",
         "safe_speed",
@@ -245,6 +250,7 @@ impl StudyFile {
         "kinematics",
         "restitution",
         "identify",
+        "response",
         "impact",
         "extremes",
         "generate",
@@ -311,6 +317,9 @@ impl StudyFile {
             })?,
             identify: of_table("identify", contact.zip(asked!(identify)), |(contact, asked)| {
                 identify_contact_of(model, contact, asked)
+            })?,
+            response: of_table("response", contact.zip(asked!(response)), |(contact, asked)| {
+                response(model, contact, asked)
             })?,
             impact: of_table("impact", contact.zip(asked!(impact)), |(contact, asked)| {
                 impact(model, contact, asked)

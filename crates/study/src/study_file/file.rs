@@ -159,13 +159,24 @@ impl StudyFile {
 
     /// Keys and paths of the output files that the tables name.
     pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let StudyTables { sweep, damping, identify, map, kinematics, generate, convert, export, .. } =
-            &self.tables;
+        let StudyTables {
+            sweep,
+            damping,
+            identify,
+            response,
+            map,
+            kinematics,
+            generate,
+            convert,
+            export,
+            ..
+        } = &self.tables;
         let maps = map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
         let files = [
             ("sweep.output", sweep.as_ref().and_then(|asked| asked.output.as_ref())),
             ("damping.output", damping.as_ref().and_then(|asked| asked.output.as_ref())),
             ("identify.output", identify.as_ref().and_then(|asked| asked.output.as_ref())),
+            ("response.output", response.as_ref().and_then(|asked| asked.output.as_ref())),
             ("kinematics.output", kinematics.as_ref().and_then(|asked| asked.output.as_ref())),
             ("generate.output", generate.as_ref().and_then(|asked| asked.output.as_ref())),
             ("convert.output", convert.as_ref().and_then(|asked| asked.output.as_ref())),
@@ -346,6 +357,8 @@ impl StudyReader<'_> {
         study.restitution.as_ref().map_or(Ok(()), RestitutionQuestion::check).map_err(refused)?;
         let identify = study.identify.take().map(|asked| asked.checked(folder));
         study.identify = identify.transpose().map_err(refused)?;
+        let response = study.response.take().map(|asked| asked.checked(folder));
+        study.response = response.transpose().map_err(refused)?;
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
         let extremes = study.extremes.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
         study.extremes = extremes.transpose().map_err(refused)?;
@@ -392,7 +405,15 @@ impl StudyReader<'_> {
             stops || self.has_table(&["map", "safe_speed", "kinematics", "check", "convert"]);
         let of_contact = !without_contact
             || study.damping.is_some() && !stops
-            || self.has_table(&["variant", "restitution", "identify", "impact", "extremes", "generate"])
+            || self.has_table(&[
+                "variant",
+                "restitution",
+                "identify",
+                "response",
+                "impact",
+                "extremes",
+                "generate",
+            ])
             || self.has_table(&["mass", "sweep"]);
         let asks = match contact.missing() {
             None => !stops,

@@ -15,6 +15,7 @@ use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::question::tables::model::{CheckQuestion, ModelTable};
+use crate::question::tables::response::ResponseQuestion;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::study_file::closure::ClosureText;
@@ -63,6 +64,8 @@ pub struct StudyTables {
     pub restitution: Option<RestitutionQuestion>,
     /// Contact of measured impacts, compared with the effective mass: percuss identify.
     pub identify: Option<IdentifyQuestion>,
+    /// Response of the contact over frequency, with the bushes of a suspension: percuss response.
+    pub response: Option<ResponseQuestion>,
     /// Rigid impact at the contact: percuss impact.
     pub impact: Option<ImpactQuestion>,
     /// Smallest and largest effective mass over positions: percuss extremes.

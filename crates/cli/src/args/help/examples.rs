@@ -215,6 +215,13 @@ Examples:
 The motion is that of a constant mass on k x^p and a damper. A force with
 another signal, or with a known speed, determines the mass.";
 
+pub const RESPONSE: &str = "\
+Examples:
+  percuss response models/suspensions/double-wishbone-bushes.toml \\
+      --at bump_stop --frequency 1:2000Hz:400 -o response.svg
+
+Without bushes the apparent mass is the effective mass at every frequency.";
+
 pub const SAFE_SPEED: &str = "\
 Examples:
   percuss safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 \\

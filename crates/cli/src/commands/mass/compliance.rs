@@ -8,20 +8,29 @@ use percuss_study::{ComplianceRecord, CompliantContactRecord, MassReport, Status
 /// Facts about the compliance of the bushes; empty for a model without bushes.
 pub fn facts(report: &MassReport) -> Vec<(String, String)> {
     let Some(compliance) = &report.compliance else { return Vec::new() };
-    let units = ContactUnits::new(report.contact.is_moment);
     let rigid =
         report.effective_mass.map_or_else(|| report.status.name().to_owned(), |m| with_unit(m, report.unit));
+    facts_of(compliance, &rigid, report.unit, &ContactUnits::new(report.contact.is_moment))
+}
+
+/// Facts about a compliance. `rigid`: the effective mass with rigid bushes; `unit`: of masses.
+pub fn facts_of(
+    compliance: &ComplianceRecord,
+    rigid: &str,
+    unit: &str,
+    units: &ContactUnits,
+) -> Vec<(String, String)> {
     let free = match (compliance.free_status, compliance.free_mass) {
-        (Status::Finite, Some(mass)) => with_unit(mass, report.unit),
+        (Status::Finite, Some(mass)) => with_unit(mass, unit),
         (status, _) => status.name().to_owned(),
     };
     let mut facts = vec![("bushes free".to_owned(), format!("{free}   (bushes rigid: {rigid})"))];
-    facts.push(("residual stiffness".to_owned(), residual(compliance, &units)));
+    facts.push(("residual stiffness".to_owned(), residual(compliance, units)));
     if let Some(contact) = &compliance.contact {
-        facts.push((format!("for {}", stiffness(contact.stiffness, &units)), verdict(contact)));
-        facts.push(("peak force".to_owned(), peak_force(contact, &units)));
+        facts.push((format!("for {}", stiffness(contact.stiffness, units)), verdict(contact)));
+        facts.push(("peak force".to_owned(), peak_force(contact, units)));
     } else if let Some([one, five]) = compliance.rigid_up_to {
-        let [one, five] = [one, five].map(|k| stiffness(k, &units));
+        let [one, five] = [one, five].map(|k| stiffness(k, units));
         facts.push((
             "rigid mass holds".to_owned(),
             format!("within 1 % up to contacts of {one}, 5 % up to {five}"),
@@ -41,7 +50,7 @@ pub fn facts(report: &MassReport) -> Vec<(String, String)> {
 }
 
 /// Stiffness with its unit, from 1000 N/mm on in kN/mm.
-fn stiffness(value: f64, units: &ContactUnits) -> String {
+pub fn stiffness(value: f64, units: &ContactUnits) -> String {
     match units.length {
         "m" if value >= 1e6 => format!("{} kN/mm", number(value / 1e6)),
         "m" => format!("{} N/mm", number(value / 1e3)),

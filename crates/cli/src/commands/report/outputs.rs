@@ -1,10 +1,10 @@
-//! Files that the tables of a study name: `sweep.output`, `damping.output`, `identify.output`, `map.output`, `kinematics.output`, `generate.output`,
+//! Files that the tables of a study name: `sweep.output`, `damping.output`, `identify.output`, `response.output`, `map.output`, `kinematics.output`, `generate.output`,
 //! `convert.output`, `export.output`.
 
 use super::results::StudyResults;
 use crate::commands::compare::{self, ComparisonOutput};
 use crate::commands::exports::{convert, export, generate};
-use crate::commands::impacts::identify;
+use crate::commands::impacts::{identify, response};
 use crate::commands::suspension::kinematics;
 use crate::commands::sweep::{ReadySweep, SweepOutput};
 use crate::commands::{damp, map};
@@ -25,6 +25,11 @@ pub(super) fn write(study: &StudyFile, results: &StudyResults) -> Result<(), Fai
         && let Some(path) = &requested.output
     {
         identify::write_output(report, path)?;
+    }
+    if let (Some(requested), Some(report)) = (&study.tables.response, &results.report.response)
+        && let Some(path) = &requested.output
+    {
+        response::write_output(report, path)?;
     }
     if let (Some(requested), Some(report)) = (&study.tables.kinematics, &results.report.kinematics)
         && let Some(path) = &requested.output

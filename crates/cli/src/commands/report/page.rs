@@ -5,7 +5,7 @@ use super::results::StudyResults;
 use super::{answers, contact, first_page, mechanism};
 use crate::args::RunArgs;
 use crate::commands::impacts::in_time::forces_sentence;
-use crate::commands::impacts::{extremes, identify, restitution, rigid_impact, safe_speed};
+use crate::commands::impacts::{extremes, identify, response, restitution, rigid_impact, safe_speed};
 use crate::commands::{damp, map, mass};
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
@@ -72,6 +72,11 @@ pub(super) fn text(
     if let Some(report) = &results.report.identify {
         page.section("Measured impacts");
         identify::document(report).show(&mut page);
+        add_warnings(&report.diagnostics, &mut page);
+    }
+    if let Some(report) = &results.report.response {
+        page.section("Response over frequency");
+        response::document(report).show(&mut page);
         add_warnings(&report.diagnostics, &mut page);
     }
     if let Some(report) = &results.report.impact {

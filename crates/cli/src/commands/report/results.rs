@@ -104,6 +104,7 @@ impl StudyResults {
         let own = own.chain(self.report.damping.iter().flat_map(|stop| &stop.diagnostics));
         let own = own.chain(self.report.restitution.iter().flat_map(|report| &report.diagnostics));
         let own = own.chain(self.report.identify.iter().flat_map(|report| &report.diagnostics));
+        let own = own.chain(self.report.response.iter().flat_map(|report| &report.diagnostics));
         let own = own.chain(self.report.impact.iter().flat_map(|impact| &impact.diagnostics));
         let own = own.chain(self.report.extremes.iter().flat_map(|extremes| &extremes.diagnostics));
         let own = own.chain(self.report.kinematics.iter().flat_map(|kinematics| &kinematics.diagnostics));

@@ -96,6 +96,21 @@ impl ElasticSystem {
         Ok(result)
     }
 
+    /// Static compliance jᵀK⁺j of the contact with all stiffness, m/N; `None` if a motion without stiffness closes the gap.
+    ///
+    /// # Errors
+    /// [`ComplianceError`]: a decomposition that does not converge.
+    pub fn static_compliance(&self) -> Result<Option<f64>, ComplianceError> {
+        let rows = self.rows_where(|row| row.stiffness > 0.0);
+        let spaces = split(&rows, self.contact.len(), self.floor).ok_or(ComplianceError::Decomposition)?;
+        if spaces.null.tr_mul(&self.contact).norm() > IMMOVABLE * self.contact.norm() {
+            return Ok(None);
+        }
+        let stiffness = spaces.range.tr_mul(&self.sum_of_rows(|row| row.stiffness)) * &spaces.range;
+        let force = spaces.range.tr_mul(&self.contact);
+        Ok(solve_positive(&stiffness, &force).map(|deflection| deflection.dot(&force)))
+    }
+
     /// True if no element with stiffness or damping resists a motion.
     fn is_free_along(&self, motion: &DVector<f64>) -> bool {
         let resists =

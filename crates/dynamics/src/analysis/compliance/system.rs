@@ -40,9 +40,6 @@ pub struct ElasticSystem {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ComplianceError {
-    /// The mechanism has no bush.
-    #[error("the model has no bush: all joints are ideal")]
-    NoBush,
     /// A joint in place of which a bush acts is locked.
     #[error("joint \"{joint}\" is locked, and a bush acts in its place: leave out one of them")]
     LockedBush {
@@ -72,7 +69,7 @@ impl ElasticSystem {
     /// contact, kg.
     ///
     /// # Errors
-    /// [`ComplianceError`]: no bush, a locked joint with a bush, a mechanism that is too large.
+    /// [`ComplianceError`]: a locked joint with a bush, a mechanism that is too large.
     pub fn new(
         pose: &Pose,
         contact: &LocatedContact,
@@ -167,9 +164,6 @@ fn stacked(rows: &[DVector<f64>], n: usize) -> DMatrix<f64> {
 fn released(pose: &Pose) -> Result<(Model, Kinematics), ComplianceError> {
     let rigid = pose.assembly.model();
     let mechanism = &rigid.mechanism;
-    if mechanism.bushes().is_empty() {
-        return Err(ComplianceError::NoBush);
-    }
     let replaced = || mechanism.bushes().iter().flat_map(|bush| bush.joints());
     if let Some(joint) = replaced().find(|joint| rigid.own_locks[joint.index()]) {
         return Err(ComplianceError::LockedBush { joint: mechanism.joint(*joint).name().to_owned() });

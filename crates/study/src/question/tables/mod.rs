@@ -11,6 +11,7 @@ pub(crate) mod kinematics;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;
+pub(crate) mod response;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;
 
