@@ -124,7 +124,7 @@ pub enum Command {
     /// Write a blank suspension sheet: hardpoints, masses, units, axes.
     #[command(after_help = examples::TEMPLATE)]
     Template(TemplateArgs),
-    /// Convert a suspension sheet, table or JSON of Chrono to a URDF+ model.
+    /// Convert a suspension sheet, table or Chrono JSON to URDF+.
     ///
     /// The model contains explanatory comments.
     #[command(after_help = examples::IMPORT)]
