@@ -36,11 +36,11 @@ fn sum(base: Base, other: OtherSide) -> Coverage {
 #[test]
 fn shipped_models() {
     let fixed = sum(Base::Fixed, OtherSide::Ground);
-    assert_eq!((fixed.mechanisms, fixed.regular), (39, 1270));
+    assert!((fixed.mechanisms, fixed.regular) >= (40, 1310), "{fixed:?}");
     assert_eq!(fixed.wrong, 0);
     assert!(fixed.by_kernel >= 1210, "{fixed:?}");
     let floating = sum(Base::Floating, OtherSide::Ground);
-    assert_eq!((floating.mechanisms, floating.regular), (39, 1639));
+    assert!((floating.mechanisms, floating.regular) >= (40, 1639), "{floating:?}");
     assert_eq!(floating.wrong, 0);
     assert!(floating.by_kernel >= 1540, "{floating:?}");
 }
@@ -49,7 +49,7 @@ fn shipped_models() {
 fn contacts_between_links() {
     for (base, regular, least) in [(Base::Fixed, 1270, 1210), (Base::Floating, 1073, 980)] {
         let all = sum(base, OtherSide::Link);
-        assert_eq!((all.regular, all.wrong), (regular, 0));
+        assert!(all.regular >= regular && all.wrong == 0, "{all:?}");
         assert!(all.by_kernel >= least, "{all:?}");
     }
 }

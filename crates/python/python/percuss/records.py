@@ -932,6 +932,10 @@ class IdentificationReport(Record):
     """Stiffness k of k x^p, N/m^p."""
     exponent: Estimate
     """Exponent p."""
+    second_stiffness: Estimate | None
+    """Coefficient c of a second term c x^q of the spring, N/m^q; None if the spring has one term."""
+    second_exponent: float | None
+    """Exponent q of the second term."""
     damping: Estimate | None
     """Damping c of c x^((p-1)/2) v, N·s/m^((p+1)/2); None for the other form."""
     dissipation: Estimate | None
@@ -961,10 +965,15 @@ class IdentifiedSignal(Record):
     """Residual relative to the largest value."""
     correlation_time: float
     """Time over which residuals are correlated, s; 0 if neighbours are independent."""
+    excess: float | None
+    """Root mean square of the residuals during the contact divided by that before and after it, by which the uncertainties are
+    larger; None if the residuals are independent, or not significantly larger during the contact."""
     clipped: int
     """Number of samples at the limit of the sensor, which are not used."""
     outliers: list[float]
     """Times of outliers, s, which are not used."""
+    at_touch: int
+    """Number of samples beside a jump of the force at the touch, which are not used."""
 
 
 class ImpactLawRecord(Record):

@@ -2,5 +2,4 @@
 
 pub(crate) mod columns;
 pub(crate) mod records;
-pub(crate) mod text_layout;
 pub(crate) mod trajectory;

@@ -6,7 +6,7 @@ use crate::model::loading::{Input, hexadecimal};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::table_error::TableError;
 use crate::question::tables::identify::IdentifyQuestion;
-use crate::tables::text_layout::{ColumnKind, DecimalMark, no_unit, separator, unit};
+use crate::values::text_layout::{ColumnKind, DecimalMark, no_unit, separator, unit};
 use percuss_contact::identification::{Record, Signal};
 use percuss_formats::reading::encoding::decode;
 use percuss_tables::CsvRecords;
@@ -147,6 +147,17 @@ fn header(path: &str, text: &str) -> Result<Header, TableError> {
     let (line, names) = best.cloned().unwrap_or_default();
     let units = units_at.map(|(_, cells)| cells.clone());
     let used = [Some(line), units_at.map(|(line, _)| *line)];
+    // A row below the header with a number is a row of the table, which is refused if it is not readable.
+    let begins_with_digit = |cell: &String| cell.starts_with(|c: char| c.is_ascii_digit());
+    let is_row = |at: &usize| {
+        let cells = cells(lines[*at].1, separator);
+        line > 0
+            && used.iter().flatten().all(|used| lines[*at].0 > *used)
+            && cells.len() == width
+            && !is_comment(&cells)
+            && cells.iter().any(begins_with_digit)
+    };
+    let data = (0..data).find(is_row).unwrap_or(data);
     let passed = lines[..data].iter().map(|(line, _)| *line).filter(|line| !used.contains(&Some(*line)));
     Ok(Header { separator, line, names, units, data: lines[data].0, passed: passed.collect() })
 }

@@ -1,8 +1,8 @@
 //! Force curve of a contact as given by the user, or by a suspension sheet.
 
 use crate::model::loading::refuse_pipe;
-use crate::tables::text_layout::{ColumnKind, DecimalMark, no_unit, separator, unit};
 use crate::values::quantities::{Force, Length, schema_of};
+use crate::values::text_layout::{ColumnKind, DecimalMark, no_unit, separator, unit};
 use percuss_contact::ForceCurve;
 use percuss_units::{Dimension, QuantityError, Unit};
 use schemars::JsonSchema;

@@ -9,4 +9,5 @@ pub(crate) mod point_force;
 pub(crate) mod position;
 pub(crate) mod quantities;
 pub(crate) mod rates;
+pub(crate) mod text_layout;
 pub(crate) mod value;

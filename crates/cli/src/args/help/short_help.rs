@@ -9,7 +9,7 @@ use std::ffi::OsString;
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 23] = [
+const EXPLAINED: [(&str, &[&str]); 24] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -137,6 +137,7 @@ const EXPLAINED: [(&str, &[&str]); 23] = [
         ],
     ),
     ("identify", &["mass_from", "speed", "drop", "exponent", "damper", "filter", "output", "at"]),
+    ("response", &["frequency", "output", "at", "link", "set"]),
     (
         "safe-speed",
         &[
