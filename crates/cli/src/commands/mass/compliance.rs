@@ -40,7 +40,7 @@ pub fn facts_of(
         let text = match &compliance.beside[..] {
             [] => "free rotations of bushes act along the motion too".to_owned(),
             names => format!(
-                "{}, or free rotations of bushes act along the motion too: percuss impact --in-time has the former",
+                "{}, or free rotations of bushes act along the motion too; an impact in time includes the former",
                 names.join(", ")
             ),
         };
