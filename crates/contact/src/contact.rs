@@ -183,7 +183,7 @@ impl ForceCurve {
         (self.deflections[last], self.forces[last])
     }
 
-    /// Slope of the piece after point `i`, N/m: a line.
+    /// Slope of the line after point `i`, N/m; of a sum of powers, the slope at its last penetration.
     fn slope(&self, i: usize) -> f64 {
         if !self.powers.is_empty() {
             return self.powers.iter().map(|(c, p)| c * p * self.deflections[1].powf(p - 1.0)).sum();
@@ -191,7 +191,7 @@ impl ForceCurve {
         (self.forces[i + 1] - self.forces[i]) / (self.deflections[i + 1] - self.deflections[i])
     }
 
-    /// Index of the point from which a line passes through the penetration `x`; the next line at a point.
+    /// Index of the point at which the line begins that has the penetration `x`; at a point, the next line.
     fn line(&self, x: f64) -> usize {
         let last = self.deflections.len() - if self.powers.is_empty() { 1 } else { 0 };
         self.deflections.partition_point(|at| *at <= x).clamp(1, last) - 1

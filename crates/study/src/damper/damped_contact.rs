@@ -115,13 +115,13 @@ pub(crate) fn damping_report(
     }
     let unit = if is_moment { "mrad" } else { "mm" };
     let reached = ended.zip(record.max_penetration);
-    diagnostics.extend(drift_diagnostic(
-        &drift,
-        reached,
-        over_stroke.is_some(),
-        unit,
-        prepared.question.names,
-    ));
+    let consequence = match over_stroke {
+        Some(_) => {
+            "the damper is designed for the mass at the touch: the report also has the result with varying mass"
+        }
+        None => "the damper is designed for the mass at the touch: no result with varying mass is known",
+    };
+    diagnostics.extend(drift_diagnostic(&drift, reached, consequence, unit, prepared.question.names));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -191,7 +191,11 @@ pub(crate) fn mass_for_all_branches(
 
 /// Change of m̄ along the motion of the contact response up to `depth` (m or rad), and the reason if the motion
 /// ends before this depth.
-fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift, Option<PenetrationEnd>) {
+pub(crate) fn drift(
+    evaluated: &EvaluatedQuestion,
+    mass: f64,
+    depth: Option<f64>,
+) -> (Drift, Option<PenetrationEnd>) {
     let EvaluatedQuestion { prepared, pose, contact, result: answer } = evaluated;
     let (system, response) = (&prepared.system, &answer.response);
     if response.singular_pose {
@@ -269,10 +273,10 @@ fn over_stroke(
 /// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable: `ended` has the end of the motion
 /// and the penetration that the impact needs. `varies`: true if the impact with varying mass is known. `unit`: name of 0.001 m or
 /// 0.001 rad.
-fn drift_diagnostic(
+pub(crate) fn drift_diagnostic(
     drift: &Drift,
     ended: Option<(PenetrationEnd, f64)>,
-    varies: bool,
+    consequence: &str,
     unit: &str,
     names: Names,
 ) -> Option<DiagnosticRecord> {
@@ -292,13 +296,9 @@ fn drift_diagnostic(
         return Some(Finding::about_result(FindingKind::PenetrationUnreachable, message).into());
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
-    let varying = match varies {
-        true => "the report also has the result with varying mass",
-        false => "no result with varying mass is known",
-    };
     let message = format!(
-        "the effective mass changes by {:+.1} % while the contact is compressed, and the damper is designed for the mass at the \
-         touch: {varying}; a stiffer contact or a slower impact reduces the change",
+        "the effective mass changes by {:+.1} % while the contact is compressed, and {consequence}; a stiffer contact or a slower impact \
+         reduces the change",
         100.0 * over
     );
     Some(Finding::about_result(FindingKind::MassDrifts, message).into())

@@ -1,6 +1,7 @@
 //! Restitution of a given spring and damper, or of given parameters of a simulator.
 
-use crate::damper::damped_contact::finite_mass;
+use crate::damper::damped_contact::{drift, drift_diagnostic, finite_mass};
+use crate::damper::damping::beyond_curve;
 use crate::damper::sheet_forces::{sheet_curve, springs_finding};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -94,6 +95,7 @@ pub fn restitution(asked: &RestitutionQuestion, mass: f64) -> Result<Restitution
             at_rest.push(RestRecord { solver: contact.solver, load: load.0, penetration });
         }
     }
+    let curve = asked.stiffness_curve.as_ref();
     Ok(RestitutionReport {
         schema: "percuss.restitution/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -101,11 +103,16 @@ pub fn restitution(asked: &RestitutionQuestion, mass: f64) -> Result<Restitution
         effective_mass: mass,
         named_contact: None,
         tool: asked.tool.clone(),
-        stiffness_curve: asked.stiffness_curve.as_ref().map(Into::into),
+        stiffness_curve: curve.map(Into::into),
+        diagnostics: beyond_curve(curve, deepest(&impacts)).into_iter().collect(),
         impacts,
         at_rest,
-        diagnostics: Vec::new(),
     })
+}
+
+/// Largest penetration of several impacts, m; `None` for rigid contacts.
+fn deepest(impacts: &[ReboundRecord]) -> Option<f64> {
+    impacts.iter().filter_map(|impact| impact.max_penetration).reduce(f64::max)
 }
 
 /// Restitution at a contact of a model.
@@ -129,7 +136,12 @@ pub fn restitution_at(
         stiffness_curve: stiffness_curve.or(asked.stiffness_curve.clone()),
         ..asked.clone()
     };
-    let report = restitution(asked, mass)?;
+    let mut report = restitution(asked, mass)?;
+    let depth = deepest(&report.impacts);
+    let (drift, ended) = drift(&evaluated, mass, depth);
+    let consequence = "the result is for the mass at the touch: an impact in time includes the change";
+    let names = prepared.question.names;
+    report.diagnostics.extend(drift_diagnostic(&drift, ended.zip(depth), consequence, "mm", names));
     let contacts = asked.contacts(mass)?;
     let compliant = contacts.iter().find_map(|contact| match contact.model {
         ContactModel::Compliant(compliant, damper) => Some((contact.solver, (compliant, damper))),
@@ -148,7 +160,7 @@ pub fn restitution_at(
     Ok(RestitutionReport {
         inputs: prepared.inputs(),
         named_contact: named_contact(&evaluated)?,
-        diagnostics: model.diagnostics.iter().cloned().chain(findings).collect(),
+        diagnostics: model.diagnostics.iter().cloned().chain(report.diagnostics).chain(findings).collect(),
         ..report
     })
 }
