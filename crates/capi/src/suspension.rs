@@ -195,6 +195,7 @@ impl percuss_vehicle {
             inboard_drive: self.inboard_drive != 0,
             sprung_mass: positive(self.sprung_mass, "sprung_mass")?.map(PositiveMass),
             tyre_rate: positive(self.tyre_rate, "tyre_rate")?.map(Into::into),
+            ..VehicleData::default()
         })
     }
 

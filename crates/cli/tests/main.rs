@@ -52,6 +52,7 @@ mod study {
 
 /// Suspensions from sheets of hardpoints.
 mod suspensions {
+    mod compliance;
     mod contact_patches;
     mod daily_use;
     mod import;

@@ -24,6 +24,7 @@ pub use analysis::compliance::elements::{ElasticDirection, ElementMotion, Linear
 pub use analysis::compliance::modes::Mode;
 pub use analysis::compliance::residual::{ResidualCompliance, RowShare};
 pub use analysis::compliance::response::Receptance;
+pub use analysis::compliance::statics::{Load, StaticDisplacement, StaticSystem};
 pub use analysis::compliance::system::{ComplianceError, ElasticSystem};
 pub use analysis::pose::{Pose, PoseRank};
 pub use analysis::response::{ContactResponse, Contributions};

@@ -63,6 +63,11 @@ pub(crate) const REDUCED_ACCURACY: f64 = 100.0 * f64::EPSILON;
 /// Frequencies below this fraction of the highest belong to motions without stiffness. The elastic energy of such a motion is the square of
 /// rounding, 1e-15 of the highest frequency; 1 Hz beside 100 kHz is 1e-5.
 pub(crate) const RIGID_MODE: f64 = 1e-9;
+/// Displacement between two forces whose difference gives a geometric stiffness, relative to the size of the mechanism. The error of the fourth
+/// order and that of rounding are both near 1e-12 of the force per size.
+pub(crate) const DIFFERENCE_OF_FORCES: f64 = 1e-3;
+/// Part of the forces at a pose, relative to their size, that no bush carries and that counts as rounding of the balance.
+pub(crate) const IN_BALANCE: f64 = 1e-7;
 /// Speed of an elastic row along the rigid motion, relative to the product of their sizes, below which the row does not resist the motion.
 pub(crate) const CLEAR_OF_RIGID_MOTION: f64 = 1e-9;
 /// Largest memory, in bytes, of the matrices of all clusters in one run of the recursion. An error estimate needs two

@@ -3,7 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use percuss_dynamics::{
     Base, ComplianceError, Conditions, Configuration, Contact, Direction, EffectiveMass, ElasticSystem,
-    ElementMotion, Frame, LinearElement, Pose, ResidualCompliance, System,
+    ElementMotion, Frame, LinearElement, Load, Pose, ResidualCompliance, System,
 };
 use percuss_mechanism::{
     BushDescription, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -79,12 +79,8 @@ fn two_carts_have_the_closed_form() {
     );
     // A spring to the ground acts along the rigid motion.
     let ground = pose.mechanism().root();
-    let spring = LinearElement {
-        name: "spring".into(),
-        motion: ElementMotion::Length([(link, Vector3::zeros()), (ground, Vector3::new(9.0, 0.0, 0.0))]),
-        stiffness: 10.0,
-        damping: 0.0,
-    };
+    let along = ElementMotion::Length([(link, Vector3::zeros()), (ground, Vector3::new(9.0, 0.0, 0.0))]);
+    let spring = LinearElement::spring("spring", along, 10.0);
     let with_spring = ElasticSystem::new(&pose, &contact, &[spring], None).unwrap();
     assert!(!with_spring.residual().unwrap().is_free_along_motion);
     let static_compliance = with_spring.receptance(&[1e-6]).unwrap()[0].unwrap().receptance.re;
@@ -468,6 +464,45 @@ fn peak_forces_are_within_the_bounds() {
         beyond_rigid += usize::from(impulse > 2.0 * rigid * (1.0 + 1e-3));
     }
     assert_eq!(beyond_rigid, 0, "the impulse is at most 2 m̄ v");
+}
+
+/// A column on a bush at its foot under a weight P at the height h. The axes of the bush turn with the column: with the displacement x of the foot
+/// and the rotation θ, V = k x²/2 + κ θ²/2 − P x θ − P h θ²/2.
+#[test]
+fn column_under_a_weight_has_the_closed_form() {
+    let [radial, conical, h] = [4e5, 900.0, 0.4];
+    let mut bush = BushDescription::new("foot", "column", "ground").replacing("stand");
+    bush.stiffness = [conical, conical, 50.0, radial, radial, 1e6];
+    bush.rigid = [true; 6];
+    bush.dynamic_factor = 1.4;
+    let column = LinkDescription::new("column", Inertial::point(2.0, [0.0, 0.0, 0.2]));
+    let mechanism = MechanismBuilder::new("column")
+        .link(LinkDescription::massless("ground"))
+        .link(column)
+        .joint(JointDescription::new("stand", JointKind::Fixed, "ground", "column"))
+        .bush(bush)
+        .build()
+        .unwrap()
+        .mechanism;
+    let pose = posed(mechanism, &[], &Conditions::new());
+    let link = pose.mechanism().find_link("column").unwrap();
+    let contact = pose.locate(&Contact::new(link, [0.0; 3], [1.0, 0.0, 0.0])).unwrap();
+    let system = ElasticSystem::new(&pose, &contact, &[], None).unwrap();
+    let top = Vector3::new(0.0, 0.0, h);
+    let load = |force| Load { link, point: top, force, moment: Vector3::zeros() };
+    for weight in [0.0, 300.0, 1500.0] {
+        let statics = system.statics(&[load(Vector3::new(0.0, 0.0, -weight))]).unwrap();
+        let stiffness = nalgebra::Matrix2::new(radial, -weight, -weight, conical - weight * h);
+        let push = nalgebra::Vector2::new(10.0, 10.0 * h);
+        let exact = stiffness.try_inverse().unwrap() * push;
+        let found = statics.displacement(&[load(Vector3::new(10.0, 0.0, 0.0))]).unwrap();
+        let [turn, at] = found.of(link, &top).unwrap();
+        // The differences of the geometric stiffness are exact to 1e-12 of the weight.
+        assert!((at.x / (exact[0] + h * exact[1]) - 1.0).abs() < 1e-10, "{weight}: {at} {exact}");
+        assert!((turn.y / exact[1] - 1.0).abs() < 1e-10);
+    }
+    let buckled = system.statics(&[load(Vector3::new(0.0, 0.0, -conical / h))]);
+    assert_eq!(buckled.err(), Some(ComplianceError::Unstable));
 }
 
 /// Speed of the rigid motion at the contact at the time t.

@@ -39,13 +39,13 @@ pub use percuss_dynamics::{
     Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus,
     Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
     ElasticDirection, ElasticSystem, ElementMotion, ErrorBudget, Frame, Gap, GivenPositions,
-    InverseOperationalInertia, LayoutError, LinearElement, LocatedContact, LoopState, LowestPoint,
+    InverseOperationalInertia, LayoutError, LinearElement, Load, LocatedContact, LoopState, LowestPoint,
     MapAnswers, MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
     Mode, PathAnswer, PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Receptance, Remark,
     RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice,
     RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity,
-    StateSizeError, System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input,
-    interruption,
+    StateSizeError, StaticDisplacement, StaticSystem, System, Travel, TravelError, Workspace,
+    WorkspaceResponse, effective_mass, input, interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

@@ -13,7 +13,7 @@ pub fn rows(folder: &Scratch, sheet: &str, flags: &[&str]) -> Vec<Value> {
 
 /// Value of a column.
 #[track_caller]
-fn value(row: &Value, name: &str) -> f64 {
+pub fn value(row: &Value, name: &str) -> f64 {
     row[name].as_f64().unwrap_or_else(|| panic!("{name} is {} in {row}", row[name]))
 }
 
@@ -34,7 +34,7 @@ fn with_points(folder: &Scratch, template: &str, points: &[(&str, [f64; 3])]) ->
 const ROUNDING: f64 = 1e-10;
 
 #[track_caller]
-fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
+pub fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{what}: {found}, {expected}");
 }
 

@@ -12,6 +12,12 @@ impl Model {
         self.refill_group(kinematics, group);
     }
 
+    /// Moves all positions in `kinematics` by the velocities `u` of the coordinates over unit time, and updates frames.
+    pub fn advance(&self, kinematics: &mut Kinematics, u: &[f64]) {
+        (0..self.bodies.len()).for_each(|body| self.advance_body(kinematics, body, |c| u[c]));
+        kinematics.refill(self);
+    }
+
     /// Moves only the positions, without updating frames and mimics.
     pub fn advance_positions(&self, kinematics: &mut Kinematics, group: &Group, u: &[f64]) {
         for &body in &group.bodies {

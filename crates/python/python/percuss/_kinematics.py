@@ -65,6 +65,8 @@ def kinematics(
     inboard_drive: bool = False,
     sprung_mass: float | None = None,
     tyre_rate: float | None = None,
+    compliance: str | None = None,
+    travel_held: bool = False,
 ) -> Kinematics:
     """Wheel angles, steering axis, roll centre, motion ratios and wheel rates of a suspension. As ``percuss kinematics``.
 
@@ -80,6 +82,8 @@ def kinematics(
     columns anti_dive, anti_lift_braking, anti_squat, anti_lift_driving (1: all load transfer is carried by the links).
     sprung_mass: above one wheel, kg; tyre_rate: N/m, None for a rigid tyre. They give body_frequency and
     wheel_hop_frequency, Hz.
+    compliance: "single", "parallel" or "opposed": toe, camber and displacements per load (N, N·m) with the bushes of the sheet, such as
+    toe_per_lateral_force, rad/N; travel_held: the heights of the wheel centres are held.
     """
     state: list[tuple[str, float]] = []
     ranges: dict[str, list[float]] = {}
@@ -101,6 +105,7 @@ def kinematics(
     vehicle = {
         "axle": axle, "brake_bias": brake_bias, "drive_share": drive_share, "cg_height": cg_height, "wheelbase": wheelbase,
         "inboard_brakes": inboard_brakes, "inboard_drive": inboard_drive, "sprung_mass": sprung_mass, "tyre_rate": tyre_rate,
+        "compliance": compliance, "travel_held": travel_held,
     }
     report = KinematicsReport.of(json.loads(_percuss.kinematics(model, (tables(vehicle=vehicle), None, None), state, varied)))
     rows = report["rows"]

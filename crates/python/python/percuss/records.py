@@ -1239,6 +1239,10 @@ class KinematicsReport(Record):
     """Columns, without the variable."""
     rows: list[dict[str, float | str | None]]
     """Rows."""
+    compliance_matrices: list[list[list[float]] | None]
+    """Compliance matrix of each row, empty without compliance: displacements (m) along x, y, z and rotations (rad) about them
+    of the wheel centres per unit force (N) and moment (N·m), 6×6, or 12×12 with the left wheel first; None if a motion
+    without stiffness gives way."""
     diagnostics: list[DiagnosticRecord]
     """Warnings and notes."""
 

@@ -82,20 +82,14 @@ fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
             }
         };
         let motion = ElementMotion::Length(element.ends);
-        LinearElement { name: element.name.to_owned(), motion, stiffness, damping }
+        LinearElement { damping, ..LinearElement::spring(element.name, motion, stiffness) }
     };
-    let tyre = |tyre: SheetTyre<'_>| LinearElement {
-        name: format!("tyre at {}", tyre.name),
-        motion: ElementMotion::Along(tyre.link, Vector3::zeros(), Vector3::z()),
-        stiffness: tyre.force.rate,
-        damping: tyre.force.damping,
+    let tyre = |tyre: SheetTyre<'_>| {
+        let motion = ElementMotion::Along(tyre.link, Vector3::zeros(), Vector3::z());
+        let spring = LinearElement::spring(format!("tyre at {}", tyre.name), motion, tyre.force.rate);
+        LinearElement { damping: tyre.force.damping, ..spring }
     };
-    let bar = sheet_bars(model).map(|bar| LinearElement {
-        name: "anti-roll bar".to_owned(),
-        motion: ElementMotion::Twist(bar.joint, bar.other),
-        stiffness: bar.stiffness,
-        damping: 0.0,
-    });
+    let bar = sheet_bars(model).map(|bar| bar.element());
     let elements = sheet_elements(model).into_iter().map(linear);
     elements.chain(sheet_tyres(model).into_iter().map(tyre)).chain(bar).collect()
 }

@@ -15,6 +15,7 @@ use percuss_contact::{CompliantContact, Damper, DamperCurve, restitution_beside_
 use percuss_dynamics::{PointVelocity, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId};
 use percuss_spatial::Vector3;
+use percuss_suspension::kinematics::AntiRollBar;
 use percuss_suspension::{SpringForce, TyreForce};
 use std::sync::Arc;
 
@@ -75,16 +76,6 @@ pub(crate) struct SheetTyre<'a> {
     pub force: TyreForce,
 }
 
-/// Anti-roll bar of a sheet.
-pub(crate) struct SheetBar {
-    /// Hinge of a half of the bar.
-    pub joint: JointId,
-    /// Hinge of the other half; `None`: the model has one side, and the other half is at rest.
-    pub other: Option<JointId>,
-    /// N·m/rad.
-    pub stiffness: f64,
-}
-
 /// Links of a section, with one side or both.
 fn links_of<'a>(model: &'a Model, name: &'static str) -> impl Iterator<Item = (LinkId, &'a str)> {
     let links = model.mechanism.link_ids().map(|id| (id, model.mechanism.link(id).name()));
@@ -99,11 +90,9 @@ pub(crate) fn sheet_tyres(model: &Model) -> Vec<SheetTyre<'_>> {
 }
 
 /// Anti-roll bar with a stiffness in the suspension sheet of a model.
-pub(crate) fn sheet_bars(model: &Model) -> Option<SheetBar> {
+pub(crate) fn sheet_bars(model: &Model) -> Option<AntiRollBar> {
     let stiffness = model.origin.sheet.as_deref()?.understood.forces.anti_roll_bar?;
-    let hinges = links_of(model, "anti_roll_bar").filter_map(|(link, _)| model.mechanism.parent_joint(link));
-    let hinges: Vec<JointId> = hinges.collect();
-    Some(SheetBar { joint: *hinges.first()?, other: hinges.get(1).copied(), stiffness })
+    AntiRollBar::of_suspension(&model.mechanism, stiffness)
 }
 
 impl SheetElement<'_> {

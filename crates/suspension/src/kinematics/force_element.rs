@@ -5,7 +5,7 @@ use crate::kinematics::wheel::WheelParts;
 use crate::{ForceElements, SpringForce};
 use nalgebra::Vector3;
 use percuss_contact::ForceCurve;
-use percuss_dynamics::{Gap, Pose};
+use percuss_dynamics::{ElementMotion, Gap, LinearElement, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, LinkId, Mechanism, NamedContact};
 
 /// Spring, damper or stop.
@@ -109,6 +109,41 @@ impl ForceElement {
         [(Some(self.link), at), (Some(self.other), other)]
     }
 
+    /// Spring with a rate or touched stop, with its rate at a pose; `None` for other elements.
+    pub(super) fn as_linear(&self, pose: &Pose) -> Option<LinearElement> {
+        let (force, rate) = self.force(pose);
+        let stiffness = rate.filter(|rate| *rate > 0.0)?;
+        // A point 1 m along a fixed normal has the same rate of distance.
+        let other = match self.normal {
+            ContactNormal::Fixed(normal) => {
+                let at = pose.link(self.link).point(&self.point) - pose.link(self.other).vector(&normal);
+                pose.link(self.other).inverse_point(&at)
+            }
+            ContactNormal::Toward(point) | ContactNormal::Away(point) => point,
+        };
+        let motion = ElementMotion::Length([(self.link, self.point), (self.other, other)]);
+        let name = format!("{}{}", self.name, self.side);
+        let force = force.unwrap_or(0.0);
+        Some(LinearElement { force, ..LinearElement::spring(name, motion, stiffness) })
+    }
+
+    /// Force (N, positive in compression) and its rate with the compression (N/m) at a pose, if the sheet states them.
+    fn force(&self, pose: &Pose) -> (Option<f64>, Option<f64>) {
+        match (&self.spring, &self.stop) {
+            (Some(spring), _) => {
+                let [(_, on_link), (_, on_other)] = self.ends(pose);
+                let compression = self.drawn_length - (on_other - on_link).norm();
+                (spring.preload.map(|preload| preload + spring.rate * compression), Some(spring.rate))
+            }
+            (None, Some(stop)) => {
+                let compression = self.gap.as_ref().map_or(0.0, |gap| -gap.at(pose));
+                let (force, slope) = stop.at(compression);
+                (Some(force), Some(slope))
+            }
+            (None, None) => (None, None),
+        }
+    }
+
     /// Motion ratio and force at a pose.
     pub(super) fn rates(&self, pose: &Pose, motion: &LinkageMotion<'_>) -> ElementRates {
         let [on_link, on_other] = self.ends(pose);
@@ -124,18 +159,7 @@ impl ForceElement {
             ContactNormal::Toward(_) => motion.distance_rates(on_link, on_other).map(|rate| -rate),
             ContactNormal::Away(_) => motion.distance_rates(on_link, on_other),
         };
-        let (force, rate) = match (&self.spring, &self.stop) {
-            (Some(spring), _) => {
-                let compression = self.drawn_length - (on_other.1 - on_link.1).norm();
-                (spring.preload.map(|preload| preload + spring.rate * compression), Some(spring.rate))
-            }
-            (None, Some(stop)) => {
-                let compression = self.gap.as_ref().map_or(0.0, |gap| -gap.at(pose));
-                let (force, slope) = stop.at(compression);
-                (Some(force), Some(slope))
-            }
-            (None, None) => (None, None),
-        };
+        let (force, rate) = self.force(pose);
         ElementRates { ratio, force, rate }
     }
 }

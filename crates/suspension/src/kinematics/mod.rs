@@ -1,11 +1,13 @@
 //! Kinematics of a suspension at a pose: angles, roll centre, motion ratios and rates as derivatives along a motion of the wheels.
 //!
 //! [`SuspensionParts`] finds the wheels, the force elements and the rack in a mechanism by the names of the importer;
-//! [`SuspensionParts::values`] computes all quantities at a pose. Angles and axes: ISO 8855 and SAE J670, in the vehicle's axes.
+//! [`SuspensionParts::values`] computes all quantities at a pose, with loads also those of the bushes. Angles and axes: ISO 8855 and SAE J670, in the vehicle's axes.
 
+mod compliance;
 mod determined_system;
 mod force_element;
 mod linkage_motion;
+mod loads;
 mod parts;
 mod pose_values;
 mod values;
@@ -15,6 +17,7 @@ mod wheel_points;
 pub use determined_system::DeterminedSystem;
 pub use force_element::ForceElement;
 pub use linkage_motion::MotionError;
+pub use loads::{AntiRollBar, ComplianceLoads, LoadedWheels};
 pub use parts::{MissingWheel, SuspensionParts};
 pub use pose_values::Vehicle;
 pub use values::{KinematicUnit, KinematicValue, KinematicValues};

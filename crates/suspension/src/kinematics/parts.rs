@@ -3,6 +3,7 @@
 use crate::Understood;
 use crate::kinematics::force_element::{ForceElement, force_elements};
 use crate::kinematics::linkage_motion::{Linkage, LinkageMotion, MotionError, MotionRow};
+use crate::kinematics::loads::AntiRollBar;
 use crate::kinematics::wheel::{SteeringAxis, WheelParts};
 use crate::kinematics::wheel_points::{RACK, SIDES};
 use nalgebra::Vector3;
@@ -31,6 +32,7 @@ pub struct SuspensionParts {
     pub(super) missing_masses: Vec<String>,
     /// Reason for the absence of the wheel rate, if no spring has a rate.
     pub(super) missing_rate: &'static str,
+    pub(super) anti_roll_bar: Option<AntiRollBar>,
     /// Joint of the rack, fixed or sliding.
     pub rack: Option<JointId>,
     /// Two points of the steering axis of each wheel, m, in the frames of their links; empty without such points.
@@ -75,6 +77,10 @@ impl SuspensionParts {
             elements,
             missing_masses: origin.missing_masses.clone(),
             missing_rate,
+            anti_roll_bar: origin
+                .forces
+                .anti_roll_bar
+                .and_then(|stiffness| AntiRollBar::of_suspension(mechanism, stiffness)),
             rack,
             steering_points,
             drawn,

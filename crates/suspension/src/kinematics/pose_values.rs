@@ -2,9 +2,10 @@
 
 use crate::kinematics::force_element::{ElementRates, ForceElement};
 use crate::kinematics::linkage_motion::{Linkage, LinkageMotion, MotionError};
+use crate::kinematics::loads::ComplianceLoads;
 use crate::kinematics::parts::SuspensionParts;
 use crate::kinematics::values::{KinematicUnit, KinematicValues};
-use crate::kinematics::wheel::WheelState;
+use crate::kinematics::wheel::{WheelState, no_radius};
 use crate::kinematics::wheel_points::wheel_of_patch;
 use crate::limits::LEAST_TILT_RATE;
 use nalgebra::{Matrix2, Vector3};
@@ -32,6 +33,8 @@ pub struct Vehicle {
     pub sprung_mass: Option<f64>,
     /// Vertical rate of the tyre, N/m; a rigid tyre without it.
     pub tyre_rate: Option<f64>,
+    /// Loads of the elastokinematics; `None`: no quantities of the bushes.
+    pub loads: Option<ComplianceLoads>,
 }
 
 impl SuspensionParts {
@@ -95,6 +98,9 @@ impl<'k> PoseEvaluation<'k> {
             row.add_frequencies(wheel, rate, masses.get(wheel).cloned());
         }
         row.add_roll_centre();
+        if let Some(loads) = vehicle.loads {
+            kinematics.add_compliance(linkage, pose, loads, &mut row.values);
+        }
         Ok(row.values)
     }
 
@@ -358,11 +364,6 @@ impl<'k> PoseEvaluation<'k> {
             _ => Err("a suspension has one or two wheels".to_owned()),
         }
     }
-}
-
-/// Reason for the absence of a quantity of the contact point.
-fn no_radius() -> String {
-    "no contact point: wheel.radius is missing in the sheet".to_owned()
 }
 
 /// Support per slope dx/dz of the path: p L/h with the share p of this axle in the force, positive if a forward (front,

@@ -11,6 +11,14 @@ pub enum KinematicUnit {
     Angle,
     /// rad/m; deg/m in tables.
     AnglePerLength,
+    /// rad/N; deg/kN in tables.
+    AnglePerForce,
+    /// rad/(N·m); deg/(kN·m) in tables.
+    AnglePerMoment,
+    /// m/N; mm/kN in tables.
+    LengthPerForce,
+    /// m/(N·m); mm/(kN·m) in tables.
+    LengthPerMoment,
     /// Plain number.
     Ratio,
     /// Plain number; per cent in tables.
@@ -32,6 +40,10 @@ impl KinematicUnit {
             KinematicUnit::Length => "m",
             KinematicUnit::Angle => "rad",
             KinematicUnit::AnglePerLength => "rad/m",
+            KinematicUnit::AnglePerForce => "rad/N",
+            KinematicUnit::AnglePerMoment => "rad/(N·m)",
+            KinematicUnit::LengthPerForce => "m/N",
+            KinematicUnit::LengthPerMoment => "m/(N·m)",
             KinematicUnit::Ratio | KinematicUnit::Percent => "",
             KinematicUnit::Stiffness => "N/m",
             KinematicUnit::Force => "N",
@@ -47,6 +59,10 @@ impl KinematicUnit {
             KinematicUnit::Length => ("mm", 1e3, 2),
             KinematicUnit::Angle => ("deg", 180.0 / std::f64::consts::PI, 4),
             KinematicUnit::AnglePerLength => ("deg/m", 180.0 / std::f64::consts::PI, 3),
+            KinematicUnit::AnglePerForce => ("deg/kN", 180e3 / std::f64::consts::PI, 4),
+            KinematicUnit::AnglePerMoment => ("deg/(kN·m)", 180e3 / std::f64::consts::PI, 4),
+            KinematicUnit::LengthPerForce => ("mm/kN", 1e6, 4),
+            KinematicUnit::LengthPerMoment => ("mm/(kN·m)", 1e6, 4),
             KinematicUnit::Ratio => ("", 1.0, 4),
             KinematicUnit::Percent => ("%", 1e2, 2),
             KinematicUnit::Stiffness => ("N/mm", 1e-3, 3),

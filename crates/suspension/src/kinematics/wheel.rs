@@ -124,3 +124,8 @@ impl SteeringAxis {
         (direction.z > 0.0 && direction.iter().all(|x| x.is_finite())).then_some(Self { point, direction })
     }
 }
+
+/// Reason for the absence of a quantity of the contact point.
+pub(crate) fn no_radius() -> String {
+    "no contact point: wheel.radius is missing in the sheet".to_owned()
+}

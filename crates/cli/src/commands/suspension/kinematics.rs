@@ -281,7 +281,8 @@ fn tables(report: &KinematicsReport) -> String {
     let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
     for column in &report.columns {
         let Some(why) = &column.missing else { continue };
-        let name = column.quantity.clone();
+        let name =
+            under_load(column).map_or(column.quantity.clone(), |(_, load)| format!("motions per {load}"));
         match reasons.iter_mut().find(|(known, _)| known == why) {
             Some((_, names)) if names.contains(&name) => {}
             Some((_, names)) => names.push(name),
@@ -317,9 +318,8 @@ fn list(report: &KinematicsReport) -> String {
     if !sides.is_empty() {
         lines.push([""].into_iter().chain(sides.iter().copied()).map(str::to_owned).collect());
     }
-    for (column, value) in
-        report.columns.iter().zip(&row.values).filter(|(column, _)| column.missing.is_none())
-    {
+    let is_listed = |column: &KinematicColumn| column.missing.is_none() && under_load(column).is_none();
+    for (column, value) in report.columns.iter().zip(&row.values).filter(|(column, _)| is_listed(column)) {
         let name = words(column, report.length_unit);
         let place = sides.iter().position(|side| *side == column.side).unwrap_or(0);
         let known = lines.iter().position(|line| line[0] == name);
@@ -331,7 +331,57 @@ fn list(report: &KinematicsReport) -> String {
         line.resize(line.len().max(place + 2), String::new());
         line[place + 1] = shown(column.unit, report.length_unit, *value);
     }
-    aligned(&lines)
+    aligned(&lines) + &loads_table(report, row)
+}
+
+/// Quantity and load of a column of a motion per load.
+fn under_load(column: &KinematicColumn) -> Option<(&str, &str)> {
+    use KinematicUnit::{AnglePerForce, AnglePerMoment, LengthPerForce, LengthPerMoment};
+    let is_per_load =
+        matches!(column.unit, AnglePerForce | AnglePerMoment | LengthPerForce | LengthPerMoment);
+    column.quantity.split_once("_per_").filter(|_| is_per_load)
+}
+
+/// Motions per load as a table: a line per wheel and load, a column per quantity.
+fn loads_table(report: &KinematicsReport, row: &KinematicsRow) -> String {
+    let mut quantities = Vec::new();
+    let mut lines: Vec<(String, Vec<String>)> = Vec::new();
+    for (column, value) in report.columns.iter().zip(&row.values) {
+        let Some((quantity, load)) = under_load(column).filter(|_| column.missing.is_none()) else {
+            continue;
+        };
+        let at = quantities.iter().position(|known| *known == quantity).unwrap_or_else(|| {
+            quantities.push(quantity);
+            quantities.len() - 1
+        });
+        let side = if column.side.is_empty() { String::new() } else { format!(" {}", column.side) };
+        let name = load.replace('_', " ") + &side;
+        let line = lines.iter().position(|(known, _)| *known == name).unwrap_or_else(|| {
+            lines.push((name, Vec::new()));
+            lines.len() - 1
+        });
+        let cells = &mut lines[line].1;
+        cells.resize(cells.len().max(at + 1), "–".to_owned());
+        cells[at] = shown(column.unit, report.length_unit, *value);
+    }
+    if lines.is_empty() {
+        return String::new();
+    }
+    let heads: Vec<[String; 2]> = quantities
+        .iter()
+        .map(|quantity| match quantity.rsplit_once('_') {
+            Some((point, axis)) => {
+                [point.rsplit('_').next().unwrap_or_default().to_owned(), format!("{axis} mm")]
+            }
+            None => [(*quantity).to_owned(), "deg".to_owned()],
+        })
+        .collect();
+    let head = |first: &str, k: usize| {
+        [first.to_owned()].into_iter().chain(heads.iter().map(|head| head[k].clone())).collect::<Vec<_>>()
+    };
+    let mut table = vec![head("", 0), head("per kN or kN·m", 1)];
+    table.extend(lines.into_iter().map(|(name, cells)| [name].into_iter().chain(cells).collect()));
+    format!("\n{}", aligned(&table))
 }
 
 /// Several rows as tables, each with the variable first and as many quantities as fit on a line.

@@ -6,6 +6,8 @@ use nalgebra::{DVector, Vector3};
 use percuss_mechanism::{Bush, JointId, LinkId};
 
 /// Spring or damper that acts beside the bushes: force −(k + c d/dt) per displacement of its motion.
+///
+/// An infinite stiffness holds the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearElement {
     /// Name for results.
@@ -16,6 +18,15 @@ pub struct LinearElement {
     pub stiffness: f64,
     /// Damping, N·s/m or N·m·s/rad.
     pub damping: f64,
+    /// Force at the pose along the motion, N or N·m: that of a compressed spring is positive. Only static displacements use it.
+    pub force: f64,
+}
+
+impl LinearElement {
+    /// Element without damping and without a force at the pose.
+    pub fn spring(name: impl Into<String>, motion: ElementMotion, stiffness: f64) -> Self {
+        Self { name: name.into(), motion, stiffness, damping: 0.0, force: 0.0 }
+    }
 }
 
 /// Motion that a spring or damper resists.
@@ -74,10 +85,14 @@ pub(crate) struct ElasticRow {
     pub direction: ElasticDirection,
     /// Stiffness in motion, N/m or N·m/rad; infinite for an ideal row.
     pub stiffness: f64,
+    /// Stiffness under loads at rest: without the dynamic factor.
+    pub static_stiffness: f64,
     pub damping: f64,
     pub loss_factor: f64,
     /// True if the rigid mechanism holds the row.
     pub is_rigid: bool,
+    /// Force of an element at the pose along its motion, N or N·m.
+    pub force: f64,
     /// Relative velocity per velocity of each coordinate.
     pub row: DVector<f64>,
 }
@@ -90,12 +105,24 @@ impl ElasticRow {
 }
 
 impl Model {
-    /// Rows of a bush over the coordinates. The frame moves with the link of the bush.
-    pub(super) fn bush_rows(&self, kinematics: &Kinematics, bush: &Bush) -> Vec<ElasticRow> {
+    /// Rows of a bush over the coordinates: velocities of the point of the other link that is in the middle of the bush at `drawn`, relative to the
+    /// frame of the bush, which moves with its link. `drawn`: the pose as drawn, `None` if it is that of `kinematics`.
+    pub(super) fn bush_rows(
+        &self,
+        kinematics: &Kinematics,
+        drawn: Option<&Kinematics>,
+        bush: &Bush,
+    ) -> Vec<ElasticRow> {
         let description = bush.description();
-        let x_rf = kinematics.link_frame(self, bush.link()) * description.frame;
+        let frame = |kinematics: &Kinematics| kinematics.link_frame(self, bush.link()) * description.frame;
+        let x_rf = frame(kinematics);
+        let at = drawn.map_or(x_rf.translation, |drawn| {
+            let other = bush.against().unwrap_or_else(|| self.mechanism.root());
+            let point = drawn.link_frame(self, other).inverse_point(&frame(drawn).translation);
+            kinematics.link_frame(self, other).point(&point)
+        });
         let jacobians = |link: LinkId| {
-            let point = kinematics.link_frame(self, link).inverse_point(&x_rf.translation);
+            let point = kinematics.link_frame(self, link).inverse_point(&at);
             [self.angular_jacobian(kinematics, link), self.point_jacobian(kinematics, link, &point)]
         };
         let mut relative = jacobians(bush.link());
@@ -106,9 +133,11 @@ impl Model {
             element: bush.name().to_owned(),
             direction,
             stiffness: description.stiffness[i] * description.dynamic_factor,
+            static_stiffness: description.stiffness[i],
             damping: description.damping[i],
             loss_factor: description.loss_factor,
             is_rigid: description.rigid[i],
+            force: 0.0,
             row: relative[i / 3].tr_mul(&x_rf.rotation.column(i % 3)),
         };
         ElasticDirection::OF_BUSH.into_iter().enumerate().map(row).collect()
@@ -142,9 +171,11 @@ impl Model {
             element: element.name.clone(),
             direction: ElasticDirection::Element,
             stiffness: element.stiffness,
+            static_stiffness: element.stiffness,
             damping: element.damping,
             loss_factor: 0.0,
             is_rigid: false,
+            force: element.force,
             row,
         })
     }

@@ -8,5 +8,6 @@ pub(crate) mod elements;
 pub(crate) mod modes;
 pub(crate) mod residual;
 pub(crate) mod response;
+pub(crate) mod statics;
 mod subspace;
 pub(crate) mod system;

@@ -6,7 +6,7 @@ use super::system::{ComplianceError, ElasticSystem};
 use crate::dense::matrices::{MatrixResponse, MatrixView, effective_mass};
 use crate::kinematics::outcome::EffectiveMass;
 use crate::tolerances::{CLEAR_OF_RIGID_MOTION, IMMOVABLE, REDUCED_ACCURACY};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Residual compliance of the bushes at a contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,13 +130,21 @@ fn minimum(mass: &DMatrix<f64>, contact: &DVector<f64>) -> Result<MatrixResponse
     Ok(effective_mass(view, contact.as_slice(), None, &options)?)
 }
 
-/// Solves A x = b for a symmetric positive definite matrix, scaled to unit diagonal. `None` if it is not positive definite.
+/// Solves A x = b for a symmetric positive definite matrix. `None` if it is not positive definite.
 pub(super) fn solve_positive(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
     if b.is_empty() {
         return Some(b.clone());
     }
-    let scale = DVector::from_fn(b.len(), |i, _| 1.0 / a[(i, i)].sqrt());
-    let scaled = DMatrix::from_fn(b.len(), b.len(), |r, c| scale[r] * a[(r, c)] * scale[c]);
-    let solution = scaled.cholesky()?.solve(&b.component_mul(&scale));
-    Some(solution.component_mul(&scale))
+    let (scale, factor) = stiffness_factor(a)?;
+    Some(factor.solve(&b.component_mul(&scale)).component_mul(&scale))
+}
+
+/// Scale s of a symmetric positive definite matrix A, and the decomposition of the matrix sᵢ aᵢⱼ sⱼ, whose diagonal is 1. `None` for an empty matrix
+/// and for one that is not positive definite.
+pub(super) fn stiffness_factor(a: &DMatrix<f64>) -> Option<(DVector<f64>, Cholesky<f64, Dyn>)> {
+    let n = a.nrows();
+    let scale = DVector::from_fn(n, |i, _| 1.0 / a[(i, i)].sqrt());
+    let scaled = DMatrix::from_fn(n, n, |r, c| scale[r] * a[(r, c)] * scale[c]);
+    (n > 0).then_some(())?;
+    Some((scale, scaled.cholesky()?))
 }

@@ -4,6 +4,7 @@ use faer::Mat;
 use nalgebra::DMatrix;
 
 /// Orthonormal bases of the two subspaces, one vector per column.
+#[derive(Debug)]
 pub(super) struct Subspaces {
     /// Motions on which all rows vanish.
     pub null: DMatrix<f64>,

@@ -32,6 +32,8 @@ pub struct ElasticSystem {
     pub(super) contact: DVector<f64>,
     /// Rows of the elements over z, without ideal rows.
     pub(super) rows: Vec<ElasticRow>,
+    /// Springs and dampers beside the bushes.
+    pub(super) elements: Vec<LinearElement>,
     /// Threshold for singular values relative to the largest.
     pub(super) floor: f64,
 }
@@ -59,6 +61,16 @@ pub enum ComplianceError {
         "the decomposition of the constraint rows does not converge: check the masses and the stiffness of the bushes"
     )]
     Decomposition,
+    /// Forces at the pose that the bushes do not carry.
+    #[error(
+        "the forces at the pose are not in balance: a motion without the stiffness of a bush gives way to them"
+    )]
+    Unbalanced,
+    /// The forces at the pose make the equilibrium unstable.
+    #[error(
+        "the equilibrium is unstable: the forces at the pose are too large for the stiffness of the springs and bushes"
+    )]
+    Unstable,
     /// Invalid matrices.
     #[error(transparent)]
     Matrix(#[from] MatrixError),
@@ -102,9 +114,7 @@ impl ElasticSystem {
             closing[own] = 1.0;
         }
         let mass = DMatrix::from_fn(n, n, |r, c| scale[r] * mass[(r, c)] * scale[c]);
-        let bushes = mechanism.bushes().iter().flat_map(|bush| model.bush_rows(&kinematics, bush));
-        let elements = elements.iter().filter_map(|element| model.element_row(&kinematics, element));
-        let mut elastic: Vec<ElasticRow> = bushes.chain(elements).collect();
+        let mut elastic = elastic_rows(&model, &kinematics, None, elements);
         elastic.iter_mut().for_each(|row| row.row = extended(&row.row));
         let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness) / length;
         let floor = RANK_FLOOR.max(INEXACT_RANK_FACTOR * inexactness).min(LARGEST_RANK_FLOOR);
@@ -128,6 +138,7 @@ impl ElasticSystem {
             contact: basis.tr_mul(&closing),
             basis: DMatrix::from_fn(own, basis.ncols(), |r, c| scale[r] * basis[(r, c)]),
             rows: elastic,
+            elements: elements.to_vec(),
             model,
             kinematics,
             floor,
@@ -155,8 +166,20 @@ impl ElasticSystem {
     }
 }
 
+/// Rows of the bushes and elements over the coordinates of the released model; `drawn`: its pose as drawn.
+pub(super) fn elastic_rows(
+    model: &Model,
+    kinematics: &Kinematics,
+    drawn: Option<&Kinematics>,
+    elements: &[LinearElement],
+) -> Vec<ElasticRow> {
+    let bushes = model.mechanism.bushes().iter().flat_map(|bush| model.bush_rows(kinematics, drawn, bush));
+    let elements = elements.iter().filter_map(|element| model.element_row(kinematics, element));
+    bushes.chain(elements).collect()
+}
+
 /// Matrix with the given rows of length `n`.
-fn stacked(rows: &[DVector<f64>], n: usize) -> DMatrix<f64> {
+pub(super) fn stacked(rows: &[DVector<f64>], n: usize) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c])
 }
 

@@ -186,7 +186,8 @@ export interface KinematicColumn {
 
 export interface KinematicsReport {
   schema: 'percuss.kinematics/1'; percuss: string; inputs: Input[]; derivatives: string; variable: string | null;
-  columns: KinematicColumn[]; rows: (Record<string, number | string | null>)[]; diagnostics: DiagnosticRecord[];
+  columns: KinematicColumn[]; rows: (Record<string, number | string | null>)[]; compliance_matrices: (number[][] | null)[];
+  diagnostics: DiagnosticRecord[];
 }
 
 export interface LawRecord {

@@ -10,7 +10,7 @@ use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::question::travel::vary::{Vary, VaryError};
 use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
 use percuss_mechanism::JointKind;
-use percuss_suspension::kinematics::{RACK, Vehicle};
+use percuss_suspension::kinematics::{ComplianceLoads, LoadedWheels, RACK, Vehicle};
 use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::de::Error;
@@ -101,6 +101,25 @@ pub struct VehicleData {
     /// Vertical rate of the tyre, with its unit: 200N/mm; without it, the tyre is rigid.
     #[cfg_attr(feature = "flags", arg(long, value_name = "RATE", help_heading = VEHICLE))]
     pub tyre_rate: Option<Stiffness>,
+    /// Motion of the wheels per load, with the bushes of the sheet: loads on a single wheel, parallel or opposed on both; default: single.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "WHEELS", value_enum, num_args = 0..=1, default_missing_value = "single", help_heading = VEHICLE))]
+    pub compliance: Option<WheelLoads>,
+    /// With the compliance, the heights of the wheel centres are held; without this, the springs hold the wheels.
+    #[cfg_attr(feature = "flags", arg(long, requires = "compliance", help_heading = VEHICLE))]
+    pub travel_held: bool,
+}
+
+/// Wheels on which a load of the compliance acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum WheelLoads {
+    /// The wheel of the quantity alone.
+    Single,
+    /// Both wheels, the same load.
+    Parallel,
+    /// Both wheels, opposite loads.
+    Opposed,
 }
 
 /// Camber, toe, motion ratios and further quantities of a suspension over a travel: percuss kinematics.
@@ -116,7 +135,7 @@ pub struct KinematicsQuestion {
     /// Output file: .csv, .xlsx, .parquet, .json, .txt, .svg, .png or .pdf.
     pub output: Option<String>,
     /// Data of the vehicle, for anti-dive, rates and frequencies: axle, brake_bias, drive_share, cg_height, wheelbase, sprung_mass, tyre_rate,
-    /// inboard_brakes, inboard_drive.
+    /// inboard_brakes, inboard_drive; and loads for the bushes: compliance, travel_held.
     pub vehicle: VehicleData,
     /// Variables with one value for all rows, m.
     #[serde(skip)]
@@ -136,6 +155,14 @@ impl VehicleData {
             inboard_drive: self.inboard_drive,
             sprung_mass: self.sprung_mass.map(|mass| mass.0),
             tyre_rate: self.tyre_rate.map(|rate| rate.0.value),
+            loads: self.compliance.map(|loaded| ComplianceLoads {
+                wheels: match loaded {
+                    WheelLoads::Single => LoadedWheels::Single,
+                    WheelLoads::Parallel => LoadedWheels::Parallel,
+                    WheelLoads::Opposed => LoadedWheels::Opposed,
+                },
+                travel_held: self.travel_held,
+            }),
         }
     }
 
@@ -144,6 +171,11 @@ impl VehicleData {
     /// # Errors
     /// [`InvalidKey`]: a length or a rate of at most 0, a share outside 0 to 1.
     pub fn check(&self) -> Result<(), InvalidKey> {
+        if self.travel_held && self.compliance.is_none() {
+            let why =
+                "it belongs to the compliance; give compliance = \"single\", \"parallel\" or \"opposed\" too";
+            return Err(InvalidKey::new("kinematics.vehicle.travel_held", why));
+        }
         let shares = [
             ("kinematics.vehicle.brake_bias", self.brake_bias),
             ("kinematics.vehicle.drive_share", self.drive_share),

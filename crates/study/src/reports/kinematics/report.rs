@@ -12,6 +12,7 @@ use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::values::quantities::schema_of;
 use crate::values::value::NumberOrText;
+use nalgebra::DMatrix;
 use percuss_contact::ForceCurve;
 use percuss_suspension::LengthUnit;
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue, KinematicValues};
@@ -93,6 +94,9 @@ pub struct KinematicsReport {
     pub columns: Vec<KinematicColumn>,
     /// Rows.
     pub rows: Vec<KinematicsRow>,
+    /// Compliance matrix of each row, empty without compliance: displacements (m) along x, y, z and rotations (rad) about them of the wheel
+    /// centres per unit force (N) and moment (N·m), 6×6, or 12×12 with the left wheel first; null if a motion without stiffness gives way.
+    pub compliance_matrices: Vec<Option<Vec<Vec<f64>>>>,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// Unit of lengths in tables and figures.
@@ -172,10 +176,18 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         None => (None, vec![None]),
     };
     let mut found = Vec::with_capacity(values.len());
+    let mut compliance_matrices = Vec::new();
     for value in &values {
         let mut state = question.state.clone();
         state.extend(variable.zip(*value));
         found.push(evaluate_state(&prepared, question, &state)?);
+        if let Some(loads) = question.vehicle.vehicle().loads {
+            let matrix = prepared.pose(&state).ok();
+            let matrix = matrix.and_then(|pose| prepared.parts.compliance_matrix(&pose, loads).ok());
+            let rows =
+                |matrix: DMatrix<f64>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+            compliance_matrices.push(matrix.map(rows));
+        }
     }
     let columns: Arc<[KinematicColumn]> = columns(&found).into();
     let beyond_data = beyond_data(&prepared, &values, &found, model.length_unit());
@@ -202,6 +214,7 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         variable: variable.map(KinematicVariable::name),
         columns: columns.to_vec(),
         rows,
+        compliance_matrices,
         diagnostics,
         length_unit: model.length_unit(),
     };

@@ -46,15 +46,21 @@ pub struct KinematicTarget {
     pub quantity: String,
     /// Value with its unit; without a unit SI, or a plain number.
     pub value: Quantity,
+    /// Unit of a quotient, such as deg/m, in which the value is given.
+    pub quotient: Option<&'static str>,
 }
+
+/// Units of quotients, as in tables.
+pub(crate) const QUOTIENTS: [&str; 5] = ["deg/m", "deg/kN", "mm/kN", "deg/(kN·m)", "mm/(kN·m)"];
 
 impl FromStr for KinematicTarget {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {
         let (quantity, value) =
             text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
-        // The unit of gradients has no dimension of its own.
-        let value = value.trim().strip_suffix("deg/m").unwrap_or(value);
+        // The unit of a quotient has no dimension of its own.
+        let quotient = QUOTIENTS.into_iter().find(|unit| value.trim().ends_with(unit));
+        let value = quotient.and_then(|unit| value.trim().strip_suffix(unit)).unwrap_or(value);
         let parse = |dimension: Dimension| dimension.parse(value);
         // Per cent and units of stiffness have no dimension in a plain number.
         let value = Quantity::parse(value).or_else(|error| {
@@ -63,7 +69,8 @@ impl FromStr for KinematicTarget {
                 .or_else(|_| parse(Dimension::Force))
                 .map_err(|_| error)
         });
-        Ok(Self { quantity: column_name(quantity.trim()), value: value.map_err(|error| error.to_string())? })
+        let value = value.map_err(|error| error.to_string())?;
+        Ok(Self { quantity: column_name(quantity.trim()), value, quotient })
     }
 }
 

@@ -13,7 +13,7 @@ use crate::reports::kinematics::column_names::{target_column, unknown_column};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
-use crate::reports::kinematics::target_question::{KinematicTarget, SearchUnknown, TargetSearch};
+use crate::reports::kinematics::target_question::{KinematicTarget, QUOTIENTS, SearchUnknown, TargetSearch};
 use crate::thresholds::{
     DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALL_PART,
     SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
@@ -116,6 +116,8 @@ fn scale(unit: KinematicUnit) -> f64 {
         KinematicUnit::Mass => 1.0,
         KinematicUnit::Stiffness => 1e3,
         KinematicUnit::Force => 1e2,
+        KinematicUnit::AnglePerForce | KinematicUnit::LengthPerForce => 1e-7,
+        KinematicUnit::AnglePerMoment | KinematicUnit::LengthPerMoment => 1e-6,
     }
 }
 
@@ -128,7 +130,12 @@ fn dimension(unit: KinematicUnit) -> Dimension {
         KinematicUnit::Stiffness => Dimension::Stiffness,
         KinematicUnit::Force => Dimension::Force,
         KinematicUnit::Mass => Dimension::Mass,
-        KinematicUnit::AnglePerLength | KinematicUnit::Frequency => Dimension::Plain,
+        KinematicUnit::AnglePerLength
+        | KinematicUnit::Frequency
+        | KinematicUnit::AnglePerForce
+        | KinematicUnit::AnglePerMoment
+        | KinematicUnit::LengthPerForce
+        | KinematicUnit::LengthPerMoment => Dimension::Plain,
     }
 }
 
@@ -466,20 +473,25 @@ pub fn search_targets(
                 target.quantity
             )));
         }
+        let (in_table, factor, _) = unit.of_table(model.length_unit());
+        let is_quotient = QUOTIENTS.contains(&in_table);
         let goal = target.value.in_dimension(dimension(unit), &text);
-        let goal = goal.map_err(|error| KinematicsError::Search {
-            why: match unit {
-                KinematicUnit::AnglePerLength => {
-                    format!(
-                        "--for {}={text}: a number in deg/m is expected, such as -3deg/m",
-                        target.quantity
-                    )
-                }
-                _ => format!("--for {}: {error}", target.quantity),
+        let is_other = target.quotient.is_some_and(|given| given != in_table);
+        let goal = goal.map_err(|error| error.to_string()).and_then(|goal| {
+            if is_other { Err(format!("it is in {}", target.quotient.unwrap_or_default())) } else { Ok(goal) }
+        });
+        let goal = goal.map_err(|why| KinematicsError::Search {
+            why: if is_quotient {
+                format!(
+                    "--for {}={text}: a number in {in_table} is expected, such as -3{in_table}",
+                    target.quantity
+                )
+            } else {
+                format!("--for {}: {why}", target.quantity)
             },
         })?;
-        // Gradients are given in the unit of the tables.
-        let goal = if unit == KinematicUnit::AnglePerLength { goal.to_radians() } else { goal };
+        // Quotients are given in the unit of the tables.
+        let goal = if is_quotient { goal / factor } else { goal };
         designs.required.push((goal, scale(unit)));
     }
     let coordinates = model.origin.sheet.as_deref().map(|origin| &origin.understood.coordinates[..]);

@@ -1,0 +1,107 @@
+//! `percuss kinematics --compliance`: an independent program, reciprocity, the rigid limit.
+
+use super::kinematics::{close, rows, value};
+use crate::support::{Scratch, root};
+use serde_json::Value;
+use std::fmt::Write;
+
+/// Sheet with bushes and a spring of 42 N/mm; `preload`: its force at the design position, N.
+fn with_bushes(build: &str, preload: Option<f64>, stiffer: f64) -> String {
+    let text = std::fs::read_to_string(root().join("models/suspensions/double-wishbone-bushes.toml"));
+    let preload = preload.map_or_else(String::new, |force| format!("preload = \"{force} N\"\n"));
+    let text = text.expect("a shipped sheet");
+    let spring = format!("[spring]\nrate = \"42 N/mm\"\n{preload}");
+    let text =
+        text.replace("[spring]\n", &spring).replace("build = \"left\"", &format!("build = \"{build}\""));
+    let mut changed = String::new();
+    for line in text.lines() {
+        let (key, rest) = line.split_once(" = ").unwrap_or((line, ""));
+        let number = || rest.trim_matches('"').split(' ').next().and_then(|word| word.parse::<f64>().ok());
+        match (key, number()) {
+            ("radial" | "axial", Some(k)) => writeln!(changed, "{key} = \"{} kN/mm\"", k * stiffer),
+            ("torsional" | "conical", Some(_)) if stiffer > 1.0 => Ok(()),
+            _ => writeln!(changed, "{line}"),
+        }
+        .expect("a string");
+    }
+    changed
+}
+
+/// Values of an own program: four rigid bodies in maximal coordinates with finite rotations, energies of the bushes in axes of their links, second
+/// derivatives of the Lagrange function by automatic differentiation.
+#[test]
+fn compliance_equals_an_independent_program() {
+    let folder = Scratch::new("kinematics-compliance");
+    let names = [
+        "toe_per_lateral_force",
+        "camber_per_braking_force",
+        "wheel_centre_x_per_driving_force",
+        "wheel_centre_z_per_vertical_force",
+        "toe_per_aligning_torque",
+    ];
+    let cases = [
+        (
+            None,
+            [
+                -8.071455582363953e-07,
+                2.4283206366994455e-06,
+                4.268800789400759e-07,
+                6.914888688251684e-05,
+                -4.691808717780049e-06,
+            ],
+        ),
+        (
+            Some(5000.0),
+            [
+                -7.847876276921081e-07,
+                2.42809412442067e-06,
+                4.290198214852787e-07,
+                6.885193551285555e-05,
+                -4.693814954106443e-06,
+            ],
+        ),
+    ];
+    for (preload, expected) in cases {
+        folder.write("car.toml", &with_bushes("left", preload, 1.0));
+        let row = &rows(&folder, "car.toml", &["--compliance"])[0];
+        for (name, expected) in names.into_iter().zip(expected) {
+            // Condition of the stiffness, 1e5, and the rounding of both programs.
+            assert!(
+                (value(row, name) / expected - 1.0).abs() < 1e-10,
+                "{name}: {} {expected}",
+                value(row, name)
+            );
+        }
+    }
+}
+
+/// Stiff bushes leave the wheel rate of the rigid linkage; the loads and displacements of two points are reciprocal; on two equal sides the
+/// sum of single loads is the parallel or opposed one.
+#[test]
+fn compliance_is_reciprocal_and_has_the_rigid_limit() {
+    let folder = Scratch::new("kinematics-reciprocal");
+    folder.write("car.toml", &with_bushes("left", None, 1e5));
+    let row = &rows(&folder, "car.toml", &["--compliance"])[0];
+    let vertical = value(row, "wheel_centre_z_per_vertical_force");
+    // The bushes are 1e5 times as stiff: a part of 1e-5 of the spring's travel, times their number and leverage.
+    close(1.0 / vertical / value(row, "wheel_rate"), 1.0, 1e-6, "wheel rate");
+    folder.write("car.toml", &with_bushes("both", Some(5000.0), 1.0));
+    let [single, parallel, opposed] = ["single", "parallel", "opposed"]
+        .map(|wheels| rows(&folder, "car.toml", &["--compliance", wheels])[0].clone());
+    let braked = value(&single, "contact_patch_y_per_braking_force_left");
+    close(
+        -value(&single, "contact_patch_x_per_lateral_force_left") * 1e6,
+        braked * 1e6,
+        1e-9,
+        "no reciprocity",
+    );
+    for name in ["toe", "camber", "wheel_centre_y", "contact_patch_y"] {
+        let of = |row: &Value| value(row, &format!("{name}_per_lateral_force_left")) * 1e6;
+        // The sides are coupled by nothing in this sheet.
+        close(of(&parallel), of(&single), 1e-8, name);
+        close(of(&opposed), of(&single), 1e-8, name);
+    }
+    let held = &rows(&folder, "car.toml", &["--compliance", "--travel-held"])[0];
+    assert!(value(held, "wheel_centre_z_per_lateral_force_left").abs() < 1e-15);
+    assert!(held["toe_per_vertical_force_left"].is_null());
+}
