@@ -99,6 +99,8 @@ pub(crate) const ADAMS_ERROR: f64 = 3e-4;
 pub(crate) const ADAMS_STEP: f64 = 0.3;
 /// ERROR of Adams, relative to the undamped penetration.
 pub(crate) const ADAMS_TOLERANCE: f64 = 1e-3;
+/// Steps of a sum of powers in the code of a tool, joined by lines: the force is right to (p − 1) p/8 of their square, 1e-4.
+pub(crate) const POINTS_OF_POWERS: u32 = 64;
 /// Depth of full damping for Adams, relative to the undamped penetration: a compromise between a force that jumps (0)
 /// and a damper with little effect (1).
 pub(crate) const ADAMS_RAMP: f64 = 0.1;

@@ -188,6 +188,50 @@ fn tools_get_a_spring_with_the_penetration_of_the_curve() {
     assert!(compared >= 10 && stated_peaks == 3, "{compared} tools");
 }
 
+/// The code of a tool has the points of the curve and a dissipation with which the impact on these points has the required restitution.
+#[test]
+fn code_of_tools_has_the_curve() {
+    let points = ForceCurve::new(vec![0.0, 0.01, 0.02, 0.03], vec![0.0, 300.0, 1500.0, 4000.0]).unwrap();
+    let powers = ForceCurve::powers(vec![(2e4, 1.0), (9e7, 3.0)], 0.04).unwrap();
+    for (curve, tolerance) in [(&points, 1e-9), (&powers, 1e-3)] {
+        let contact = CompliantContact::on_curve(150.0, curve).unwrap();
+        let mut request = Request::new(contact, 0.3).at(1.0);
+        request.options.own_mass = Some(150.0);
+        let exact = Law::HuntCrossley.damper(contact, 0.3, Some(1.0), Separation::ForceVanishes).unwrap();
+        let exact = exact.impact(contact, 1.0).unwrap();
+        for tool in [Tool::ADAMS, Tool::CHRONO, Tool::DRAKE, Tool::EXUDYN] {
+            let export = tool.export(&request).unwrap();
+            let code = export.snippets.iter().find(|snippet| snippet.title == "force curve").expect("code");
+            let numbers = |text: &str| -> Vec<f64> {
+                text.split([',', '\n']).filter_map(|word| word.trim().parse().ok()).collect()
+            };
+            let between = |from: &str, to: &str| {
+                let rest = code.text.split_once(from).expect("a beginning").1;
+                rest.split_once(to).expect("an end").0.to_owned()
+            };
+            let [start, end] = if tool == Tool::ADAMS {
+                [["X = ", ", Y"], ["Y = ", "SFORCE"]]
+            } else if tool == Tool::CHRONO {
+                [["x[] = {", "}"], ["f[] = {", "}"]]
+            } else {
+                [["DEFLECTIONS = [", "]"], ["FORCES = [", "]"]]
+            };
+            let [x, f] = [start, end].map(|[from, to]| numbers(&between(from, to)));
+            let read = ForceCurve::new(x, f).unwrap();
+            let factor = if [Tool::ADAMS, Tool::CHRONO].contains(&tool) { "(1 - " } else { "(1 + " };
+            let text = code.text.replace("(1-", "(1 - ");
+            let dissipation = text.split_once(factor).expect("a factor").1;
+            let dissipation: f64 = dissipation.split(['*', ' ']).next().unwrap().parse().unwrap();
+            let contact = CompliantContact::on_curve(150.0, &read).unwrap();
+            let found = Damper::hunt_crossley(dissipation).unwrap().impact(contact, 1.0).unwrap();
+            let close = |a: f64, b: f64| (a / b - 1.0).abs() < tolerance;
+            assert!(close(found.restitution, 0.3), "{tool:?}: {found:?}");
+            assert!(close(found.max_penetration, exact.max_penetration), "{tool:?}: {found:?} {exact:?}");
+            assert!(close(found.peak_force, exact.peak_force), "{tool:?}: {found:?} {exact:?}");
+        }
+    }
+}
+
 #[test]
 fn points_that_are_no_curve_are_refused() {
     let refused =

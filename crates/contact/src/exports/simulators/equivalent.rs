@@ -1,8 +1,9 @@
 //! Spring of a tool in place of a force curve.
 
+use super::curve;
 use crate::exports::{Export, ExportError, Request, Tool, Value};
 use crate::stepping::runge_kutta_step;
-use crate::{CompliantContact, ContactLawError, Impact, Law, LawParameter, Separation, StiffnessLaw};
+use crate::{CompliantContact, ContactLawError, Damper, Impact, Law, LawParameter, Separation, StiffnessLaw};
 
 /// Steps of the integration of Adams' function over the time x_max/v.
 const STEPS: f64 = 2000.0;
@@ -15,13 +16,17 @@ pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportErro
         return Err(ExportError::Missing { tool, what: LawParameter::Speed, why });
     };
     let (mass, curve) = (request.contact.mass(), request.contact.stiffness());
-    let law = |law: Law, contact: CompliantContact| -> Result<Impact, ContactLawError> {
+    let damper = |law: Law, contact: CompliantContact| {
         // The stops of these two pull until the joint is back.
         let pulls = request.options.stop.is_some() && [Tool::NEWTON, Tool::PHYSX].contains(&tool);
         let separation = if pulls { Separation::GapCloses } else { Separation::ForceVanishes };
-        law.damper(contact, request.restitution, Some(speed), separation)?.impact(contact, speed)
+        law.damper(contact, request.restitution, Some(speed), separation)
     };
-    let exact = law(Law::HuntCrossley, request.contact)?;
+    let law = |law: Law, contact: CompliantContact| -> Result<Impact, ContactLawError> {
+        damper(law, contact)?.impact(contact, speed)
+    };
+    let of_curve = damper(Law::HuntCrossley, request.contact)?;
+    let exact = of_curve.impact(request.contact, speed)?;
     let depth = exact.max_penetration;
     let StiffnessLaw::Curve(points) = curve else { return tool.export(request) };
     let work = points.work(0.0, depth);
@@ -70,6 +75,9 @@ pub(crate) fn export(tool: Tool, request: &Request) -> Result<Export, ExportErro
             1e3 * depth,
             exact.peak_force
         ));
+        if let Damper::HuntCrossley { dissipation } = of_curve {
+            curve::add_snippet(&mut export, points, dissipation);
+        }
         return Ok(export);
     }
     Err(refused.unwrap_or(ExportError::Missing {

@@ -1,5 +1,6 @@
 //! Parameters of each simulator, one file per simulator.
 
+mod curve;
 mod engines;
 pub(super) mod equivalent;
 mod multibody;
