@@ -8,8 +8,16 @@ use percuss_suspension::LengthUnit;
 use std::path::Path;
 
 /// Quantities of the figure if none are selected.
-const USUAL: [&str; 6] =
-    ["camber", "toe", "half_track_change", "motion_ratio_", "wheel_rate", "roll_centre_height"];
+const USUAL: [&str; 8] = [
+    "camber",
+    "toe",
+    "half_track_change",
+    "motion_ratio_",
+    "wheel_rate",
+    "roll_centre_height",
+    "toe_per_lateral_force",
+    "toe_per_braking_force",
+];
 /// Quantities of springs, dampers and stops, which share a panel.
 const SHARED: [&str; 2] = ["motion_ratio_", "force_"];
 /// Largest number of panels of one figure: its height is then about one page.
