@@ -105,3 +105,17 @@ fn compliance_is_reciprocal_and_has_the_rigid_limit() {
     assert!(value(held, "wheel_centre_z_per_lateral_force_left").abs() < 1e-15);
     assert!(held["toe_per_vertical_force_left"].is_null());
 }
+
+/// The gradient of a motion ratio is the difference of motion ratios over the travel.
+#[test]
+fn ratio_gradients_are_differences() {
+    let folder = Scratch::new("kinematics-ratio-gradient");
+    folder.write("car.toml", &with_bushes("left", None, 1.0));
+    let found = rows(&folder, "car.toml", &["--wheel-travel", "-1mm:1mm:3"]);
+    for name in ["spring", "damper", "bump_stop", "rebound_stop"] {
+        let ratio = |row: usize| value(&found[row], &format!("motion_ratio_{name}"));
+        let difference = (ratio(2) - ratio(0)) / 2e-3;
+        // Central difference over 1 mm: the third derivative of the ratio is at most 10/m³.
+        close(value(&found[1], &format!("ratio_gradient_{name}")), difference, 1e-5, name);
+    }
+}

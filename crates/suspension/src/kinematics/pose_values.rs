@@ -227,6 +227,10 @@ impl<'k> PoseEvaluation<'k> {
             let name = format!("motion_ratio_{}", element.name);
             self.values.add(side, name, KinematicUnit::Ratio, Ok(rates.ratio[0]));
         }
+        for (element, rates, _) in found.iter().filter(|(element, ..)| shown(element)) {
+            let name = format!("ratio_gradient_{}", element.name);
+            self.values.add(side, name, KinematicUnit::PerLength, Ok(rates.ratio[1] / rate.powi(2)));
+        }
         let total = if found.iter().any(|(element, ..)| element.spring.is_some()) {
             Ok(found.iter().filter_map(|(_, rates, share)| Some(share * rates.parameter_rate()?)).sum())
         } else {

@@ -11,6 +11,8 @@ pub enum KinematicUnit {
     Angle,
     /// rad/m; deg/m in tables.
     AnglePerLength,
+    /// 1/m.
+    PerLength,
     /// rad/N; deg/kN in tables.
     AnglePerForce,
     /// rad/(N·m); deg/(kN·m) in tables.
@@ -40,6 +42,7 @@ impl KinematicUnit {
             KinematicUnit::Length => "m",
             KinematicUnit::Angle => "rad",
             KinematicUnit::AnglePerLength => "rad/m",
+            KinematicUnit::PerLength => "1/m",
             KinematicUnit::AnglePerForce => "rad/N",
             KinematicUnit::AnglePerMoment => "rad/(N·m)",
             KinematicUnit::LengthPerForce => "m/N",
@@ -59,6 +62,7 @@ impl KinematicUnit {
             KinematicUnit::Length => ("mm", 1e3, 2),
             KinematicUnit::Angle => ("deg", 180.0 / std::f64::consts::PI, 4),
             KinematicUnit::AnglePerLength => ("deg/m", 180.0 / std::f64::consts::PI, 3),
+            KinematicUnit::PerLength => ("1/m", 1.0, 4),
             KinematicUnit::AnglePerForce => ("deg/kN", 180e3 / std::f64::consts::PI, 4),
             KinematicUnit::AnglePerMoment => ("deg/(kN·m)", 180e3 / std::f64::consts::PI, 4),
             KinematicUnit::LengthPerForce => ("mm/kN", 1e6, 4),

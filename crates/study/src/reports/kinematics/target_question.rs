@@ -51,7 +51,7 @@ pub struct KinematicTarget {
 }
 
 /// Units of quotients, as in tables.
-pub(crate) const QUOTIENTS: [&str; 5] = ["deg/m", "deg/kN", "mm/kN", "deg/(kN·m)", "mm/(kN·m)"];
+pub(crate) const QUOTIENTS: [&str; 6] = ["deg/m", "1/m", "deg/kN", "mm/kN", "deg/(kN·m)", "mm/(kN·m)"];
 
 impl FromStr for KinematicTarget {
     type Err = String;
@@ -59,8 +59,10 @@ impl FromStr for KinematicTarget {
         let (quantity, value) =
             text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
         // The unit of a quotient has no dimension of its own.
-        let quotient = QUOTIENTS.into_iter().find(|unit| value.trim().ends_with(unit));
-        let value = quotient.and_then(|unit| value.trim().strip_suffix(unit)).unwrap_or(value);
+        let split =
+            |unit: &'static str| Some((unit, value.trim().strip_suffix(unit.trim_start_matches('1'))?));
+        let quotient = QUOTIENTS.into_iter().find_map(split);
+        let (quotient, value) = quotient.map_or((None, value), |(unit, number)| (Some(unit), number));
         let parse = |dimension: Dimension| dimension.parse(value);
         // Per cent and units of stiffness have no dimension in a plain number.
         let value = Quantity::parse(value).or_else(|error| {

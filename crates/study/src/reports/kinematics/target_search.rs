@@ -112,7 +112,7 @@ fn scale(unit: KinematicUnit) -> f64 {
     match unit {
         KinematicUnit::Length | KinematicUnit::Angle => 1e-3,
         KinematicUnit::AnglePerLength | KinematicUnit::Ratio | KinematicUnit::Percent => 1e-2,
-        KinematicUnit::Frequency => 1e-1,
+        KinematicUnit::Frequency | KinematicUnit::PerLength => 1e-1,
         KinematicUnit::Mass => 1.0,
         KinematicUnit::Stiffness => 1e3,
         KinematicUnit::Force => 1e2,
@@ -131,6 +131,7 @@ fn dimension(unit: KinematicUnit) -> Dimension {
         KinematicUnit::Force => Dimension::Force,
         KinematicUnit::Mass => Dimension::Mass,
         KinematicUnit::AnglePerLength
+        | KinematicUnit::PerLength
         | KinematicUnit::Frequency
         | KinematicUnit::AnglePerForce
         | KinematicUnit::AnglePerMoment
