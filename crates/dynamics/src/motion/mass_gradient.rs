@@ -36,11 +36,16 @@ pub struct MassGradient {
     /// For each joint, in joint order, and each of its velocities: change of m̄ per unit velocity, kg/rad or kg/m. In a mechanism
     /// with loops only sums over admissible motions are defined; see [`rate`](Self::rate).
     pub joints: Vec<Vec<f64>>,
+    /// Change of m̄ per unit velocity of the root link with all joints at rest: angular (kg/rad), then linear (kg/m), in root axes. With a
+    /// normal n̂ that is fixed in the world, the angular part is 2 m̄ n̂ × u, with the velocity u of the contact link relative to the other
+    /// side at the contact point in the response v* (angular velocities for a moment); the linear part is zero. All other normals move with
+    /// the root link, and the whole is zero.
+    pub base: [f64; 6],
 }
 
 impl MassGradient {
     /// dm̄/dt, kg/s, for the velocities of all joints (rad/s, m/s; in joint order) of an admissible motion. Mimics must follow
-    /// their masters. Missing joints are at rest.
+    /// their masters. Missing joints and the root link are at rest: [`base`](Self::base) has the part of the root link.
     pub fn rate(&self, velocities: &[Vec<f64>]) -> f64 {
         let of_joint = |(g, w): (&Vec<f64>, &Vec<f64>)| g.iter().zip(w).map(|(g, w)| g * w).sum::<f64>();
         self.joints.iter().zip(velocities).map(of_joint).sum()
@@ -65,7 +70,7 @@ struct BodyResponse<'a> {
 
 impl Pose {
     /// Gradient of the effective mass of a contact. `None` unless m̄ is finite with an error of at most 1e-6 m̄
-    /// ([`RemarkFlags::of_error`]): a less accurate response v* leaves the gradient no digits. The root link stays at its place.
+    /// ([`RemarkFlags::of_error`]): a less accurate response v* leaves the gradient no digits.
     ///
     /// ```text
     /// g = ∂m̄/∂q along admissible motions:  dm̄/dt = g · q̇   for every q̇ with A q̇ = 0
@@ -86,7 +91,8 @@ impl Pose {
         bodies.add_contact(contact);
         let multipliers = bodies.multipliers();
         bodies.add_constraints(&multipliers);
-        Ok(Some(MassGradient { effective_mass: mass, joints: bodies.gradient() }))
+        let base = bodies.base_gradient(contact);
+        Ok(Some(MassGradient { effective_mass: mass, joints: bodies.gradient(), base }))
     }
 }
 
@@ -314,6 +320,25 @@ impl<'a> BodyResponse<'a> {
         };
         let body = self.model().body_of(hold.link);
         self.add_wrench((body, None), &[], 1.0, &Wrench::of_force(force, &at), rate);
+    }
+
+    /// g of the root link: the link and the normal turn together, less the turn of a normal that is fixed in the world.
+    fn base_gradient(&self, contact: &Contact) -> [f64; 6] {
+        let is_fixed = match contact.normal.vector() {
+            Some((_, Frame::World)) => true,
+            Some((_, Frame::Against)) => contact.against.is_none(),
+            Some((_, Frame::Link)) | None => false,
+        };
+        if !is_fixed {
+            return [0.0; 6];
+        }
+        let (model, located) = (self.model(), &self.response.contact);
+        let against = contact.against.and_then(|link| model.body_of(link));
+        let relative = self.twist(model.body_of(contact.link)) - self.twist(against);
+        // The contact point is the origin of the twists.
+        let velocity = if located.is_moment { relative.angular } else { relative.linear };
+        let turn = 2.0 * self.mass * located.normal_root.cross(&velocity);
+        [turn.x, turn.y, turn.z, 0.0, 0.0, 0.0]
     }
 
     /// g of every joint.
