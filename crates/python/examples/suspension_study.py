@@ -18,7 +18,7 @@ SHEET = Path(__file__).resolve().parents[3] / "models/suspensions/double-wishbon
 def main() -> None:
     # Some real inertias violate the triangle inequality, which raises a warning.
     warnings.simplefilter("ignore", percuss.ModelWarning)
-    corner = percuss.load_suspension(Path(sys.argv[1]) if len(sys.argv) > 1 else SHEET)
+    corner = percuss.suspension.load(Path(sys.argv[1]) if len(sys.argv) > 1 else SHEET)
     spring = percuss.Contact(
         "spring_seat", [0, 0, 0], toward=("spring_chassis_seat", [0, 0, 0]), against="chassis"
     )
@@ -29,8 +29,8 @@ def main() -> None:
     for row in report.rows:
         (where,) = row["varied"].values()
         print(f"{1e3 * where:11.1f} {row['effective_mass']:21.4f} {row['estimate']:15.4f} {row['motion_ratio']:14.4f}")
-    damping = percuss.Damping(restitution=0.3, stiffness=2e5, speed=1.0)
-    damper = percuss.damp_contact(corner, spring, damping)
+    damping = percuss.contact_law.Damping(restitution=0.3, stiffness=2e5, speed=1.0)
+    damper = percuss.contact_law.damp_contact(corner, spring, damping)
     print(f"for e = 0.3 on 200 N/mm, {damper.effective_mass:.4f} kg: damping ratio {damper.damping_ratio:.6f}")
 
 

@@ -35,7 +35,7 @@ mod module {
     #[pymodule_export]
     use crate::conversion::threads::set_threads;
     #[pymodule_export]
-    use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
+    use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, safe_speeds, tools};
     #[pymodule_export]
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]
@@ -44,7 +44,11 @@ mod module {
         reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
     };
     #[pymodule_export]
-    use crate::sweep::{Sweep, sweep, sweep_of_arrays};
+    use crate::sweep::impacts::impact_rows;
+    #[pymodule_export]
+    use crate::sweep::result::{Sweep, sweep_of_parts};
+    #[pymodule_export]
+    use crate::sweep::sweep;
 
     /// Records the id of the importing process.
     #[pymodule_init]

@@ -25,7 +25,7 @@ import pytest
 from cases import ROOT
 from test_every_call import (
     APART, ARM, ASSEMBLY, BAR, CALLS, CLOSED, CORNER, COUPLER, DAMPING, MASS, MOVING, NO_CALLS, POINTS, POSE, Q, RESPONSE, ROW, SHAPED,
-    STUDY, SWEEP, SYSTEM, TOOL, TRAVEL, WITHIN, workspace,
+    STATE, STUDY, SWEEP, SYSTEM, TOOL, TRAVEL, WITHIN, workspace,
 )  # fmt: skip
 
 import percuss
@@ -57,11 +57,11 @@ def conditions_of(**fields: Any) -> Any:
 
 
 def damping_of(**fields: Any) -> Any:
-    return percuss.damp(2.0, percuss.Damping(**fields))
+    return percuss.contact_law.damp(2.0, percuss.contact_law.Damping(**fields))
 
 
 def design_of(**fields: Any) -> Any:
-    return percuss.compare([percuss.Design(**fields), percuss.Design("other", ARM, TOOL)])
+    return percuss.study.compare([percuss.study.Design(**fields), percuss.study.Design("other", ARM, TOOL)])
 
 
 ROWS: dict[str, Any] = {"vary": None, "input": None, "ignore": [], "random": 3, "seed": 0}
@@ -75,17 +75,17 @@ MATRICES: dict[str, Any] = {
 CASES: dict[str, Call] = {
     "load": Call(percuss.load, {"path": ROOT / "models/planar_2r.urdf", "accept": [], "max_size": 1 << 20}),
     "loads": Call(percuss.loads, {"text": (ROOT / "models/planar_2r.urdf").read_text(), "name": "arm", "accept": []}),
-    "load_suspension": Call(
-        percuss.load_suspension,
+    "suspension.load": Call(
+        percuss.suspension.load,
         {"path": ROOT / "models/suspensions/double-wishbone.toml", "side": None, "unit": None, "axes": None, "template": None,
          "wheel": None, "rack_mass": None, "move": {}, "allow_outside": False, "worksheet": None},
     ),
-    "suspension_template": Call(percuss.suspension_template, {"name": "double-wishbone", "unit": "mm", "axes": "iso"}),
-    "suspension_templates": Call(percuss.suspension_templates, {}),
-    "laws": Call(percuss.laws, {}),
-    "tools": Call(percuss.tools, {}),
+    "suspension.template": Call(percuss.suspension.template, {"name": "double-wishbone", "unit": "mm", "axes": "iso"}),
+    "suspension.templates": Call(percuss.suspension.templates, {}),
+    "contact_law.laws": Call(percuss.contact_law.laws, {}),
+    "contact_law.tools": Call(percuss.contact_law.tools, {}),
     "regions": Call(percuss.regions, {}),
-    "study_schema": Call(percuss.study_schema, {}),
+    "study.schema": Call(percuss.study.schema, {}),
     "set_threads": Call(percuss.set_threads, {"threads": 2}),
     "check": Call(percuss.check, {"model": ARM}),
     "mass": Call(percuss.mass, {"model": ARM, "contact": TOOL, "conditions": None, "damping": None}),
@@ -97,14 +97,14 @@ CASES: dict[str, Call] = {
         {"model": SHAPED, "conditions": None, "against": None, "links": ["finger"], "shapes": "auto", "edge": 0.05, "packages": {}},
     ),
     "map_point": Call(percuss.map_point, {"model": ARM, "contact": TOOL, "directions": 20, "conditions": None}),
-    "damp": Call(percuss.damp, {"mass": 2.0, "damping": DAMPING}),
-    "damp_contact": Call(
-        percuss.damp_contact, {"model": CORNER, "contact": "bump_stop", "damping": DAMPING, "conditions": None}
+    "contact_law.damp": Call(percuss.contact_law.damp, {"mass": 2.0, "damping": DAMPING}),
+    "contact_law.damp_contact": Call(
+        percuss.contact_law.damp_contact, {"model": CORNER, "contact": "bump_stop", "damping": DAMPING, "conditions": None}
     ),
-    "damp_stop": Call(
-        percuss.damp_stop, {"model": ARM, "joint": "elbow", "damping": DAMPING, "conditions": None, "end": "upper"}
+    "contact_law.damp_stop": Call(
+        percuss.contact_law.damp_stop, {"model": ARM, "joint": "elbow", "damping": DAMPING, "conditions": None, "end": "upper"}
     ),
-    "impact_history": Call(percuss.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
+    "contact_law.impact_history": Call(percuss.contact_law.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
     "explain": Call(percuss.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
     "friction_thresholds": Call(percuss.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
     "reflected_inertias": Call(
@@ -114,11 +114,11 @@ CASES: dict[str, Call] = {
         percuss.tolerate,
         {"model": ARM, "contact": TOOL, "tolerance": "mass=2%", "conditions": None, "samples": 5, "seed": 0},
     ),
-    "compare": Call(
-        percuss.compare,
-        {"designs": [percuss.Design("a", ARM, TOOL), percuss.Design("b", ARM, TOOL)], **ROWS},
+    "study.compare": Call(
+        percuss.study.compare,
+        {"designs": [percuss.study.Design("a", ARM, TOOL), percuss.study.Design("b", ARM, TOOL)], **ROWS},
     ),
-    "compare_study": Call(percuss.compare_study, {"path": VARIANTS}),
+    "study.compare_study": Call(percuss.study.compare_study, {"path": VARIANTS}),
     "impact": Call(
         percuss.impact,
         {"model": ARM, "contact": TOOL, "restitution": 0.5, "conditions": None, "speed": 1.0, "friction": None, "rates": None,
@@ -140,19 +140,26 @@ CASES: dict[str, Call] = {
         percuss.safe_speed_directions,
         {"model": ARM, "contact": TOOL, "region": "chest", "directions": [[0, 1, 0]], "conditions": None, "worst": False, **LIMITS},
     ),
-    "kinematics": Call(
-        percuss.kinematics,
-        {name: parameter.default for name, parameter in inspect.signature(percuss.kinematics).parameters.items()}
+    "suspension.kinematics": Call(
+        percuss.suspension.kinematics,
+        {name: parameter.default for name, parameter in inspect.signature(percuss.suspension.kinematics).parameters.items()}
         | {"model": CORNER, "wheel_travel": [0.0, 0.01]},
     ),
-    "ask": Call(percuss.ask, {"model": ARM, "request": {"contact": {"link": "tool", "point": [0, 0, 0], "normal": [1, 0, 0]}}}),
-    "run_study": Call(percuss.run_study, {"path": STUDY}),
-    "starting_study": Call(percuss.starting_study, {"model": BAR, "path": "four_bar.urdf"}),
+    "study.ask": Call(percuss.study.ask, {"model": ARM, "request": {"contact": {"link": "tool", "point": [0, 0, 0], "normal": [1, 0, 0]}}}),
+    "study.run": Call(percuss.study.run, {"path": STUDY}),
+    "study.starting": Call(percuss.study.starting, {"model": BAR, "path": "four_bar.urdf"}),
     "sweep": Call(
         percuss.sweep,
         {"model": ARM, "contact": TOOL, "q": Q[:4], "joints": None, "base_pose": None, "other_assembly": False, "points": POINTS[:4],
-         "normals": POINTS[:4], "gradient": True, "inverse_operational_inertia": True, "threads": 1, "progress": None},
+         "normals": POINTS[:4], "gradient": True, "inverse_operational_inertia": True, "ignore": [], "nan": "refuse", "threads": 1,
+         "progress": None},
     ),
+    "impacts": Call(
+        percuss.impacts,
+        {"model": ARM, "contacts": [TOOL], "state": STATE, "restitution": 0.5, "law": "newton", "reactions": True, "impact_map": False,
+         "threads": 1, "progress": None},
+    ),
+    "safe_speeds": Call(percuss.safe_speeds, {"mass": [1.0, 2.0], "region": "chest", **{name: LIMITS[name] for name in list(LIMITS)[:5]}}),
     "position_gradient": Call(percuss.position_gradient, {"model": ARM, "q": Q[:1], "gradient": np.ones((1, 6))}),
     "effective_mass": Call(percuss.effective_mass, MATRICES),
     "effective_masses": Call(percuss.effective_masses, {**MATRICES, "M": np.stack([MASS, MASS]), "A": None}),
@@ -160,10 +167,10 @@ CASES: dict[str, Call] = {
         conditions_of,
         {field.name: getattr(percuss.Conditions(), field.name) for field in dataclasses.fields(percuss.Conditions)},
     ),
-    "Damping": Call(
-        damping_of, {field.name: getattr(DAMPING, field.name) for field in dataclasses.fields(percuss.Damping)}
+    "contact_law.Damping": Call(
+        damping_of, {field.name: getattr(DAMPING, field.name) for field in dataclasses.fields(percuss.contact_law.Damping)}
     ),
-    "Design": Call(design_of, {"name": "a", "model": ARM, "contact": TOOL, "conditions": None}),
+    "study.Design": Call(design_of, {"name": "a", "model": ARM, "contact": TOOL, "conditions": None}),
     "Contact": Call(
         lambda **given: POSE.respond(percuss.Contact(**given)),
         {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0], "against": "forearm", "toward": None, "normal_frame": "link",
@@ -199,12 +206,16 @@ CASES: dict[str, Call] = {
     "Pose.contact_row": Call(POSE.contact_row, {"contact": TOOL}),
     "Pose.point_jacobian": Call(POSE.point_jacobian, {**PLACE, "frame": None}),
     "Pose.inverse_operational_inertia": Call(POSE.inverse_operational_inertia, {"contact": TOOL, "frame": None}),
+    "Pose.contact_mobility": Call(POSE.contact_mobility, {"contact": TOOL, "frame": None}),
+    "Pose.jacobian": Call(POSE.jacobian, {**PLACE, "frame": None}),
+    "Pose.velocity_matrix": Call(POSE.velocity_matrix, {}),
+    "Pose.base_gradient": Call(POSE.base_gradient, {"contact": TOOL, "frame": None}),
     "Pose.contact_map": Call(
         POSE.contact_map, {"link": "tool", "points": POINTS[:3], "normals": POINTS[:3], "against": None}
     ),
     "Pose.principal_masses": Call(POSE.principal_masses, {**PLACE, "against": None}),
     "Pose.effective_mass_gradient": Call(POSE.effective_mass_gradient, {"contact": TOOL}),
-    "Pose.effective_mass_rate": Call(POSE.effective_mass_rate, {"contact": TOOL, "velocities": {"elbow": 1.0}}),
+    "Pose.effective_mass_rate": Call(POSE.effective_mass_rate, {"contact": TOOL, "velocities": {"elbow": 1.0}, "base_twist": [0.0] * 6, "frame": None}),
     "Pose.accelerations": Call(
         POSE.accelerations,
         {"velocities": {"elbow": 1.0}, "base": [0.0] * 6, "gravity": [0, 0, -9.81], "forces": [("tool", [0, 0, 0], [0, 0, 1])],
@@ -226,6 +237,8 @@ CASES: dict[str, Call] = {
     ),
     "Response.against_mass": Call(RESPONSE.against_mass, {"mass": 2.0}),
     "Sweep.to_svg": Call(SWEEP.to_svg, {}),
+    "Sweep.to_dataframe": Call(SWEEP.to_dataframe, {}),
+    "Sweep._parts": Call(SWEEP._parts, {}),
     "Sweep._repr_html_": Call(SWEEP._repr_html_, {}),
 }  # fmt: skip
 
@@ -310,7 +323,7 @@ def faults_of(name: str) -> list[str]:
             pass
         except percuss.PercussError as error:
             # The model of kinematics may be a path.
-            if argument in OTHER_NAMES or (name, argument) == ("kinematics", "model") or kind in VALID_ALONE | OUT_OF_RANGE:
+            if argument in OTHER_NAMES or (name, argument) == ("suspension.kinematics", "model") or kind in VALID_ALONE | OUT_OF_RANGE:
                 continue
             if argument.lower() not in str(error).lower().replace("-", "_").replace(" ", "_"):
                 found.append(f"{place}: the message does not name it: {str(error)[:300]}")

@@ -28,19 +28,20 @@ warnings.simplefilter("ignore", percuss.ModelWarning)
 STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
 #: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
-    "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
-    "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
-    "kinematics": "kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
-    "matrix_findings": "MatrixBatch", "run_study": "run_study", "reflected_inertias": "reflected_inertias", "safe_speed": "safe_speed",
-    "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
+    "check": "check", "compare": "study.compare", "compare_study": "study.compare_study", "damp": "contact_law.damp_contact",
+    "damp_mass": "contact_law.damp", "extremes": "extremes", "impact": "impact", "impact_history": "contact_law.impact_history",
+    "kinematics": "suspension.kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
+    "matrix_findings": "MatrixBatch", "run_study": "study.run", "reflected_inertias": "reflected_inertias", "safe_speed": "safe_speed",
+    "starting_study": "study.starting", "study_schema": "study.schema", "sweep_report": "sweep_report", "impact_rows": "impacts",
+    "ask": "study.ask", "laws": "contact_law.laws", "tools": "contact_law.tools", "load_suspension": "suspension.load",
+    "suspension_template": "suspension.template", "suspension_templates": "suspension.templates",
 }  # fmt: skip
 #: Functions without a case: test_pickle.py tests those for pickles; run_command ends its process.
-APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_arrays", "run_command"}
+APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_parts", "run_command"}
 #: Exceptions, constants and modules.
 NO_CALLS = {
     "ArgumentTypeError", "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "NotComputedError", "PercussError",
-    "FINITE", "IMMOVABLE",
-    "MASSLESS", "MASSLESS_TO_ROUNDING", "NO_ANSWER", "converters", "records", "Report", "MapReport", "Kinematics",
+    "converters", "records", "Report", "MapReport", "Impacts", "SweepRow",
     # These need other programs; tests/peers/converters.py tests them.
     "from_mujoco", "from_pinocchio",
 }  # fmt: skip
@@ -55,11 +56,12 @@ SYSTEM, ASSEMBLY = ARM.system(), BAR.assemble()
 POSE, CLOSED = ARM.pose({"elbow": 0.3}), BAR.pose({"crank_hinge": 0.2})
 RESPONSE = CLOSED.respond(COUPLER)
 TRAVEL = percuss.Travel(BAR.pose(), "coupler", [0.35, 0.1, 0], [0, 1, 0])
-DAMPING = percuss.Damping(0.5, 2e5, speed=1.0)
-DESIGNS = [percuss.Design("a", CORNER, "bump_stop"), percuss.Design("b", CORNER, "spring")]
+DAMPING = percuss.contact_law.Damping(0.5, 2e5, speed=1.0)
+DESIGNS = [percuss.study.Design("a", CORNER, "bump_stop"), percuss.study.Design("b", CORNER, "spring")]
 MASS, ROW = np.array([[2.0, 0.3], [0.3, 1.0]]), np.array([1.0, -0.5])
 Q = np.linspace(-0.5, 0.5, 600).reshape(100, 6)
 POINTS = np.tile([0.08, 0.01, 0.0], (100, 1))
+STATE = percuss.State(ARM, Q[:3], velocities=Q[3:6])
 SWEEP = percuss.sweep(ARM, TOOL, Q, gradient=True, inverse_operational_inertia=True)
 MATRIX = percuss.effective_mass(MASS, ROW)
 MOVING = POSE.accelerations({"yaw": 1.0}, gravity=[0, 0, -9.81])
@@ -84,11 +86,11 @@ def diagnostic() -> percuss.Diagnostic:
 CASES: dict[str, Callable[[], Any]] = {
     "load": lambda: percuss.load(ROOT / "models/planar_2r.urdf").name,
     "loads": lambda: percuss.loads((ROOT / "models/planar_2r.urdf").read_text()).name,
-    "load_suspension": lambda: percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml").name,
-    "suspension_template": lambda: percuss.suspension_template("double-wishbone"),
-    "suspension_templates": percuss.suspension_templates,
-    "laws": percuss.laws,
-    "tools": percuss.tools,
+    "suspension.load": lambda: percuss.suspension.load(ROOT / "models/suspensions/double-wishbone.toml").name,
+    "suspension.template": lambda: percuss.suspension.template("double-wishbone"),
+    "suspension.templates": percuss.suspension.templates,
+    "contact_law.laws": percuss.contact_law.laws,
+    "contact_law.tools": percuss.contact_law.tools,
     "regions": percuss.regions,
     "set_threads": lambda: percuss.set_threads(None),
     "check": lambda: percuss.check(ARM).total_mass,
@@ -96,34 +98,38 @@ CASES: dict[str, Callable[[], Any]] = {
     "sweep_report": lambda: percuss.sweep_report(BAR, COUPLER, vary="crank_hinge=0:0.2:5", gradient=True).rows,
     "map": lambda: percuss.map(SHAPED, links=["finger"]).links,
     "map_point": lambda: percuss.map_point(ARM, TOOL, 20).principal,
-    "damp": lambda: percuss.damp(2.0, DAMPING).damping,
-    "damp_contact": lambda: percuss.damp_contact(CORNER, "bump_stop", DAMPING).damping,
-    "damp_stop": lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper").damping,
-    "impact_history": lambda: percuss.impact_history(2.0, DAMPING, 20).tolist(),
+    "contact_law.damp": lambda: percuss.contact_law.damp(2.0, DAMPING).damping,
+    "contact_law.damp_contact": lambda: percuss.contact_law.damp_contact(CORNER, "bump_stop", DAMPING).damping,
+    "contact_law.damp_stop": lambda: percuss.contact_law.damp_stop(ARM, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper").damping,
+    "contact_law.impact_history": lambda: percuss.contact_law.impact_history(2.0, DAMPING, 20).tolist(),
     "explain": lambda: percuss.explain(ARM, TOOL),
     "friction_thresholds": lambda: percuss.friction_thresholds(ARM, TOOL),
     "reflected_inertias": lambda: percuss.reflected_inertias(BAR, ["crank_hinge"]),
     "tolerate": lambda: percuss.tolerate(ARM, TOOL, "mass=2%", samples=20),
-    "compare": lambda: percuss.compare(DESIGNS).designs,
-    "compare_study": lambda: percuss.compare_study(ROOT / "models/studies/variants.toml").designs,
+    "study.compare": lambda: percuss.study.compare(DESIGNS).designs,
+    "study.compare_study": lambda: percuss.study.compare_study(ROOT / "models/studies/variants.toml").designs,
     "impact": lambda: percuss.impact(ARM, TOOL, 0.5, speed=1.0).impulse,
     "extremes": lambda: percuss.extremes(ARM, TOOL, ranges={"elbow": (-1.0, 1.0)}, starts=2).least,
     "safe_speed": lambda: percuss.safe_speed(ARM, TOOL, "chest", force=140.0).reflected,
     "safe_speed_directions": lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0),
-    "kinematics": lambda: percuss.kinematics(CORNER, wheel_travel=[0.0, 0.01]).values["camber"].tolist(),
-    "ask": lambda: percuss.ask(ARM, {"contact": {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0]}}).mass,
-    "run_study": lambda: percuss.run_study(STUDY).schema,
-    "starting_study": lambda: percuss.starting_study(BAR, "four_bar.urdf"),
-    "study_schema": percuss.study_schema,
+    "suspension.kinematics": lambda: percuss.suspension.kinematics(CORNER, wheel_travel=[0.0, 0.01]).values["camber"].tolist(),
+    "study.ask": lambda: percuss.study.ask(ARM, {"contact": {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0]}}).mass,
+    "study.run": lambda: percuss.study.run(STUDY).schema,
+    "study.starting": lambda: percuss.study.starting(BAR, "four_bar.urdf"),
+    "study.schema": percuss.study.schema,
     "sweep": lambda: percuss.sweep(ARM, TOOL, Q, points=POINTS, gradient=True, inverse_operational_inertia=True).effective_mass.sum(),
     "position_gradient": lambda: percuss.position_gradient(ARM, Q[:1], np.ones((1, 6))).tolist(),
     "effective_mass": lambda: percuss.effective_mass(MASS, ROW).effective_mass,
     "effective_masses": lambda: percuss.effective_masses(np.stack([MASS, MASS]), ROW).effective_mass.tolist(),
     "MatrixBatch": lambda: [str(f) for f in percuss.effective_masses(np.stack([MASS, MASS]), ROW).findings],
+    "impacts": lambda: percuss.impacts(ARM, TOOL, STATE, restitution=0.5).velocities.tolist(),
+    "safe_speeds": lambda: percuss.safe_speeds([1.0, 2.0], "chest", force=140.0).tolist(),
+    "State": lambda: STATE.by_joint()["elbow"].tolist(),
+    "Status": lambda: percuss.Status(2).name,
     "RemarkFlags": lambda: int(percuss.RemarkFlags.OUTSIDE_LIMITS),
     "Conditions": lambda: percuss.Conditions(base="floating").base,
-    "Damping": lambda: percuss.Damping(0.5, 1e5).law,
-    "Design": lambda: percuss.Design("a", ARM, TOOL).name,
+    "contact_law.Damping": lambda: percuss.contact_law.Damping(0.5, 1e5).law,
+    "study.Design": lambda: percuss.study.Design("a", ARM, TOOL).name,
     "Contact": lambda: percuss.Contact("tool", [0, 0, 0], [0, 0, 1]).point,
     "Contact.about_axis": lambda: percuss.Contact.about_axis("tool", [0, 0, 1]).axis,
     "Contact.axis": lambda: TOOL.axis,
@@ -160,6 +166,10 @@ CASES: dict[str, Callable[[], Any]] = {
     "Pose.contact_row": lambda: POSE.contact_row(TOOL).tolist(),
     "Pose.point_jacobian": lambda: POSE.point_jacobian("tool", [0, 0, 0]).tolist(),
     "Pose.inverse_operational_inertia": lambda: POSE.inverse_operational_inertia(TOOL).tolist(),
+    "Pose.contact_mobility": lambda: POSE.contact_mobility(TOOL).tolist(),
+    "Pose.jacobian": lambda: POSE.jacobian("tool", [0, 0, 0]).tolist(),
+    "Pose.velocity_matrix": lambda: POSE.velocity_matrix().tolist(),
+    "Pose.base_gradient": lambda: np.asarray(POSE.base_gradient(TOOL)).tolist(),
     "Pose.contact_map": lambda: POSE.contact_map("tool", POINTS, POINTS)[0].tolist(),
     "Pose.principal_masses": lambda: [p["effective_mass"] for p in POSE.principal_masses("tool", [0, 0, 0]) or []],
     "Pose.effective_mass_gradient": lambda: sorted(POSE.effective_mass_gradient(TOOL) or {}),
@@ -180,6 +190,8 @@ CASES: dict[str, Callable[[], Any]] = {
     "Response.point_velocity": lambda: np.asarray(RESPONSE.point_velocity("coupler", [0, 0, 0])).tolist(),
     "Response.against_mass": lambda: RESPONSE.against_mass(2.0).effective_mass,
     "Sweep.to_svg": SWEEP.to_svg,
+    "Sweep.to_dataframe": lambda: str(SWEEP.to_dataframe()),
+    "Sweep._parts": lambda: str(SWEEP._parts()),
     "Sweep._repr_html_": lambda: SWEEP._repr_html_(),
 }
 #: Objects whose properties are all read.

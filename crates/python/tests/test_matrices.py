@@ -84,7 +84,7 @@ def test_batches() -> None:
     _, _, outcomes = percuss.effective_masses(
         np.array([np.eye(2), np.diag([0.0, 1.0])]), np.array([[0.0, 0.0001], [1.0, 0.0]]), [[0.0, 1.0]]
     )
-    assert list(outcomes) == [percuss.IMMOVABLE, percuss.MASSLESS]
+    assert list(outcomes) == [percuss.Status.IMMOVABLE, percuss.Status.MASSLESS]
 
 
 def test_a_batch_has_the_findings_of_its_problems() -> None:
@@ -95,7 +95,7 @@ def test_a_batch_has_the_findings_of_its_problems() -> None:
     batch = percuss.effective_masses(M, j, A)
     assert len(batch) == 3 and batch[0] is batch.effective_mass and batch[2] is batch.status
     assert batch.remarks.dtype == np.uint32 and batch.remarks.shape == (5,)
-    assert list(batch.status) == [percuss.FINITE, percuss.FINITE, percuss.FINITE, percuss.MASSLESS, percuss.FINITE]
+    assert list(batch.status) == [percuss.Status.FINITE, percuss.Status.FINITE, percuss.Status.FINITE, percuss.Status.MASSLESS, percuss.Status.FINITE]
     # A problem of the batch has as many kinds of findings as alone.
     for at in range(5):
         alone = percuss.effective_mass(M[at], j[at], A[at]).remarks

@@ -69,7 +69,7 @@ def test_the_matrices_of_a_pose_have_its_mass(case: Case) -> None:
     assert v @ mass @ v == pytest.approx(found.effective_mass, rel=1e-9)
     w = np.concatenate([np.zeros(3), response.normal_world, np.zeros(3), -response.normal_world])
     try:
-        phi = pose.inverse_operational_inertia(case.contact)
+        phi = pose.contact_mobility(case.contact)
     except percuss.NoAnswerError as error:
         assert "motion without mass" in str(error)
         return

@@ -77,7 +77,7 @@ def test_maps_refuse_what_means_nothing(points: object, normals: object, words: 
 def test_a_contact_without_a_direction_has_no_answer() -> None:
     pose = percuss.load(ROOT / "models/six_r_arm.urdf").pose()
     masses, _, status = pose.contact_map("tool", np.zeros((2, 3)), [[0, 0, 0], [0, 1, 0]])
-    assert list(status) == [percuss.NO_ANSWER, percuss.FINITE] and np.isnan(masses[0])
+    assert list(status) == [percuss.Status.NO_ANSWER, percuss.Status.FINITE] and np.isnan(masses[0])
 
 
 LINKAGES = [
@@ -281,8 +281,8 @@ def test_designs_side_by_side() -> None:
         heavy = moved.changed(link_mass={"upright": 30.0})
     assert percuss.check(heavy).total_mass != percuss.check(sheet).total_mass
     contact = percuss.Contact("spring_seat", [0, 0, 0], toward=("spring_chassis_seat", [0, 0, 0]), against="chassis")
-    designs = [percuss.Design("as drawn", sheet, contact), percuss.Design("moved", moved, contact), percuss.Design("heavy", heavy, contact)]
-    report = percuss.compare(designs, vary="travel:wheel:0,0,0:0,0,1=-10mm:10mm:3")
+    designs = [percuss.study.Design("as drawn", sheet, contact), percuss.study.Design("moved", moved, contact), percuss.study.Design("heavy", heavy, contact)]
+    report = percuss.study.compare(designs, vary="travel:wheel:0,0,0:0,0,1=-10mm:10mm:3")
     assert [design["name"] for design in report.designs] == ["as drawn", "moved", "heavy"] and len(report.rows) == 3
     for design, asked in zip(report.designs, designs):
         alone = percuss.mass(asked.model, contact)
@@ -292,7 +292,7 @@ def test_designs_side_by_side() -> None:
             assert design["difference_percent"] == pytest.approx(expected, abs=1e-9)
     assert report.rows[1]["effective_mass"] == pytest.approx([d["effective_mass"] for d in report.designs], rel=1e-8)
     with pytest.raises(percuss.InputError, match="two at least"):
-        percuss.compare(designs[:1])
+        percuss.study.compare(designs[:1])
     with pytest.raises(percuss.InputError, match="upright_"):
         sheet.changed(link_mass={"upright_": 1.0})
     with pytest.raises(percuss.InputError, match="sheet"):
@@ -305,7 +305,7 @@ def test_a_study_with_variants(tmp_path) -> None:  # type: ignore[no-untyped-def
         f'[model]\npath = "{ROOT}/models/six_r_arm.urdf"\nname = "arm"\n[contact]\nlink = "tool"\npoint = [0.08, 0, 0]\nnormal = [0, 1, 0]\n'
         '[[variant]]\nname = "light tool"\nlink_mass = { tool = "0.2kg" }\n'
     )
-    report = percuss.compare_study(study)
+    report = percuss.study.compare_study(study)
     assert [design["name"] for design in report.designs] == ["arm", "light tool"]
     model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
     light = model.changed(link_mass={"tool": 0.2}).pose().respond(contact).effective_mass
@@ -316,7 +316,7 @@ def test_studies_of_a_model(tmp_path) -> None:  # type: ignore[no-untyped-def]
     study, model = tmp_path / "study.toml", f'[model]\npath = "{ROOT}/models/suspensions/double-wishbone.toml"\n'
     for table, schema in (('[kinematics]\nvary = "wheel-travel=-10mm:10mm:3"\n', "percuss.kinematics/1"), ("[check]\n", "percuss.check/1")):
         study.write_text(model + table)
-        assert percuss.run_study(study).schema == schema
+        assert percuss.study.run(study).schema == schema
 
 
 def test_safe_speeds_by_energy_momentum_and_rows() -> None:

@@ -68,7 +68,7 @@ def test_workspaces_and_travels(again: Callable[[Any], Any]) -> None:
 
 @way
 def test_sheets_findings_and_errors(again: Callable[[Any], Any]) -> None:
-    sheet = percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml")
+    sheet = percuss.suspension.load(ROOT / "models/suspensions/double-wishbone.toml")
     sent = again(sheet)
     assert sent.links == sheet.links and sent.total_mass == pytest.approx(sheet.total_mass, rel=1e-15)
     with pytest.raises(percuss.LoadError) as caught:

@@ -20,14 +20,14 @@ from percuss.records import Record
 ARM = percuss.load(ROOT / "models/six_r_arm.urdf")
 TOOL = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
 CORNER = percuss.load(ROOT / "models/suspensions/double-wishbone.toml")
-DAMPING = percuss.Damping(0.5, 2e5, speed=1.0, tools=["all"])
+DAMPING = percuss.contact_law.Damping(0.5, 2e5, speed=1.0, tools=["all"])
 TRAVEL = "wheel-travel=-10mm:10mm:3"
 HIT: dict[str, Any] = {"speed": 1.0, "stiffness": 1e5}
 MORE: dict[str, Any] = {"friction": 0.3, "reflected": ["elbow"], "percussion": ["elbow"], "rate_limit": {"elbow": 1.0}}
 AT_ONCE: dict[str, Any] = {"sticking": True, "also": ["tool:0,0.1,0:0,0,1"]}
 WIDE = {"yaw": (-1.0, 1.0), "elbow": (-1.0, 1.0)}
 GUESS = percuss.Conditions(estimate=(["tool"],), ratio_at=[("tool", [0, 0, 0])], travel=[("tool", [0, 0, 0], [0, 0, 1], 0.0)])
-DESIGNS = [percuss.Design("a", CORNER, "bump_stop"), percuss.Design("b", CORNER, "spring")]
+DESIGNS = [percuss.study.Design("a", CORNER, "bump_stop"), percuss.study.Design("b", CORNER, "spring")]
 
 #: Calls with their type, and text in repr of their result.
 CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
@@ -38,16 +38,16 @@ CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
     "sweep of a stop": (lambda: percuss.sweep_report(CORNER, "bump_stop", vary=TRAVEL), "SweepReport", "rows: 3"),
     "map": (lambda: percuss.map(percuss.load(ROOT / "models/shaped_arm.urdf")), "MapReport", "links: "),
     "map of a point": (lambda: percuss.map_point(ARM, TOOL, 10), "PointMapReport", "directions: 10"),
-    "damp": (lambda: percuss.damp(2.0, DAMPING), "DampingReport", "peak_force: "),
-    "damp a contact": (lambda: percuss.damp_contact(CORNER, "bump_stop", DAMPING), "DampingReport", " N"),
-    "damp a stop": (lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper"), "DampingReport", " N"),
+    "damp": (lambda: percuss.contact_law.damp(2.0, DAMPING), "DampingReport", "peak_force: "),
+    "damp a contact": (lambda: percuss.contact_law.damp_contact(CORNER, "bump_stop", DAMPING), "DampingReport", " N"),
+    "damp a stop": (lambda: percuss.contact_law.damp_stop(ARM, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper"), "DampingReport", " N"),
     "explain": (lambda: percuss.explain(CORNER, "bump_stop"), "Explanation", "links"),
     "friction_thresholds": (lambda: percuss.friction_thresholds(CORNER, "bump_stop"), "FrictionThresholdsRecord", "jamming"),
     "reflected_inertias": (
         lambda: percuss.reflected_inertias(ARM, ["elbow", "elbow=0:1:3"]), "ReflectedReport", "reflected_over",
     ),
     "tolerate": (lambda: percuss.tolerate(CORNER, "bump_stop", "mass=2%,point=0.5mm", samples=10), "ToleranceReport", "worst_case"),
-    "compare": (lambda: percuss.compare(DESIGNS, vary=TRAVEL), "ComparisonReport", "designs: 2"),
+    "compare": (lambda: percuss.study.compare(DESIGNS, vary=TRAVEL), "ComparisonReport", "designs: 2"),
     "impact": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, **MORE, **AT_ONCE), "ImpactReport", "impulse: 5."),
     "impact in time": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, in_time=True), "ImpactReport", "impulse: 5."),
     "extremes": (lambda: percuss.extremes(ARM, TOOL, ranges=WIDE, starts=3), "ExtremesReport", "least.effective_mass: 3."),
@@ -55,8 +55,8 @@ CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
     "directions": (
         lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0)[0], "SafeSpeedReport", "m/s"
     ),
-    "kinematics": (lambda: percuss.kinematics(CORNER, wheel_travel=[-0.01, 0, 0.01]).report, "KinematicsReport", "rows: 3"),
-    "study": (lambda: percuss.run_study(ROOT / "models/four_bar.toml"), "", ""),
+    "kinematics": (lambda: percuss.suspension.kinematics(CORNER, wheel_travel=[-0.01, 0, 0.01]).report, "KinematicsReport", "rows: 3"),
+    "study": (lambda: percuss.study.run(ROOT / "models/four_bar.toml"), "", ""),
 }
 #: Keys that are no names in Python.
 NO_NAMES = {"from"}
@@ -123,7 +123,7 @@ def test_keys_and_types(name: str) -> None:
 
 
 def test_a_wrong_type_is_found() -> None:
-    report = percuss.damp(2.0, percuss.Damping(0.5, 2e5))
+    report = percuss.contact_law.damp(2.0, percuss.contact_law.Damping(0.5, 2e5))
     assert list(keys_and_types(percuss.records.DampingReport.of({**report, "damping": "x"}), "damp"))
     assert list(keys_and_types(percuss.records.DampingReport.of({**report, "other": 1}), "damp"))
 

@@ -43,7 +43,7 @@ def test_check() -> None:
 
 
 def test_mass_with_a_damper_and_an_estimate() -> None:
-    damping = percuss.Damping(0.5, 2e5, speed=1.0, tools=["mujoco", "drake"])
+    damping = percuss.contact_law.Damping(0.5, 2e5, speed=1.0, tools=["mujoco", "drake"])
     links = percuss.load(ROOT / MODEL).links
     conditions = percuss.Conditions(lock=["spin"], estimate=([links[-1]],))
     report = percuss.mass(percuss.load(ROOT / MODEL), SEAT, conditions, damping=damping)
@@ -73,7 +73,7 @@ FIELDS_ONLY = {"closed_loops"}
 
 def keys(table: str) -> set[str]:
     """Python names of the keys of a table of a study."""
-    schema: dict[str, Any] = percuss.study_schema()["properties"][table]
+    schema: dict[str, Any] = percuss.study.schema()["properties"][table]
     # A table, or a list of tables.
     known: dict[str, Any] = next(one["properties"] for one in (schema, *schema.get("anyOf", ())) if "properties" in one)
     return {PYTHON_NAMES.get(f"{table}.{key}", key) for key in known} - {""}
@@ -91,7 +91,7 @@ def test_questions_have_the_keys_of_studies() -> None:
     expected = keys("conditions") | keys("pose") | (of_contact - contact) | {"hold"}
     assert names(percuss.Conditions) == expected
     assert of_contact <= contact | names(percuss.Conditions)
-    assert names(percuss.Damping) - FIELDS_ONLY == keys("damping")
+    assert names(percuss.contact_law.Damping) - FIELDS_ONLY == keys("damping")
 
 
 def test_named_contacts() -> None:
@@ -100,8 +100,8 @@ def test_named_contacts() -> None:
     for name in model.contacts:
         expected = printed("mass", "models/suspensions/double-wishbone.toml", "--at", name, "--format", "json")
         assert without_paths(percuss.mass(model, name)) == without_paths(expected)
-    damping = percuss.Damping(restitution=0.3, stiffness=1e6, speed=0.1)
-    named = percuss.damp_contact(model, "bump_stop", damping).named_contact
+    damping = percuss.contact_law.Damping(restitution=0.3, stiffness=1e6, speed=0.1)
+    named = percuss.contact_law.damp_contact(model, "bump_stop", damping).named_contact
     assert named is not None and named.brought_to_touch
     with pytest.raises(percuss.InputError, match="did you mean"):
         percuss.mass(model, "bumpstop")
@@ -113,15 +113,15 @@ def test_a_pose_or_a_system_replaces_the_model() -> None:
     pose, set = system.pose({"crank_hinge": 0.4}), {"crank_hinge": 0.4}
     given = percuss.Conditions(set=set, armature={"crank_hinge": 0.2})
     contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
-    damping = percuss.Damping(0.5, 2e5, speed=1.0)
+    damping = percuss.contact_law.Damping(0.5, 2e5, speed=1.0)
     calls: list[Callable[[Any, Any], Any]] = [
         lambda of, conditions: percuss.mass(of, contact, conditions).effective_mass,
         lambda of, conditions: percuss.impact(of, contact, 0.3, conditions, speed=1.0).impulse,
-        lambda of, conditions: percuss.damp_contact(of, contact, damping, conditions).effective_mass,
+        lambda of, conditions: percuss.contact_law.damp_contact(of, contact, damping, conditions).effective_mass,
         lambda of, conditions: percuss.safe_speed(of, contact, None, conditions, energy=1.0).reflected.speed,
         lambda of, conditions: percuss.map_point(of, contact, 20, conditions).principal[0].effective_mass,
         lambda of, conditions: percuss.reflected_inertias(of, ["crank_hinge"], conditions).reflected_inertia[0].free,
-        lambda of, conditions: percuss.compare([percuss.Design(n, of, contact, conditions) for n in "ab"]).designs[0].effective_mass,
+        lambda of, conditions: percuss.study.compare([percuss.study.Design(n, of, contact, conditions) for n in "ab"]).designs[0].effective_mass,
     ]
     for number, call in enumerate(calls):
         expected = call(bar, given)
@@ -148,7 +148,7 @@ def test_a_pose_or_a_system_replaces_the_model() -> None:
 
 
 def test_names_of_contacts_in_arrays() -> None:
-    car = percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml")
+    car = percuss.suspension.load(ROOT / "models/suspensions/double-wishbone.toml")
     pose = car.pose()
     for name in car.contacts:
         contact = car.contact(name)
@@ -241,9 +241,9 @@ def test_maps() -> None:
     for link in report.links:
         facets = report.facets[link["link"]]
         assert facets["points"].shape == facets["normals"].shape == (link["contacts"], 3)
-        assert (facets["status"] == percuss.FINITE).sum() == link["finite"]
+        assert (facets["status"] == percuss.Status.FINITE).sum() == link["finite"]
         assert facets["area"].sum() == pytest.approx(link["area"])
-        finite = facets["effective_mass"][facets["status"] == percuss.FINITE]
+        finite = facets["effective_mass"][facets["status"] == percuss.Status.FINITE]
         if link["smallest"]:
             assert finite.min() == link["smallest"]["effective_mass"]
     assert "<svg" in report._repr_html_() and report.to_svg().startswith("<svg")
@@ -254,35 +254,35 @@ def test_maps() -> None:
 
 
 def test_dampers() -> None:
-    damping = percuss.Damping(0.5, 1e5, speed=0.4)
+    damping = percuss.contact_law.Damping(0.5, 1e5, speed=0.4)
     # The command assumes a body without loops for a mass alone.
-    report = percuss.damp(2.281, percuss.Damping(0.5, 1e5, speed=0.4, tools=["all"], closed_loops=False))
-    assert percuss.damp(2.281, damping).exports == {}
+    report = percuss.contact_law.damp(2.281, percuss.contact_law.Damping(0.5, 1e5, speed=0.4, tools=["all"], closed_loops=False))
+    assert percuss.contact_law.damp(2.281, damping).exports == {}
     assert without_paths(report) == without_paths(
         printed("damp", "--mass", "2.281", "--stiffness", "1e5", "--restitution", "0.5", "--speed", "0.4", "--format", "json")
     )
-    history = percuss.impact_history(2.281, damping, 400)
+    history = percuss.contact_law.impact_history(2.281, damping, 400)
     assert history.shape == (400, 4) and history[0, 1] == 0
     assert history[-1, 2] == pytest.approx(-0.2, rel=1e-6)
     model = percuss.load(ROOT / MODEL)
-    assert percuss.damp_contact(model, SEAT, damping).effective_mass == pytest.approx(517.26528028793)
+    assert percuss.contact_law.damp_contact(model, SEAT, damping).effective_mass == pytest.approx(517.26528028793)
     arm = percuss.load(ROOT / "models/six_r_arm.urdf")
     joint = arm.joints[0].name
-    stop = percuss.damp_stop(arm, joint, damping, percuss.Conditions(set={joint: "10deg"}))
+    stop = percuss.contact_law.damp_stop(arm, joint, damping, percuss.Conditions(set={joint: "10deg"}))
     assert stop.stop == {"joint": joint, "motion": "turn"}
-    names = [law[0] for law in percuss.laws()]
+    names = [law[0] for law in percuss.contact_law.laws()]
     assert "kelvin-voigt" in names and len(names) == 14
-    assert len(percuss.tools()) > 10 and percuss.regions()
+    assert len(percuss.contact_law.tools()) > 10 and percuss.regions()
     for wrong, words in [
-        (percuss.Damping(1.5, 1e5), "restitution"),
-        (percuss.Damping(0.5, -1.0), "stiffness"),
-        (percuss.Damping(0.5, 1e5, law="none"), "none"),
-        (percuss.Damping(0.5, 1e5, tools=["none"]), "none"),
+        (percuss.contact_law.Damping(1.5, 1e5), "restitution"),
+        (percuss.contact_law.Damping(0.5, -1.0), "stiffness"),
+        (percuss.contact_law.Damping(0.5, 1e5, law="none"), "none"),
+        (percuss.contact_law.Damping(0.5, 1e5, tools=["none"]), "none"),
     ]:
         with pytest.raises(percuss.InputError, match=words):
-            percuss.damp(1.0, wrong)
+            percuss.contact_law.damp(1.0, wrong)
     with pytest.raises(percuss.ArgumentTypeError, match=r"Damping.separation is 'late' \(str\); expected 'force' or 'gap'"):
-        percuss.Damping(0.5, 1e5, separation="late")  # type: ignore[arg-type]
+        percuss.contact_law.Damping(0.5, 1e5, separation="late")  # type: ignore[arg-type]
 
 
 def test_safe_speeds() -> None:
@@ -352,7 +352,7 @@ def test_extremes() -> None:
     assert path.ranges == [] and path.path is not None and path.path["rows"] == 5
     assert path.least["effective_mass"] == pytest.approx(report.least["effective_mass"], rel=1e-9)
     assert path.most["effective_mass"] == pytest.approx(report.most["effective_mass"], rel=1e-9)
-    law = percuss.Damping(0.3, 2e5, speed=2.0)
+    law = percuss.contact_law.Damping(0.3, 2e5, speed=2.0)
     peak = percuss.extremes(model, contact, ranges={"elbow": (0.3, 2.5)}, quantity="peak:ground", contact_law=law)
     assert peak.unit == "N" and 0.0 < peak.least["value"] < peak.most["value"]
     with pytest.raises(percuss.InputError, match="contact law"):
@@ -363,7 +363,7 @@ def test_extremes() -> None:
 
 @pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)
 def test_studies(path) -> None:  # type: ignore[no-untyped-def]
-    report = percuss.run_study(path)
+    report = percuss.study.run(path)
     if report.schema.startswith("percuss.sweep"):
         assert len(report.rows) > 1 and any(row["status"] == "finite" for row in report.rows)
         assert "rows" in repr(report)
@@ -385,7 +385,7 @@ def test_suspension_sheets(path, tmp_path) -> None:  # type: ignore[no-untyped-d
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", percuss.ModelWarning)
-        model = percuss.load_suspension(path)
+        model = percuss.suspension.load(path)
     urdf = tmp_path / "out.urdf"
     ran = command("import", str(path), "-o", str(urdf))
     assert ran.returncode == 0, ran.stderr
@@ -410,48 +410,48 @@ def test_a_table_of_points_is_in_the_folder_of_its_sheet(tmp_path: Path) -> None
     sheet = tmp_path / "sheets/my.toml"
     sheet.write_text(text.replace("double-wishbone-points.xlsx", "../points.xlsx"))
     with pytest.raises(percuss.LoadError, match="allow_outside"):
-        percuss.load_suspension(sheet)
-    assert "upright" in percuss.load_suspension(sheet, allow_outside=True).links
+        percuss.suspension.load(sheet)
+    assert "upright" in percuss.suspension.load(sheet, allow_outside=True).links
     with pytest.raises(percuss.LoadError, match="nowhere"):
-        percuss.load_suspension(sheet, allow_outside=True, worksheet="nowhere")
+        percuss.suspension.load(sheet, allow_outside=True, worksheet="nowhere")
 
 
 def test_suspension_options_and_templates() -> None:
-    names = [name for name, _ in percuss.suspension_templates()]
+    names = [name for name, _ in percuss.suspension.templates()]
     assert len(SHEETS) >= 10 and "double-wishbone" in names
-    assert "double" in percuss.suspension_template("double-wishbone", unit="in", axes="adams").lower()
+    assert "double" in percuss.suspension.template("double-wishbone", unit="in", axes="adams").lower()
     with pytest.raises(percuss.InputError, match="did you mean double-wishbone"):
-        percuss.suspension_template("double-wishbon")
+        percuss.suspension.template("double-wishbon")
     path = ROOT / "models/suspensions/double-wishbone.toml"
-    both = percuss.load_suspension(path, side="both")
+    both = percuss.suspension.load(path, side="both")
     assert any(link.endswith("_left") for link in both.links) and any(link.endswith("_right") for link in both.links)
-    steered = percuss.load_suspension(path, rack_mass=3.0, wheel=(20.0, (0.5, 0.9, 0.5), 0.3))
+    steered = percuss.suspension.load(path, rack_mass=3.0, wheel=(20.0, (0.5, 0.9, 0.5), 0.3))
     rack = next(joint for joint in steered.joints if joint.name == "rack")
     assert rack.kind == "prismatic" and "contact_patch" in steered.links
     with pytest.raises(percuss.InputError, match="side"):
-        percuss.load_suspension(path, side="front")
+        percuss.suspension.load(path, side="front")
     with pytest.raises(percuss.LoadError, match="none.toml"):
-        percuss.load_suspension("none.toml")
+        percuss.suspension.load("none.toml")
 
 
 def test_a_study_to_begin_with(tmp_path: Path) -> None:
     path = ROOT / "models/four_bar.urdf"
-    text = percuss.starting_study(percuss.load(path), path)
+    text = percuss.study.starting(percuss.load(path), path)
     ran = command("init", str(path))
     assert ran.returncode == 0 and text == ran.stdout
     (tmp_path / "study.toml").write_text(text)
-    report = percuss.run_study(tmp_path / "study.toml")
+    report = percuss.study.run(tmp_path / "study.toml")
     assert report.effective_mass > 0
-    assert percuss.study_schema() == printed("schema") and "safe_speed" in percuss.study_schema()["properties"]
+    assert percuss.study.schema() == printed("schema") and "safe_speed" in percuss.study.schema()["properties"]
 
 
 def test_kinematics_are_those_of_the_command_and_of_the_motion_ratio() -> None:
-    model = percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml")
+    model = percuss.suspension.load(ROOT / "models/suspensions/double-wishbone.toml")
     travels = [-0.04, 0.0, 0.04]
-    found = percuss.kinematics(model, wheel_travel=travels)
+    found = percuss.suspension.kinematics(model, wheel_travel=travels)
     assert found.variable == "wheel-travel" and len(found) == 3 and found.problems == [None] * 3
     assert found.positions == pytest.approx(travels, abs=1e-15)
-    single = percuss.kinematics(model)
+    single = percuss.suspension.kinematics(model)
     assert len(single) == 1
     for name, column in found.values.items():
         assert column.shape == (3,)
@@ -461,17 +461,17 @@ def test_kinematics_are_those_of_the_command_and_of_the_motion_ratio() -> None:
     with pytest.raises(KeyError, match="there are"):
         found["cambre"]
     with pytest.raises(percuss.PercussError):
-        percuss.kinematics(percuss.load(ROOT / "models/four_bar.urdf"))
+        percuss.suspension.kinematics(percuss.load(ROOT / "models/four_bar.urdf"))
 
 
 def test_kinematics_need_no_masses(tmp_path: Path) -> None:
     text = (ROOT / "models/suspensions/double-wishbone.toml").read_text()
     sheet = tmp_path / "light.toml"
     sheet.write_text("\n".join(line for line in text.splitlines() if not line.startswith(("mass", "com", "inertia"))))
-    whole = percuss.kinematics(percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml"), heave=[-0.02, 0.03])
+    whole = percuss.suspension.kinematics(percuss.suspension.load(ROOT / "models/suspensions/double-wishbone.toml"), heave=[-0.02, 0.03])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", percuss.ModelWarning)
-        light = percuss.kinematics(sheet, heave=[-0.02, 0.03])
+        light = percuss.suspension.kinematics(sheet, heave=[-0.02, 0.03])
     assert "unsprung_mass" in light.missing
     for name, values in whole.values.items():
         if name not in light.missing:
@@ -500,7 +500,7 @@ def test_ask_answers_the_tables_of_a_study() -> None:
     model = percuss.load(ROOT / "models/four_bar.urdf")
     contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
     table = {"link": "coupler", "point": np.array([0.35, 0.1, 0.0]), "normal": [0, 1, 0]}
-    found = percuss.ask(
+    found = percuss.study.ask(
         model,
         {
             "contact": table,
@@ -513,7 +513,7 @@ def test_ask_answers_the_tables_of_a_study() -> None:
             "safe_speed": {"region": "chest", "force": 280},
         },
     )
-    damping = percuss.Damping(0.3, 2e5)
+    damping = percuss.contact_law.Damping(0.3, 2e5)
     assert found["mass"].damper == percuss.mass(model, contact, damping=damping).damper
     assert found["mass"].explanation == percuss.explain(model, contact)
     assert found["mass"].friction_thresholds == percuss.friction_thresholds(model, contact)
@@ -534,4 +534,4 @@ def test_ask_answers_the_tables_of_a_study() -> None:
     ]
     for tables, key in wrong:
         with pytest.raises(percuss.InputError, match=key.replace(".", r"\.")):
-            percuss.ask(model, {"contact": table, **tables})
+            percuss.study.ask(model, {"contact": table, **tables})

@@ -44,7 +44,7 @@ def test_a_sweep_answers_as_poses_do(case: Case) -> None:
     model = percuss.load(case.path)
     q = poses(case)
     swept = percuss.sweep(model.assemble(), case.contact, q)
-    assert len(swept) == len(q) and (swept.status == percuss.FINITE).all()
+    assert len(swept) == len(q) and (swept.status == percuss.Status.FINITE).all()
     alone = [model.pose(row).respond(case.contact).effective_mass for row in q]
     assert swept.effective_mass == pytest.approx(alone, rel=1e-9)
     workspace = model.assemble().workspace(case.contact)
@@ -63,7 +63,7 @@ def test_points_and_normals_of_rows(case: Case) -> None:
     for row, answer, status in zip(range(len(q)), swept.effective_mass, swept.status, strict=True):
         own = percuss.Contact(contact.link, points[row], normals[row], against=contact.against)
         alone = model.pose(q[row]).respond(own)
-        assert status == {"finite": percuss.FINITE, "immovable": percuss.IMMOVABLE, "massless": percuss.MASSLESS}[alone.status]
+        assert status == {"finite": percuss.Status.FINITE, "immovable": percuss.Status.IMMOVABLE, "massless": percuss.Status.MASSLESS}[alone.status]
         if alone.effective_mass is not None:
             assert answer == pytest.approx(alone.effective_mass, rel=1e-9)
     only_points = percuss.sweep(model.assemble(), contact, q, points=points)
@@ -169,7 +169,7 @@ def test_drivers_alone(model: str, contact: percuss.Contact, drivers: list[str] 
     steps = np.linspace(0, span, 300)
     q = np.outer(steps, np.linspace(1, 0.5, len(drivers)))
     swept = percuss.sweep(found, contact, q, joints=drivers)
-    assert (swept.status == percuss.FINITE).all()
+    assert (swept.status == percuss.Status.FINITE).all()
     report = [found.pose(dict(zip(drivers, row))).respond(contact).effective_mass for row in q[::23]]
     assert swept.effective_mass[::23] == pytest.approx(report, rel=1e-8)
     if len(drivers) == 1:
@@ -187,7 +187,7 @@ def test_rows_out_of_reach_have_no_answer_and_the_path_goes_on() -> None:
     there = np.concatenate([np.linspace(0, 0.1, 50), [3.0, -3.0], np.linspace(0.1, 0, 50)])[:, None]
     drivers = [driver]
     swept = percuss.sweep(model, contact, there, joints=drivers)
-    assert list(swept.status[50:52]) == [percuss.NO_ANSWER] * 2 and np.isnan(swept.effective_mass[50:52]).all()
+    assert list(swept.status[50:52]) == [percuss.Status.NO_ANSWER] * 2 and np.isnan(swept.effective_mass[50:52]).all()
     ok = np.delete(swept.effective_mass, [50, 51])
     assert ok[:50] == pytest.approx(ok[50:][::-1], rel=1e-8)
 
@@ -218,7 +218,7 @@ def test_outcomes_in_arrays() -> None:
     model = percuss.load(ROOT / "models/physical_pendulum.urdf")
     contact = percuss.Contact("body", [0, 0, -0.5], [1, 0, 0], normal_frame="world")
     swept = percuss.sweep(model, contact, [[0.0], [np.pi / 2], [0.3]])
-    assert list(swept.status) == [percuss.FINITE, percuss.IMMOVABLE, percuss.FINITE]
+    assert list(swept.status) == [percuss.Status.FINITE, percuss.Status.IMMOVABLE, percuss.Status.FINITE]
     assert np.isnan(swept.effective_mass[1]) and swept.effective_mass[0] == pytest.approx(2.2)
     assert swept.effective_mass.dtype == swept.error.dtype == np.float64 and swept.status.dtype == np.uint8
     assert "3 configurations, 2 finite" in repr(swept)
@@ -298,7 +298,7 @@ def test_every_row_of_a_path_has_its_findings() -> None:
     swept = percuss.sweep(model, contact, there, joints=[driver])
     assert swept.remarks.dtype == np.uint32 and len(swept.remarks) == len(swept)
     missing = swept.remarks & percuss.RemarkFlags.NO_ANSWER != 0
-    assert np.array_equal(missing, swept.status == percuss.NO_ANSWER) and missing.sum() == 2
+    assert np.array_equal(missing, swept.status == percuss.Status.NO_ANSWER) and missing.sum() == 2
     told = next(finding for finding in swept.findings if finding.code == "no-answer")
     assert told.severity == "warning" and told.message.endswith("(row 50, and 1 more)")
     assert "the pose does not exist, or" not in told.message
@@ -357,7 +357,7 @@ def test_findings_of_positions() -> None:
     closed = model.pose({"crank_hinge": 0.3}).positions
     swept = percuss.sweep(model, contact, [closed, closed + [0.1, 0, 0]])
     assert list(swept.remarks) == [0, percuss.RemarkFlags.OPEN_LOOPS] and codes(swept) == ["open-loops"]
-    assert list(swept.status) == [percuss.FINITE, percuss.NO_ANSWER]
+    assert list(swept.status) == [percuss.Status.FINITE, percuss.Status.NO_ANSWER]
 
     arm = percuss.load(ROOT / "models/six_r_arm.urdf")
     world = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0], normal_frame="world")

@@ -120,7 +120,7 @@ def main():
             pose = assembly.pose(q[row])
             for k, ((contact, _), found, truth) in enumerate(zip(contacts, swept, truths, strict=True)):
                 label = f"batch {batch}, contact {k} ({contact.link}), row {row}"
-                if found.status[row] != percuss.FINITE or truth is None:
+                if found.status[row] != percuss.Status.FINITE or truth is None:
                     wrong.append(f"{label}: status {found.status[row]}, true {truth and float(truth)}")
                     continue
                 if np.isnan(found.error[row]):

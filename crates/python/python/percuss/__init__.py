@@ -7,20 +7,22 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. mass, sweep_report, map, damp, impact, extremes, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel
-angles and motion ratios of suspensions. SI units throughout; quaternions are w, x, y, z.
+solver. State, impacts, safe_speeds: states of other programs, impacts and safe speeds in arrays. mass, sweep_report, map, impact, extremes,
+safe_speed, explain: the reports of the command line. suspension, study, contact_law: modules of these names. SI units throughout; quaternions are w, x, y, z.
 """
 
 from __future__ import annotations
 
+import warnings as _warnings
 from importlib.metadata import version as _version
+from typing import TYPE_CHECKING as _TYPE_CHECKING
 from typing import Any as _Any
 
 from . import _arguments, _percuss
 
 _arguments.convert_all(_percuss, [name for name in _percuss.__all__ if name != "Workspace"])
 
-from . import converters, records
+from . import contact_law, converters, records, study, suspension
 from ._errors import (
     ArgumentTypeError,
     AssemblyError,
@@ -32,7 +34,7 @@ from ._errors import (
     PercussError,
 )
 from ._gradients import position_gradient
-from ._kinematics import Kinematics, kinematics
+from ._impacts import Impacts, impacts, safe_speeds
 from ._matrices import MatrixBatch
 from ._percuss import (
     Accelerations,
@@ -50,76 +52,52 @@ from ._percuss import (
     Workspace,
     effective_mass,
     effective_masses,
-    laws,
     load,
-    load_suspension,
     loads,
     regions,
     set_threads,
-    suspension_template,
-    suspension_templates,
     sweep,
-    tools,
 )
 from ._percuss import diagnostic_of_parts as _diagnostic
 from ._percuss import joint_of_parts as _joint
 from ._percuss import model_of_bytes as _model_of_bytes
-from ._percuss import sweep_of_arrays as _sweep_of_arrays
+from ._percuss import sweep_of_parts as _sweep_of_parts
 from ._remarks import RemarkFlags
 from ._reports import (
-    Design,
     MapReport,
     Report,
-    ask,
     check,
-    compare,
-    compare_study,
-    damp,
-    damp_contact,
-    damp_stop,
     explain,
     extremes,
     friction_thresholds,
     impact,
-    impact_history,
     map,
     map_point,
     mass,
     reflected_inertias,
-    run_study,
     safe_speed,
     safe_speed_directions,
-    starting_study,
-    study_schema,
     sweep_report,
     tolerate,
 )
-from ._request import Conditions, Damping
+from ._request import Conditions
+from ._sweeps import Status, SweepRow
 from .converters import from_mujoco, from_pinocchio
+from .state import State
 
 __version__ = _version("percuss")
 
-#: Status codes in the arrays of sweep, effective_masses and contact maps.
-FINITE, IMMOVABLE, MASSLESS, NO_ANSWER, MASSLESS_TO_ROUNDING = range(5)
-
 __all__ = [
-    "FINITE",
-    "IMMOVABLE",
-    "MASSLESS",
-    "MASSLESS_TO_ROUNDING",
-    "NO_ANSWER",
     "Accelerations",
     "ArgumentTypeError",
     "Assembly",
     "AssemblyError",
     "Conditions",
     "Contact",
-    "Damping",
-    "Design",
     "Diagnostic",
+    "Impacts",
     "InputError",
     "Joint",
-    "Kinematics",
     "LoadError",
     "MapReport",
     "MatrixBatch",
@@ -133,18 +111,16 @@ __all__ = [
     "RemarkFlags",
     "Report",
     "Response",
+    "State",
+    "Status",
     "Sweep",
+    "SweepRow",
     "System",
     "Travel",
     "Workspace",
-    "ask",
     "check",
-    "compare",
-    "compare_study",
+    "contact_law",
     "converters",
-    "damp",
-    "damp_contact",
-    "damp_stop",
     "effective_mass",
     "effective_masses",
     "explain",
@@ -153,11 +129,8 @@ __all__ = [
     "from_mujoco",
     "from_pinocchio",
     "impact",
-    "impact_history",
-    "kinematics",
-    "laws",
+    "impacts",
     "load",
-    "load_suspension",
     "loads",
     "map",
     "map_point",
@@ -166,19 +139,56 @@ __all__ = [
     "records",
     "reflected_inertias",
     "regions",
-    "run_study",
     "safe_speed",
     "safe_speed_directions",
+    "safe_speeds",
     "set_threads",
-    "starting_study",
-    "study_schema",
-    "suspension_template",
-    "suspension_templates",
+    "study",
+    "suspension",
     "sweep",
     "sweep_report",
     "tolerate",
-    "tools",
 ]
+
+
+#: Names that have moved.
+_MOVED = {
+    "Damping": "contact_law.Damping",
+    "Design": "study.Design",
+    "FINITE": "Status.FINITE",
+    "IMMOVABLE": "Status.IMMOVABLE",
+    "Kinematics": "suspension.Kinematics",
+    "MASSLESS": "Status.MASSLESS",
+    "MASSLESS_TO_ROUNDING": "Status.MASSLESS_TO_ROUNDING",
+    "NO_ANSWER": "Status.NO_ANSWER",
+    "ask": "study.ask",
+    "compare": "study.compare",
+    "compare_study": "study.compare_study",
+    "damp": "contact_law.damp",
+    "damp_contact": "contact_law.damp_contact",
+    "damp_stop": "contact_law.damp_stop",
+    "impact_history": "contact_law.impact_history",
+    "kinematics": "suspension.kinematics",
+    "laws": "contact_law.laws",
+    "load_suspension": "suspension.load",
+    "run_study": "study.run",
+    "starting_study": "study.starting",
+    "study_schema": "study.schema",
+    "suspension_template": "suspension.template",
+    "suspension_templates": "suspension.templates",
+    "tools": "contact_law.tools",
+}
+
+
+if not _TYPE_CHECKING:
+
+    def __getattr__(name: str) -> _Any:
+        """Object of a name that has moved; it will be removed in the next release."""
+        if name not in _MOVED:
+            raise AttributeError(f"module 'percuss' has no attribute {name!r}")
+        _warnings.warn(f"percuss.{name} is now percuss.{_MOVED[name]}", DeprecationWarning, stacklevel=2)
+        module, attribute = _MOVED[name].split(".")
+        return getattr(globals()[module], attribute)
 
 
 def _contact(
@@ -221,15 +231,6 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
         return _model_of_bytes(text, name, accept)
 
 
-def _sweep(
-    effective_mass: _Any,
-    error: _Any,
-    status: _Any,
-    remarks: _Any,
-    link: str,
-    no_answer: str | None,
-    gradient: _Any = None,
-    inverse: _Any = None,
-) -> Sweep:
+def _sweep(parts: dict[str, _Any]) -> Sweep:
     """Rebuilds a pickled sweep."""
-    return _sweep_of_arrays(effective_mass, error, status, remarks, link, no_answer, gradient, inverse)
+    return _sweep_of_parts(parts)

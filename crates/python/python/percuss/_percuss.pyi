@@ -1,13 +1,15 @@
 # Types of the extension module; tests/external/python.sh compares them with the module (stubtest).
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Literal, NoReturn, TypedDict, final
+from typing import Any, Literal, NoReturn, TypedDict, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._matrices import MatrixBatch
 from ._request import Request
+from ._sweeps import SweepRow
+from .state import State
 
 __all__ = [
     "Accelerations",
@@ -50,14 +52,16 @@ __all__ = [
     "run_command",
     "run_study",
     "safe_speed",
+    "safe_speeds",
     "set_threads",
     "ask",
+    "impact_rows",
     "starting_study",
     "study_schema",
     "suspension_template",
     "suspension_templates",
     "sweep",
-    "sweep_of_arrays",
+    "sweep_of_parts",
     "sweep_report",
     "tools",
 ]
@@ -316,7 +320,7 @@ class Model:
         """Assembles the loops with every joint free and a fixed base: system().assemble(guess)."""
     def pose(
         self,
-        q: _Positions | ArrayLike | None = None,
+        q: _Positions | ArrayLike | State | None = None,
         *,
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
@@ -344,7 +348,7 @@ class System:
         """Assembles the loops, from all joints at 0 or from guesses (joint to position). Raises AssemblyError."""
     def pose(
         self,
-        q: _Positions | ArrayLike | None = None,
+        q: _Positions | ArrayLike | State | None = None,
         *,
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
@@ -393,7 +397,7 @@ class Assembly:
         or None), "is_wide": the gap exceeds a hundredth of the size, so it is not rounding."""
     def pose(
         self,
-        q: _Positions | ArrayLike | None = None,
+        q: _Positions | ArrayLike | State | None = None,
         *,
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
@@ -464,12 +468,19 @@ class Pose:
     ) -> _Array:
         """Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
         link_frame."""
-    def inverse_operational_inertia(
-        self, contact: Contact | str, *, frame: _Frame | None = None
-    ) -> _Array:
-        """Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
-        for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
+    def jacobian(self, link: str, point: ArrayLike, *, frame: _Frame | None = None) -> _Array:
+        """Jacobian of a link at a point (m, link's frame) over the coordinates, angular velocity first; (6, n). Axes of the root link or of the
+        world, as for link_frame."""
+    def velocity_matrix(self) -> _Array:
+        """T with q̇ = T u: velocities of all joints (Model.velocity_names) by the rates u of the coordinates of M, A, j and the Jacobians; mimics
+        follow, locked joints are at rest; (velocities, n). gradient @ T has the columns of M."""
+    def inverse_operational_inertia(self, contact: Contact | str, *, frame: _Frame | None = None) -> _Array:
+        """Φ = J M⁻¹ Jᵀ of the contact link at the contact point, constraints included; (6, 6), angular part first: the inverse of the
+        operational-space inertia Λ. The lower right block is that of forces, 1/kg: 1/m̄ = n̂ᵀ Φ[3:, 3:] n̂ for a contact with the ground. Axes
         of the root link or of the world, as for link_frame."""
+    def contact_mobility(self, contact: Contact | str, *, frame: _Frame | None = None) -> _Array:
+        """Φ of both sides of a contact at its point; (12, 12), 1/kg and so on. Rows: six for the contact link (angular, then linear), six for
+        the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes as for inverse_operational_inertia, the upper left block."""
     def contact_map(
         self, link: str, points: ArrayLike, normals: ArrayLike, *, against: str | None = None
     ) -> tuple[_Array, _Array, NDArray[np.uint8]]:
@@ -486,12 +497,24 @@ class Pose:
     def effective_mass_gradient(self, contact: Contact | str) -> dict[str, _Array] | None:
         """Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
         (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
-        motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
-        None unless m̄ is finite with an error of at most 1e-6 m̄."""
-    def effective_mass_rate(self, contact: Contact | str, velocities: _Positions) -> float | None:
-        """dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
-        are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
-        Velocities of a Response are admissible. None unless m̄ is finite with an error of at most 1e-6 m̄."""
+        motion; in a mechanism with loops a single entry is not the derivative along one joint. base_gradient has the part of
+        the root link. None unless m̄ is finite with an error of at most 1e-6 m̄."""
+    def effective_mass_rate(
+        self,
+        contact: Contact | str,
+        velocities: Mapping[str, ArrayLike] | ArrayLike | State,
+        *,
+        base_twist: ArrayLike | None = None,
+        frame: _Frame | None = None,
+    ) -> float | None:
+        """dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s), with joints without an entry at rest; an array
+        (n,) in the order of Model.velocity_names; or a State, which also has the twist of the root link. Mimics follow. For loops, all moving
+        joints must be given: velocities that open loops are refused. Velocities of a Response are admissible. base_twist: (6,), angular
+        (rad/s), then linear (m/s), of the root link at its origin, in axes of the root link or of the world as for link_frame. None unless m̄
+        is finite with an error of at most 1e-6 m̄."""
+    def base_gradient(self, contact: Contact | str, *, frame: _Frame | None = None) -> _Array | None:
+        """Gradient of m̄ by the twist of the root link with all joints at rest: angular (kg/rad), then linear (kg/m); (6,). It is zero unless
+        the normal is fixed in the world. Axes of the root link or of the world, as for link_frame. None as for effective_mass_gradient."""
     def accelerations(
         self,
         velocities: _Positions | None = None,
@@ -683,6 +706,23 @@ class Sweep:
         """Φ = J M_c⁻¹ Jᵀ of the contact link at the contact point, in root axes, angular part first: the inverse of the operational
         inertia Λ; (N, 6, 6). The block [:, 3:, 3:] is that of forces, 1/kg. Raises NotComputedError unless the sweep had
         inverse_operational_inertia=True."""
+    @property
+    def base_gradient(self) -> _Array:
+        """Gradient of m̄ by the twist of the root link while the joints are at rest, angular (kg/rad), then linear (kg/m), in root axes; (N, 6):
+        dm̄/dt = gradient · velocities + base_gradient · base_twist. It is zero unless the normal is fixed in the world. Raises
+        NotComputedError unless the sweep had gradient=True."""
+    @property
+    def index(self) -> Any:
+        """Labels of the rows of a table of positions; None for arrays."""
+    def _parts(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Parts of the sweep by name: arrays with a row for each configuration, then what all rows share."""
+    @overload
+    def __getitem__(self, rows: int | np.integer[Any], /) -> SweepRow: ...
+    @overload
+    def __getitem__(self, rows: slice | Sequence[int] | NDArray[Any], /) -> Sweep: ...
+    def to_dataframe(self) -> Any:
+        """Table (pandas) with a row for each configuration, under the labels of q: effective_mass, error, status (text), a column for each kind
+        of finding that occurs (RemarkFlags), and the entries of the gradient as gradient[JOINT]."""
     def to_svg(self) -> str:
         """The picture as SVG: m̄ over the row number."""
     def _repr_html_(self) -> str:
@@ -700,17 +740,24 @@ def load(
     notes. Raises LoadError, with every error of the file."""
 def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model:
     """Reads URDF from text. name replaces the file name in messages. Other parameters as for load."""
-def sweep_of_arrays(
-    effective_mass: _Array,
-    error: _Array,
-    status: NDArray[np.uint8],
-    remarks: NDArray[np.uint32],
-    link: str,
-    no_answer: str | None,
-    gradient: _Array | None,
-    inverse_operational_inertia: _Array | None,
-) -> Sweep:
-    """Rebuilds a pickled sweep in another process."""
+def sweep_of_parts(parts: dict[str, Any]) -> Sweep:
+    """Rebuilds a sweep from its parts: of another process, or of some rows."""
+def impact_rows(
+    model: Model | System | Assembly,
+    contacts: Sequence[Contact | str],
+    positions: _Array,
+    velocities: _Array,
+    base_pose: _Array | None,
+    base_twist: _Array | None,
+    restitution: Sequence[float],
+    law: str,
+    wants: tuple[bool, bool],
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> dict[str, Any]:
+    """Arrays of a call by name: results of N states, k contacts, n velocities, c coordinates and the joints.
+
+    velocities: (N, n). base_twist: (N, 6) in root axes. restitution: one for each contact. law: "newton", "poisson", "energetic", "sticking"."""
 def set_threads(threads: int | None = None) -> None:
     """Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it."""
 def diagnostic_of_parts(
@@ -775,7 +822,7 @@ def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> l
 def sweep(
     model: Model | System | Assembly,
     contact: Contact | str,
-    q: ArrayLike,
+    q: ArrayLike | State,
     *,
     joints: Sequence[str] | None = None,
     base_pose: ArrayLike | None = None,
@@ -784,6 +831,8 @@ def sweep(
     normals: ArrayLike | None = None,
     gradient: bool = False,
     inverse_operational_inertia: bool = False,
+    ignore: Sequence[str] = ...,
+    nan: Literal["refuse", "no answer"] = "refuse",
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Sweep:
@@ -802,11 +851,15 @@ def sweep(
     points, normals: (N, 3), a contact point (m, in the contact link's frame) and a normal (in the frame of the contact's
     normal, of any length) for each row, instead of those of the contact. A DataFrame has the columns x, y, z.
 
+    A State in place of q gives positions and base_pose. ignore: columns of a table that are no positions. nan: "refuse" raises InputError for
+    a position that is not a finite number; with "no answer" its row has the status NO_ANSWER and the remark NOT_FINITE, if m̄ depends on
+    that position.
+
     base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world: (7,), or (N, 7), one
     for each row; default: the world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
     first closed pose; otherwise these rows have no answer. Ctrl-C stops the sweep.
 
-    gradient, inverse_operational_inertia: True also computes Sweep.gradient, Sweep.inverse_operational_inertia. threads: number of
+    gradient, inverse_operational_inertia: True also computes Sweep.gradient and Sweep.base_gradient, Sweep.inverse_operational_inertia. threads: number of
     threads of this call, 1 to 1024; default: those of set_threads. progress: function of the numbers of finished rows and of all
     rows, called about 20 times a second; its exceptions stop the sweep."""
 def load_suspension(
@@ -866,6 +919,11 @@ def extremes(model: Model, request: Request) -> str:
 def safe_speed(model: Model, request: Request) -> str:
     """Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
     several world directions, the worst direction last."""
+def safe_speeds(
+    masses: _Array, region: str | None, limits: tuple[float | None, float | None, float | None, float | None, float | None]
+) -> _Array:
+    """Safe speeds (m/s) of masses (kg; infinite for an immovable robot): a region of the body, and one limit of force (N), pressure (Pa) with
+    area (m²), energy (J) or momentum (N·s). NaN for a mass that is NaN."""
 def compare(designs: Sequence[tuple[str, Model, Request]], rows: Request) -> tuple[str, list[str]]:
     """Compares several designs by one question, at the same rows of positions if rows are given."""
 def compare_study(path: str | os.PathLike[str]) -> tuple[str, list[str]]:

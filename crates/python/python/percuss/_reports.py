@@ -5,30 +5,17 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _percuss, records
-from ._arguments import check_fields, checked
+from ._arguments import checked
 from ._errors import InputError
 from ._percuss import Contact, Model
-from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, rows, tables
-
-
-@dataclass(frozen=True)
-class Design:
-    """Design for ``compare``: a model, a contact and conditions, under a name."""
-
-    name: str
-    model: Of
-    contact: Contact | str
-    conditions: Conditions | None = None
-
-    def __post_init__(self) -> None:
-        check_fields(self)
+from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, rates_of, rows, tables
+from .state import State
 
 
 #: Base of all reports.
@@ -55,7 +42,7 @@ class MapReport(records.MapRecord):
         return f"<div>{super()._repr_html_()}{self._svg}</div>"
 
 
-def _with_rows(parts: tuple[str, list[str]]) -> Any:
+def with_rows(parts: tuple[str, list[str]]) -> Any:
     """Report from its JSON, with the rows from lists in JSON."""
     report = json.loads(parts[0])
     if parts[1]:
@@ -101,7 +88,7 @@ def sweep_report(
     Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
     """
     model, request = asked(model, contact, conditions, sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient})
-    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, request)))
+    return records.SweepReport.of(with_rows(_percuss.sweep_report(model, request)))
 
 
 @checked
@@ -140,43 +127,6 @@ def map_point(
     not used."""
     model, request = asked(model, contact, conditions)
     return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, request, directions)))
-
-
-@checked
-def damp(mass: float, damping: Damping) -> records.DampingReport:
-    """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
-    return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, (tables(**damping._tables()), None, None))))
-
-
-@checked
-def damp_contact(
-    model: Of, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
-) -> records.DampingReport:
-    """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
-    model, request = asked(model, contact, conditions, **damping._tables())
-    return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
-
-
-@checked
-def damp_stop(
-    model: Of,
-    joint: str,
-    damping: Damping,
-    conditions: Conditions | None = None,
-    *,
-    end: Literal["lower", "upper"] | None = None,
-) -> records.DampingReport:
-    """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
-    damp --limit``."""
-    model, request = asked(model, None, conditions, **damping._tables(joint if end is None else f"{joint}:{end}"))
-    return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
-
-
-@checked
-def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
-    """Impact of a mass (kg) over time, with the approach speed damping.speed. Returns (samples, 4): time (s),
-    penetration (m), penetration rate (m/s), force (N)."""
-    return _percuss.impact_history(mass, (tables(**damping._tables()), None, None), samples)
 
 
 @checked
@@ -225,31 +175,6 @@ def tolerate(
     drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
     model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).tolerance
-
-
-@checked
-def compare(
-    designs: Sequence[Design],
-    *,
-    vary: Range | Sequence[Range] | None = None,
-    input: str | os.PathLike[str] | None = None,
-    ignore: Sequence[str] = (),
-    random: int | None = None,
-    seed: int = 0,
-) -> records.ComparisonReport:
-    """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
-    random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
-    if len(designs) < 2:
-        raise InputError(f"designs has {len(designs)} entries; expected two at least")
-    given = [(design.name, *asked(design.model, design.contact, design.conditions)) for design in designs]
-    source = tables(sweep=rows(vary, input, ignore, random, seed))
-    return records.ComparisonReport.of(_with_rows(_percuss.compare(given, (source, None, None))))
-
-
-@checked
-def compare_study(path: str | os.PathLike[str]) -> records.ComparisonReport:
-    """Compares the variants of a study (TOML) with its model, which has the name ``[model] name``. As ``percuss compare STUDY``."""
-    return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path)))
 
 
 @checked
@@ -309,7 +234,12 @@ def impact(
     spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
     "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
-    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. As ``percuss impact``."""
+    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. The velocities of a State in place of
+    the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states."""
+    if isinstance(model, State) and (model.velocities is not None or model.base_twist is not None):
+        if rates is not None or base_twist is not None:
+            raise InputError("rates, base_twist: the State has velocities; expected a State without velocities, or no rates")
+        rates, base_twist = rates_of(model)
     model, request = asked(
         model, contact, conditions,
         impact={
@@ -369,8 +299,14 @@ def extremes(
     return records.ExtremesReport.of(json.loads(_percuss.extremes(model, request)))
 
 
-def _limit(
-    region: str | None, force: float | None, pressure: float | None, area: float | None, energy: float | None, momentum: float | None, load: float
+def limit_of(
+    region: str | None,
+    force: float | None,
+    pressure: float | None,
+    area: float | None,
+    energy: float | None,
+    momentum: float | None,
+    load: float = 0.0,
 ) -> dict[str, Any]:
     """Table of the limit of a safe speed."""
     limits = {"force": force, "pressure": pressure, "area": area, "energy": energy, "momentum": momentum}
@@ -407,7 +343,7 @@ def safe_speed(
     with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
     pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
     ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
-    limit = _limit(region, force, pressure, area, energy, momentum, load)
+    limit = limit_of(region, force, pressure, area, energy, momentum, load)
     model, request = asked(model, contact, conditions, safe_speed=limit, sweep=rows(vary, input, ignore, random, seed))
     return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, request))[0])
 
@@ -436,56 +372,6 @@ def safe_speed_directions(
     for number, direction in enumerate(along):
         if len(direction) != 3 or not np.isfinite(direction).all():
             raise InputError(f"directions[{number}] is {direction}; expected three finite numbers")
-    limit = {**_limit(region, force, pressure, area, energy, momentum, load), "direction": along, "worst_direction": worst}
+    limit = {**limit_of(region, force, pressure, area, energy, momentum, load), "direction": along, "worst_direction": worst}
     model, request = asked(model, contact, conditions, safe_speed=limit)
     return [records.SafeSpeedReport.of(report) for report in json.loads(_percuss.safe_speed(model, request))]
-
-
-#: Reports of studies by their schema.
-_BY_SCHEMA: Mapping[str, type[Report]] = {
-    "percuss.sweep": records.SweepReport,
-    "percuss.mass": records.MassReport,
-    "percuss.damp": records.DampingReport,
-    "percuss.map": records.MapRecord,
-    "percuss.map-point": records.PointMapReport,
-    "percuss.safe-speed": records.SafeSpeedReport,
-    "percuss.check": records.CheckReport,
-    "percuss.kinematics": records.KinematicsReport,
-}
-
-
-@checked
-def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
-    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. If the study has the tables
-    [impact] and [extremes], the keys "impact" and "extremes" of the report contain the reports of ``impact`` and ``extremes``. Safe speeds
-    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
-    found = _with_rows(_percuss.run_study(path))
-    if isinstance(found, list):
-        speeds = [records.SafeSpeedReport.of(one) for one in found]
-        return cast("records.AnyRecord", speeds[0] if len(speeds) == 1 else Report(reports=speeds))
-    report = _BY_SCHEMA[found["schema"].split("/")[0]].of(found)
-    for key, record in (("impact", records.ImpactReport), ("extremes", records.ExtremesReport)):
-        if key in found:
-            report[key] = record.of(found[key])
-    return cast("records.AnyRecord", report)
-
-
-@checked
-def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
-    """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
-    request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
-    the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
-    (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError."""
-    return records.RequestReport.of(json.loads(_percuss.ask(model, json_of(request, "request"))))
-
-
-@checked
-def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
-    """Complete initial study of a model as TOML, with a contact. path: path of the model's file in the study,
-    relative to the study's folder. As ``percuss init``."""
-    return _percuss.starting_study(model, path)
-
-
-def study_schema() -> dict[str, Any]:
-    """JSON schema of studies: the permitted tables and keys. As ``percuss schema``."""
-    return cast("dict[str, Any]", json.loads(_percuss.study_schema()))

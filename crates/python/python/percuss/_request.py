@@ -13,11 +13,13 @@ import numpy as np
 from ._arguments import array_of, check_fields, shown
 from ._errors import InputError
 from ._percuss import Assembly, Contact, Model, Pose, System
+from .state import State, velocity_ranges
 
 #: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
 Position = Union[float, Sequence[float], str]
-#: Mechanism of a report: a model, a system or an assembly with its conditions, or a pose with those and its positions.
-Of = Union[Model, System, Assembly, Pose]
+#: Mechanism of a report: a model, a system or an assembly with its conditions, a pose with those and its positions, or a state with its
+#: model and positions.
+Of = Union[Model, System, Assembly, Pose, State]
 #: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
 Range = Union[str, tuple[str, float, float, int]]
 #: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
@@ -187,10 +189,24 @@ def rows(
     }
 
 
+def rates_of(state: State) -> tuple[dict[str, Position], list[float] | None]:
+    """Rates of the joints that follow no other joint, and the twist of the root link in axes of the world, of one state."""
+    rates: dict[str, Position] = {}
+    if state.velocities is not None:
+        for joint, at in velocity_ranges(state.model):
+            if joint.mimics is None and at.stop > at.start:
+                rates[joint.name] = state.velocities[at].tolist()
+    return rates, None if state.base_twist is None else state.twist(frame="world").tolist()
+
+
 def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, against: str | None = None, **further: Any) -> tuple[Model, Request]:
     """Model and request of a report. The conditions of a System, Assembly or Pose are added."""
     given = Conditions() if conditions is None else conditions
-    if not isinstance(of, Model):
+    if isinstance(of, State):
+        if given.pose is not None:
+            raise InputError("conditions.pose: the State has its own positions; expected the model, or conditions without pose")
+        given, of = replace(given, pose=of.model.pose(of)), of.model
+    elif not isinstance(of, Model):
         own = of._conditions
         for name in own:
             value = getattr(given, name)

@@ -9,6 +9,7 @@ pub(crate) mod motion;
 pub(crate) mod pose;
 pub(crate) mod pose_methods;
 pub(crate) mod response;
+pub(crate) mod state;
 pub(crate) mod suspension;
 pub(crate) mod system;
 pub(crate) mod system_methods;

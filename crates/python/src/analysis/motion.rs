@@ -3,14 +3,18 @@
 use crate::analysis::contact::GivenContact;
 use crate::analysis::model::Model;
 use crate::analysis::pose::Pose;
-use crate::analysis::system::{configuration, numbers};
+use crate::analysis::state::{attribute, is_state};
+use crate::analysis::system::{configuration, numbers, velocity_names};
 use crate::conversion::arrays::{list, triple};
 use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
-use percuss::{Accelerations as Found, JointId, MassGradient, Mechanism, PointForce, Travel as Moved};
+use percuss::{
+    Accelerations as Found, Joint, JointId, MassGradient, Mechanism, PointForce, Pose as Posed,
+    System as Compiled, Travel as Moved,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
@@ -185,19 +189,29 @@ fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyRes
                 values.len()
             )));
         }
-        if let Some(bad) = values.iter().find(|x| !x.is_finite()) {
-            return Err(input(format_args!("velocity of \"{name}\" has {bad}; expected finite numbers")));
-        }
         all[id.index()] = values;
         is_given[id.index()] = true;
     }
+    checked_velocities(mechanism, all, |number| is_given[number])
+}
+
+/// Velocities with mimics that follow their masters. Refuses given velocities of mimics that do not follow, and numbers that are not finite.
+fn checked_velocities(
+    mechanism: &Mechanism,
+    mut all: Vec<Vec<f64>>,
+    is_given: impl Fn(usize) -> bool,
+) -> PyResult<Vec<Vec<f64>>> {
     for (number, joint) in mechanism.joints().iter().enumerate() {
+        if let Some(bad) = all[number].iter().find(|x| !x.is_finite()) {
+            let name = joint.name();
+            return Err(input(format_args!("velocity of \"{name}\" has {bad}; expected finite numbers")));
+        }
         let Some(mimic) = joint.mimic() else { continue };
         let followed: Vec<f64> =
             all[mimic.master.index()].iter().map(|rate| mimic.multiplier * rate).collect();
         let (name, master) = (joint.name(), mechanism.joint(mimic.master).name());
         let differs = |(given, follows): (&f64, &f64)| (given - follows).abs() > MIMIC_SLACK * follows.abs();
-        if is_given[number] && all[number].iter().zip(&followed).any(differs) {
+        if is_given(number) && all[number].iter().zip(&followed).any(differs) {
             return Err(input(format_args!(
                 "velocity of \"{name}\" is {}: it follows \"{master}\", so that it is {}; give the velocity of \"{master}\" alone",
                 all[number][0], followed[0]
@@ -221,17 +235,59 @@ fn twist(given: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Twist<f64>> {
     Ok(Twist::new(Vector3::new(a, b, c), Vector3::new(x, y, z)))
 }
 
-/// dm̄/dt, kg/s, at joint velocities; `None` unless finite.
+/// Velocities of all joints, joint by joint: from a dict of some joints, the velocities of all, or a State.
+fn given_velocities(mechanism: &Arc<Mechanism>, given: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
+    if let Ok(by_name) = given.cast::<PyDict>() {
+        return velocities(mechanism, Some(by_name));
+    }
+    let given = match is_state(given, mechanism)? {
+        true => attribute(given, "velocities")?.ok_or_else(|| input("the State has no velocities"))?,
+        false => given.clone(),
+    };
+    let values = list(&given, "velocities")?;
+    let names = velocity_names(mechanism);
+    if values.len() != names.len() {
+        return Err(input(format_args!(
+            "it has {} numbers; expected a dict of joints, or {} numbers in the order of Model.velocity_names",
+            values.len(),
+            names.len()
+        )));
+    }
+    let mut rest = values.into_iter();
+    let of_joint = |joint: &Joint| rest.by_ref().take(joint.kind().dofs()).collect();
+    let all: Vec<Vec<f64>> = mechanism.joints().iter().map(of_joint).collect();
+    checked_velocities(mechanism, all, |_| true)
+}
+
+/// dm̄/dt, kg/s, at joint velocities and the twist of the root link; `None` unless finite.
 pub fn effective_mass_rate(
     py: Python<'_>,
     pose: &Pose,
     contact: &GivenContact<'_>,
-    given: Option<&Bound<'_, PyDict>>,
+    given: &Bound<'_, PyAny>,
+    base_twist: Option<&Bound<'_, PyAny>>,
+    frame: Option<&str>,
 ) -> PyResult<Option<f64>> {
-    let velocities = velocities(&pose.model.read.mechanism, given).map_err(of_argument("velocities"))?;
+    let mechanism = &pose.model.read.mechanism;
+    let velocities = given_velocities(mechanism, given).map_err(of_argument("velocities"))?;
+    let own = if is_state(given, mechanism)? { attribute(given, "base_twist")? } else { None };
+    let base = match (own, base_twist) {
+        (Some(_), Some(_)) => return Err(input("base_twist: the State has its own")),
+        (Some(own), None) => twist(Some(&own), "base_twist")?,
+        (None, given) => {
+            let axes = if given.is_some() { pose.axes(frame)? } else { Matrix3::identity() };
+            let found = twist(given, "base_twist")?;
+            Twist::new(axes.tr_mul(&found.angular), axes.tr_mul(&found.linear))
+        }
+    };
     let gradient = effective_mass_gradient(py, pose, contact)?;
-    refuse_opening(pose, &velocities)?;
-    Ok(gradient.map(|gradient| gradient.rate(&velocities)))
+    if let Some(reason) = opening(&pose.system.system, &pose.pose, &velocities) {
+        return Err(input(reason));
+    }
+    let of_base = |base_gradient: [f64; 6]| -> f64 {
+        base_gradient.iter().zip(base.angular.iter().chain(base.linear.iter())).map(|(g, w)| g * w).sum()
+    };
+    Ok(gradient.map(|gradient| gradient.rate(&velocities) + of_base(gradient.base)))
 }
 
 /// Gradient of m̄; `None` unless m̄ is finite with an error of at most 1e-6 m̄.
@@ -246,18 +302,15 @@ pub fn effective_mass_gradient(
         .map_err(errors::response)
 }
 
-/// Refuses velocities of locked joints, and velocities that open the loops: A v ≠ 0.
-fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
-    let mechanism = &pose.model.read.mechanism;
+/// Reason why velocities are not admissible: a locked joint moves, or the loops open, A v ≠ 0. Held points of a floating base are not tested.
+pub fn opening(system: &Compiled, pose: &Posed, velocities: &[Vec<f64>]) -> Option<String> {
+    let mechanism = pose.mechanism();
     let moves = |joint: &JointId| velocities[joint.index()].iter().any(|rate| *rate != 0.0);
-    if let Some(joint) =
-        mechanism.joint_ids().find(|joint| moves(joint) && pose.system.system.is_locked(*joint))
-    {
-        let name = mechanism.joint(joint).name();
-        return Err(input(format_args!("velocity of \"{name}\": it is locked; expected 0")));
+    if let Some(joint) = mechanism.joint_ids().find(|joint| moves(joint) && system.is_locked(*joint)) {
+        return Some(format!("velocity of \"{}\": it is locked; expected 0", mechanism.joint(joint).name()));
     }
-    let rows = pose.pose.constraint_matrix();
-    let order = pose.system.system.coordinate_joints();
+    let rows = pose.constraint_matrix();
+    let order = system.coordinate_joints();
     let rate = |column: usize| match order[column] {
         (Some(joint), number) => velocities[joint.index()][number],
         (None, _) => 0.0,
@@ -266,13 +319,12 @@ fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
         let terms = || row.iter().enumerate().map(|(column, x)| x * rate(column));
         let (sum, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
         if sum.abs() > RESIDUAL_TOLERANCE * size {
-            return Err(input(
-                "velocities: with these the loops open (A v is not 0); give the rates of all joints of the loops, such as \
-                 Response.joint_velocities",
-            ));
+            let reason = "velocities: with these the loops open (A v is not 0); give the rates of all joints of the loops, such as \
+                          Response.joint_velocities";
+            return Some(reason.to_owned());
         }
     }
-    Ok(())
+    None
 }
 
 /// Dict from the names of movable joints to their values, one per velocity.

@@ -29,6 +29,18 @@ impl Pose {
     fn located(&self, contact: &GivenContact<'_>) -> PyResult<LocatedContact> {
         self.pose.locate(&contact.resolve(&self.model.read.mechanism)?).map_err(input)
     }
+
+    /// Φ of both sides of a contact, 12×12.
+    fn mobility(&self, contact: &GivenContact<'_>, frame: Option<&str>) -> PyResult<DMatrix<f64>> {
+        let (located, axes) = (self.located(contact)?, self.axes(frame)?);
+        let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
+        let mut turned = DMatrix::from_column_slice(12, 12, phi.matrix().as_slice());
+        for (row, column) in (0..12).step_by(3).flat_map(|row| (0..12).step_by(3).map(move |c| (row, c))) {
+            let block: Matrix3<f64> = turned.fixed_view::<3, 3>(row, column).into_owned();
+            turned.fixed_view_mut::<3, 3>(row, column).copy_from(&(axes * block * axes.transpose()));
+        }
+        Ok(turned)
+    }
 }
 
 #[pymethods]
@@ -143,8 +155,39 @@ impl Pose {
         matrix(py, &DMatrix::from_column_slice(3, turned.ncols(), turned.as_slice()))
     }
 
-    /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
-    /// for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
+    /// Jacobian of a link at a point (m, link's frame) over the coordinates, angular velocity first; (6, n). Axes of the root link or of the
+    /// world, as for link_frame.
+    #[pyo3(signature = (link, point, *, frame=None))]
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let link = self.model.read.mechanism.find_link(link).map_err(input)?;
+        let axes = self.axes(frame)?;
+        let angular = axes * self.pose.angular_jacobian(link);
+        let linear = axes * self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?));
+        let rows = |r: usize, c: usize| if r < 3 { angular[(r, c)] } else { linear[(r - 3, c)] };
+        matrix(py, &DMatrix::from_fn(6, linear.ncols(), rows))
+    }
+
+    /// T with q̇ = T u: velocities of all joints (Model.velocity_names) by the rates u of the coordinates of M, A, j and the Jacobians; mimics
+    /// follow, locked joints are at rest; (velocities, n). gradient @ T has the columns of M.
+    fn velocity_matrix<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let n = self.pose.coordinate_joints().len();
+        let column = |k: usize| -> Vec<f64> {
+            let unit: Vec<f64> = (0..n).map(|c| if c == k { 1.0 } else { 0.0 }).collect();
+            self.pose.joint_velocities(&unit).0.concat()
+        };
+        let velocities = self.model.read.mechanism.joints().iter().map(|joint| joint.kind().dofs()).sum();
+        let values: Vec<f64> = (0..n).flat_map(column).collect();
+        matrix(py, &DMatrix::from_vec(velocities, n, values))
+    }
+
+    /// Φ = J M⁻¹ Jᵀ of the contact link at the contact point, constraints included; (6, 6), angular part first: the inverse of the
+    /// operational-space inertia Λ. The lower right block is that of forces, 1/kg: 1/m̄ = n̂ᵀ Φ[3:, 3:] n̂ for a contact with the ground. Axes
     /// of the root link or of the world, as for link_frame.
     #[pyo3(signature = (contact, *, frame=None))]
     fn inverse_operational_inertia<'py>(
@@ -153,15 +196,19 @@ impl Pose {
         contact: GivenContact<'_>,
         frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (located, axes) = (self.located(&contact)?, self.axes(frame)?);
-        let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
-        let mut turned = phi.matrix().clone_owned();
-        for (row, column) in (0..12).step_by(3).flat_map(|row| (0..12).step_by(3).map(move |c| (row, c))) {
-            let block: Matrix3<f64> = turned.fixed_view::<3, 3>(row, column).into_owned();
-            turned.fixed_view_mut::<3, 3>(row, column).copy_from(&(axes * block * axes.transpose()));
-        }
-        let rows: Vec<f64> = turned.transpose().as_slice().to_vec();
-        PyArray1::from_vec(py, rows).reshape([12, 12])
+        matrix(py, &self.mobility(&contact, frame)?.view((0, 0), (6, 6)).into_owned())
+    }
+
+    /// Φ of both sides of a contact at its point; (12, 12), 1/kg and so on. Rows: six for the contact link (angular, then linear), six for
+    /// the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes as for inverse_operational_inertia, the upper left block.
+    #[pyo3(signature = (contact, *, frame=None))]
+    fn contact_mobility<'py>(
+        &self,
+        py: Python<'py>,
+        contact: GivenContact<'_>,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.mobility(&contact, frame)?)
     }
 
     /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of
@@ -194,22 +241,27 @@ impl Pose {
         principal_masses(py, self, link, point, against)
     }
 
-    /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
-    /// are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
-    /// Velocities of a Response are admissible. None unless m̄ is finite with an error of at most 1e-6 m̄.
+    /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s), with joints without an entry at rest; an array
+    /// (n,) in the order of Model.velocity_names; or a State, which also has the twist of the root link. Mimics follow. For loops, all moving
+    /// joints must be given: velocities that open loops are refused. Velocities of a Response are admissible. base_twist: (6,), angular
+    /// (rad/s), then linear (m/s), of the root link at its origin, in axes of the root link or of the world as for link_frame. None unless m̄
+    /// is finite with an error of at most 1e-6 m̄.
+    #[pyo3(signature = (contact, velocities, *, base_twist=None, frame=None))]
     fn effective_mass_rate(
         &self,
         py: Python<'_>,
         contact: GivenContact<'_>,
-        velocities: &Bound<'_, PyDict>,
+        velocities: &Bound<'_, PyAny>,
+        base_twist: Option<&Bound<'_, PyAny>>,
+        frame: Option<&str>,
     ) -> PyResult<Option<f64>> {
-        effective_mass_rate(py, self, &contact, Some(velocities))
+        effective_mass_rate(py, self, &contact, velocities, base_twist, frame)
     }
 
     /// Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
     /// (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
-    /// motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
-    /// None unless m̄ is finite with an error of at most 1e-6 m̄.
+    /// motion; in a mechanism with loops a single entry is not the derivative along one joint. base_gradient has the part of
+    /// the root link. None unless m̄ is finite with an error of at most 1e-6 m̄.
     fn effective_mass_gradient<'py>(
         &self,
         py: Python<'py>,
@@ -217,6 +269,21 @@ impl Pose {
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(gradient) = effective_mass_gradient(py, self, &contact)? else { return Ok(None) };
         by_joint(py, &self.model.read.mechanism, &gradient.joints).map(Some)
+    }
+
+    /// Gradient of m̄ by the twist of the root link with all joints at rest: angular (kg/rad), then linear (kg/m); (6,). It is zero unless
+    /// the normal is fixed in the world. Axes of the root link or of the world, as for link_frame. None as for effective_mass_gradient.
+    #[pyo3(signature = (contact, *, frame=None))]
+    fn base_gradient<'py>(
+        &self,
+        py: Python<'py>,
+        contact: GivenContact<'_>,
+        frame: Option<&str>,
+    ) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        let axes = self.axes(frame)?;
+        let Some(gradient) = effective_mass_gradient(py, self, &contact)? else { return Ok(None) };
+        let [angular, linear] = [0, 3].map(|k| axes * Vector3::from_column_slice(&gradient.base[k..k + 3]));
+        Ok(Some(PyArray1::from_vec(py, angular.iter().chain(linear.iter()).copied().collect())))
     }
 
     /// Accelerations of a tree at joint velocities (a dict; other joints are at rest), base (6,): the twist of a

@@ -2,6 +2,7 @@
 //! Python methods are in `system_methods.rs`.
 
 use crate::analysis::model::Model;
+use crate::analysis::state::positions_and_base;
 use crate::conversion::arrays::{Numbers, list, triple};
 use crate::conversion::errors::{self, input, of_argument};
 use crate::conversion::threads::interruptible_if_large;
@@ -150,9 +151,13 @@ pub fn pose_configuration(
     base_pose: Option<&Bound<'_, PyAny>>,
     other_assembly: bool,
 ) -> PyResult<Configuration> {
-    let mut given = configuration(mechanism, q, guess)?;
+    let (q, base_pose) = match q {
+        Some(q) => positions_and_base(q, base_pose, mechanism).map(|(q, base)| (Some(q), base))?,
+        None => (None, base_pose.cloned()),
+    };
+    let mut given = configuration(mechanism, q.as_ref(), guess)?;
     if let Some(frame) = base_pose {
-        given.set_base(root_frame(frame)?);
+        given.set_base(root_frame(&frame)?);
     }
     if other_assembly {
         given.allow_other_assembly();

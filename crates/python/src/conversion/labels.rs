@@ -56,6 +56,14 @@ impl Labels {
         Ok(Self { rows: None, columns: if is_series { along("index")? } else { None } })
     }
 
+    /// Labels of the rows of a table, as its `index`; `None` for other values.
+    pub fn index_of(table: &Bound<'_, PyAny>) -> PyResult<Option<Py<PyAny>>> {
+        match table.hasattr("columns")? {
+            true => Ok(table.getattr_opt("index")?.filter(|index| !index.is_callable()).map(Bound::unbind)),
+            false => Ok(None),
+        }
+    }
+
     /// Refuses labels for unnamed quantities: their order would be ignored.
     pub fn refuse(&self, what: &str) -> PyResult<()> {
         match &self.columns {

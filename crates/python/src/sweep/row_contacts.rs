@@ -52,7 +52,7 @@ impl BasePose {
     }
 
     /// Pose at a row, if it is given.
-    fn at(&self, row: usize) -> Option<&Transform<f64>> {
+    pub fn at(&self, row: usize) -> Option<&Transform<f64>> {
         match self {
             Self::Rows(bases) => bases.get(row),
             Self::NotGiven | Self::One(_) => self.one(),
@@ -145,5 +145,55 @@ fn check_normals(normals: &[f64]) -> PyResult<()> {
     match normals.chunks(3).position(|normal| length(normal) < SHORTEST_NORMAL) {
         Some(row) => Err(input(format_args!("normals[{row}] has no length; expected a direction"))),
         None => Ok(()),
+    }
+}
+
+/// Gradient of m̄ by the twist of the root link, as [`MassGradient::base`](percuss::MassGradient::base), from Λ⁻¹ of the rows.
+pub mod base_gradients {
+    use percuss::nalgebra::{Matrix3, Vector3};
+    use percuss::{Contact, Frame};
+
+    /// True if the gradient is zero: the normal moves with the root link.
+    pub fn is_zero(contact: &Contact) -> bool {
+        match contact.normal.vector() {
+            Some((_, Frame::World)) => false,
+            Some((_, Frame::Against)) => contact.against.is_some(),
+            Some((_, Frame::Link)) | None => true,
+        }
+    }
+
+    /// True if the gradient is computed from Λ⁻¹ of the contact link: the other side is the ground.
+    pub fn needs_inverse_inertia(contact: &Contact) -> bool {
+        !is_zero(contact) && contact.against.is_none()
+    }
+
+    /// Writes 2 m̄² n̂ × Φ n̂ and 0 of all rows; NaN where a gradient has no digits. `contact`, `normals`: in root axes, the normals three
+    /// for each row or three for all. `gradients`: as many per row as there are velocities.
+    pub fn fill(
+        contact: &Contact,
+        normals: Option<&[f64]>,
+        masses: &[f64],
+        gradients: &[f64],
+        inverses: &[f64],
+        to: &mut [f64],
+    ) {
+        let Some((one, _)) = contact.normal.vector() else { return };
+        let (first, width) =
+            (if contact.normal.is_moment() { 0 } else { 3 }, gradients.len() / masses.len().max(1));
+        for (row, to) in to.chunks_exact_mut(6).enumerate() {
+            let normal = match normals {
+                None => one,
+                Some(all) => {
+                    let from = if all.len() == 3 { 0 } else { 3 * row };
+                    Vector3::from_column_slice(&all[from..from + 3])
+                }
+            }
+            .normalize();
+            let phi = Matrix3::from_fn(|r, c| inverses[36 * row + 6 * (first + r) + first + c]);
+            let is_known = gradients[width * row..][..width].iter().all(|x| x.is_finite());
+            let factor = if is_known { 2.0 * masses[row] * masses[row] } else { f64::NAN };
+            to[..3].copy_from_slice((factor * normal.cross(&(phi * normal))).as_slice());
+            to[3..].fill(0.0 * factor);
+        }
     }
 }

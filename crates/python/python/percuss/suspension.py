@@ -1,4 +1,8 @@
-"""Kinematics of suspensions."""
+"""Suspensions: sheets of hardpoints, templates, wheel angles and motion ratios.
+
+    >>> corner = percuss.suspension.load("models/suspensions/double-wishbone.toml")
+    >>> percuss.suspension.kinematics(corner, wheel_travel=[-0.05, 0, 0.05])["camber"]
+"""
 
 from __future__ import annotations
 
@@ -13,6 +17,9 @@ from . import _percuss
 from ._arguments import array_of, checked
 from ._errors import InputError
 from ._percuss import Model
+from ._percuss import load_suspension as load
+from ._percuss import suspension_template as template
+from ._percuss import suspension_templates as templates
 from ._request import tables
 from .records import KinematicsReport
 
@@ -125,3 +132,6 @@ def kinematics(
         problems=[row["problem"] for row in rows],
         report=report,
     )
+
+
+__all__ = ["Kinematics", "kinematics", "load", "template", "templates"]

@@ -1,0 +1,382 @@
+//! Impacts of contacts at many states, from arrays to arrays.
+
+use crate::analysis::contact::GivenContact;
+use crate::analysis::motion::opening;
+use crate::analysis::system::position_names;
+use crate::conversion::arrays::{float64, float64_matrix, shape};
+use crate::conversion::errors::{input, of_argument};
+use crate::conversion::threads::Threads;
+use crate::sweep::parts_of;
+use crate::sweep::portions::{Progress, run_portions};
+use crate::sweep::row_contacts::BasePose;
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use percuss::impact::{
+    Component, ContactStiffness, Delassus, ImpactError, JointRates, ReactionMap, SimultaneousLaw,
+    simultaneous_impact, sticking_impact,
+};
+use percuss::nalgebra::{DVector, Vector3};
+use percuss::spatial::Twist;
+use percuss::{
+    Assembly as Assembled, Base, Configuration, Contact as Resolved, ContactStatus, Direction, Frame,
+    LocatedContact, Pose as Posed, System as Compiled,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Law of the impacts.
+#[derive(Clone, Copy)]
+enum Law {
+    Sticking,
+    Simultaneous(SimultaneousLaw),
+}
+
+impl Law {
+    fn of(name: &str) -> PyResult<Self> {
+        let simultaneous = SimultaneousLaw::ALL.into_iter().find(|law| law.name() == name);
+        match (name, simultaneous) {
+            ("sticking", _) => Ok(Self::Sticking),
+            (_, Some(law)) => Ok(Self::Simultaneous(law)),
+            _ => Err(input(format_args!(
+                "law is \"{name}\"; expected \"newton\", \"poisson\", \"energetic\" or \"sticking\""
+            ))),
+        }
+    }
+}
+
+/// States and contacts of a call.
+struct Question<'a> {
+    system: &'a Compiled,
+    assembly: &'a Arc<Assembled>,
+    contacts: Vec<Resolved>,
+    /// Positions and velocities of all joints, row by row.
+    positions: Vec<f64>,
+    velocities: Vec<f64>,
+    bases: BasePose,
+    /// Twists of the root link in its axes, row by row; empty if it is at rest.
+    twists: Vec<f64>,
+    restitution: Vec<f64>,
+    law: Law,
+    wants_reactions: bool,
+    wants_map: bool,
+    /// Numbers of velocities of the joints.
+    widths: Vec<usize>,
+}
+
+/// Impact at a state.
+struct Impact {
+    closing_speeds: Vec<f64>,
+    /// Impulses on the contact links, world axes, three for each contact.
+    impulses: Vec<f64>,
+    normal_impulses: Vec<f64>,
+    velocities: Vec<f64>,
+    twist: Vec<f64>,
+    energy_loss: f64,
+    sticks: Vec<bool>,
+    map: Vec<f64>,
+    reactions: Vec<f64>,
+}
+
+/// Reason why a row has no impact.
+enum Refusal {
+    /// The state is invalid.
+    State(String),
+    /// The state is valid and has no result.
+    NoAnswer(String),
+}
+
+/// Impulses of a law.
+struct Impulses {
+    /// Components of all contacts in the axes of the Delassus matrix.
+    all: DVector<f64>,
+    /// Normal impulse of each contact; NaN if open.
+    normal: Vec<f64>,
+    sticks: Vec<bool>,
+    energy_loss: f64,
+    map: Vec<f64>,
+}
+
+impl Question<'_> {
+    /// Impact at a row.
+    fn solve(&self, row: usize) -> Result<Impact, Refusal> {
+        let no_answer = |error: &dyn ToString| Refusal::NoAnswer(error.to_string());
+        let pose = self.pose(row)?;
+        let locate = |contact| pose.locate(contact).map_err(|error| Refusal::State(error.to_string()));
+        let located: Vec<LocatedContact> = self.contacts.iter().map(locate).collect::<Result<_, _>>()?;
+        let rates = self.rates(row);
+        if let Some(reason) = opening(self.system, &pose, &rates.joints) {
+            return Err(Refusal::State(reason));
+        }
+        let delassus = Delassus::new(&pose, &located).map_err(|error| no_answer(&error))?;
+        let before = delassus.velocities(&pose, &rates);
+        let found = self.impulses(&delassus, &before).map_err(|error| no_answer(&error))?;
+        let after = rates.plus_scaled(&delassus.rate_change(&pose, &found.all), 1.0);
+        let vector = |i: usize| {
+            let own: Vector3<f64> = delassus.axes(i) * found.all.fixed_rows::<3>(3 * i);
+            pose.base().vector(&own)
+        };
+        let k = self.contacts.len();
+        let reactions = match self.wants_reactions {
+            true => self.reactions(&pose, &located, &delassus, &found).map_err(|error| no_answer(&error))?,
+            false => Vec::new(),
+        };
+        Ok(Impact {
+            closing_speeds: (0..k).map(|i| -before[3 * i]).collect(),
+            impulses: (0..k).flat_map(|i| <[f64; 3]>::from(vector(i))).collect(),
+            normal_impulses: found.normal,
+            velocities: after.joints.concat(),
+            twist: after.base.angular.iter().chain(after.base.linear.iter()).copied().collect(),
+            energy_loss: found.energy_loss,
+            sticks: found.sticks,
+            map: found.map,
+            reactions,
+        })
+    }
+
+    /// Pose of a row.
+    fn pose(&self, row: usize) -> Result<Posed, Refusal> {
+        let mechanism = self.system.mechanism();
+        let width = self.positions.len() / self.rows().max(1);
+        let own = &self.positions[width * row..][..width];
+        let mut configuration = Configuration::from_positions(mechanism, own)
+            .map_err(|error| Refusal::State(format!("positions: {error}")))?;
+        if let Some(base) = self.bases.at(row) {
+            configuration.set_base(*base);
+        }
+        self.assembly.pose(&configuration).map_err(|error| Refusal::NoAnswer(error.to_string()))
+    }
+
+    /// Number of rows.
+    fn rows(&self) -> usize {
+        self.velocities.len() / self.widths.iter().sum::<usize>().max(1)
+    }
+
+    /// Rates before the impact.
+    fn rates(&self, row: usize) -> JointRates {
+        let width: usize = self.widths.iter().sum();
+        let mut own = self.velocities[width * row..][..width].iter().copied();
+        let joints = self.widths.iter().map(|count| own.by_ref().take(*count).collect()).collect();
+        let base = match self.twists.get(6 * row..6 * row + 6) {
+            Some([a, b, c, x, y, z]) => Twist::new(Vector3::new(*a, *b, *c), Vector3::new(*x, *y, *z)),
+            _ => Twist::zero(),
+        };
+        JointRates { joints, base }
+    }
+
+    /// Impulses of the law; zero if no contact closes.
+    fn impulses(&self, delassus: &Delassus, before: &DVector<f64>) -> Result<Impulses, ImpactError> {
+        let k = self.contacts.len();
+        let none = || Impulses {
+            all: DVector::zeros(3 * k),
+            normal: vec![0.0; k],
+            sticks: vec![false; k],
+            energy_loss: 0.0,
+            map: match self.wants_map {
+                true => identity(delassus.jacobian().ncols()),
+                false => Vec::new(),
+            },
+        };
+        if (0..k).all(|i| before[3 * i] >= 0.0) {
+            return Ok(none());
+        }
+        let open = |impulse: Option<f64>| impulse.unwrap_or(f64::NAN);
+        match self.law {
+            Law::Sticking => match sticking_impact(delassus, before) {
+                // Closing speeds of rounding.
+                Err(ImpactError::ClosingSpeed { .. }) => Ok(none()),
+                found => found.map(|found| Impulses {
+                    normal: found.contacts.iter().map(|contact| open(contact.normal_impulse)).collect(),
+                    sticks: found.contacts.iter().map(|contact| contact.sticks).collect(),
+                    energy_loss: found.energy_loss,
+                    map: match self.wants_map {
+                        true => found.map.transpose().as_slice().to_vec(),
+                        false => Vec::new(),
+                    },
+                    all: found.impulses,
+                }),
+            },
+            Law::Simultaneous(law) => {
+                let speeds = DVector::from_fn(k, |i, _| before[3 * i]);
+                let stiffness = ContactStiffness { ratios: vec![1.0; k], exponent: 1.0 };
+                let found = simultaneous_impact(delassus, &speeds, &self.restitution, law, &stiffness)?;
+                let own = |r: usize| if r.is_multiple_of(3) { found.solution[r / 3] } else { 0.0 };
+                Ok(Impulses {
+                    all: DVector::from_fn(3 * k, |r, _| own(r)),
+                    normal: found.impulses.iter().map(|impulse| open(*impulse)).collect(),
+                    sticks: vec![false; k],
+                    energy_loss: found.energy_loss,
+                    map: Vec::new(),
+                })
+            }
+        }
+    }
+
+    /// Reactions in all joints: force, then moment; NaN if redundant constraints or contacts leave them open.
+    fn reactions(
+        &self,
+        pose: &Posed,
+        located: &[LocatedContact],
+        delassus: &Delassus,
+        found: &Impulses,
+    ) -> Result<Vec<f64>, Box<dyn std::error::Error>> {
+        let joints = self.widths.len();
+        if found.normal.iter().any(|impulse| impulse.is_nan()) {
+            return Ok(vec![f64::NAN; 6 * joints]);
+        }
+        let map = ReactionMap::new(pose);
+        let mut sum = vec![0.0; 6 * joints];
+        for (row, impulse) in found.all.iter().enumerate().filter(|(_, impulse)| **impulse != 0.0) {
+            let (contact, is_moment) = (self.contacts[row / 3], located[row / 3].is_moment);
+            // The unit impulse of a response on the contact link is opposite to its normal.
+            let axis = pose.base().vector(&-delassus.axes(row / 3).column(row % 3).into_owned());
+            let along = if is_moment { Direction::About } else { Direction::Along };
+            let response = pose.respond(&Resolved { normal: along(axis, Frame::World), ..contact })?;
+            let reactions = map.reactions(&response, *impulse)?;
+            for (own, joint) in sum.chunks_exact_mut(6).zip(&reactions.joints) {
+                let components = joint.reaction.force.iter().chain(&joint.reaction.moment);
+                let value = |component: &Component| component.value().unwrap_or(f64::NAN);
+                own.iter_mut().zip(components).for_each(|(sum, component)| *sum += value(component));
+            }
+        }
+        Ok(sum)
+    }
+}
+
+/// Identity matrix, row by row.
+fn identity(n: usize) -> Vec<f64> {
+    (0..n * n).map(|k| if k / n.max(1) == k % n.max(1) { 1.0 } else { 0.0 }).collect()
+}
+
+/// Arrays of a call by name: results of N states, k contacts, n velocities, c coordinates and the joints.
+///
+/// velocities: (N, n). base_twist: (N, 6) in root axes. restitution: one for each contact. law: "newton", "poisson", "energetic", "sticking".
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the states and the law")]
+pub fn impact_rows<'py>(
+    py: Python<'py>,
+    model: &Bound<'py, PyAny>,
+    contacts: Vec<GivenContact<'py>>,
+    positions: &Bound<'py, PyAny>,
+    velocities: &Bound<'py, PyAny>,
+    base_pose: Option<&Bound<'py, PyAny>>,
+    base_twist: Option<&Bound<'py, PyAny>>,
+    restitution: Vec<f64>,
+    law: &str,
+    wants: (bool, bool),
+    threads: Option<usize>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (threads, progress) = (Threads::of(threads)?, Progress::of(progress)?);
+    let (model, system, assembly) = parts_of(model)?;
+    let mechanism = &model.read.mechanism;
+    let names = position_names(mechanism);
+    let q = float64_matrix(positions, "positions", "(N, p)", &names, "")?;
+    let widths: Vec<usize> = mechanism.joints().iter().map(|joint| joint.kind().dofs()).collect();
+    let (count, width): (usize, usize) = (q.shape()[0], widths.iter().sum());
+    let table = |given: &Bound<'py, PyAny>, what: &str, width: usize| -> PyResult<Vec<f64>> {
+        let found = float64(given, what, &[2], "(N, …)")?;
+        if found.shape() != [count, width] {
+            let got = shape(found.shape());
+            return Err(input(format_args!("{what} has shape {got}; expected ({count}, {width})")));
+        }
+        let values: Vec<f64> = found.as_array().iter().copied().collect();
+        match values.iter().position(|x| !x.is_finite()) {
+            Some(at) => {
+                let (row, column) = (at / width, at % width);
+                Err(input(format_args!("{what}[{row}, {column}] is {}; expected finite numbers", values[at])))
+            }
+            None => Ok(values),
+        }
+    };
+    let twists = base_twist.map(|twist| table(twist, "base_twist", 6)).transpose()?.unwrap_or_default();
+    if system.base() == Base::Fixed
+        && let Some(row) = twists.chunks(6).position(|twist| twist.iter().any(|x| *x != 0.0))
+    {
+        return Err(input(format_args!(
+            "base_twist: the root link is fixed, and state {row} moves it; expected Model.system(base=\"floating\")"
+        )));
+    }
+    let question = Question {
+        system: &system,
+        assembly: &assembly,
+        contacts: contacts
+            .iter()
+            .map(|contact| contact.resolve(mechanism).map_err(of_argument("contacts")))
+            .collect::<PyResult<_>>()?,
+        positions: table(q.as_any(), "positions", names.len())?,
+        velocities: table(velocities, "velocities", width)?,
+        bases: BasePose::of(base_pose, count)?,
+        twists,
+        restitution,
+        law: Law::of(law)?,
+        wants_reactions: wants.0,
+        wants_map: wants.1,
+        widths,
+    };
+    let mut rows: Vec<Result<Impact, Refusal>> = Vec::with_capacity(count);
+    run_portions(py, count, false, (threads, &progress), |range: Range<usize>| {
+        let solved: Vec<_> = range.into_par_iter().map(|row| question.solve(row)).collect();
+        rows.extend(solved);
+        Ok(())
+    })?;
+    arrays(py, &question, &rows)
+}
+
+/// Arrays of the results; NaN for rows without a result. An invalid state is an error.
+fn arrays<'py>(
+    py: Python<'py>,
+    question: &Question<'_>,
+    rows: &[Result<Impact, Refusal>],
+) -> PyResult<Bound<'py, PyDict>> {
+    let reason = |(row, found): (usize, &Result<Impact, Refusal>)| match found {
+        Err(Refusal::State(reason)) => Some(input(format_args!("state {row}: {reason}"))),
+        _ => None,
+    };
+    if let Some(error) = rows.iter().enumerate().find_map(reason) {
+        return Err(error);
+    }
+    let (k, joints) = (question.contacts.len(), question.widths.len());
+    let n: usize = question.widths.iter().sum();
+    let c = question.system.coordinates();
+    let found = PyDict::new(py);
+    let add = |name: &str, axes: &[usize], of: &dyn Fn(&Impact) -> Vec<f64>| -> PyResult<()> {
+        let width: usize = axes.iter().product();
+        let mut values = Vec::with_capacity(rows.len() * width);
+        for row in rows {
+            match row {
+                Ok(impact) => values.extend(of(impact)),
+                Err(_) => values.resize(values.len() + width, f64::NAN),
+            }
+        }
+        let all: Vec<usize> = [rows.len()].iter().chain(axes).copied().collect();
+        found.set_item(name, PyArray1::from_vec(py, values).call_method1("reshape", (all,))?)
+    };
+    add("closing_speeds", &[k], &|impact| impact.closing_speeds.clone())?;
+    add("impulses", &[k, 3], &|impact| impact.impulses.clone())?;
+    add("normal_impulses", &[k], &|impact| impact.normal_impulses.clone())?;
+    add("velocities", &[n], &|impact| impact.velocities.clone())?;
+    add("base_twist", &[6], &|impact| impact.twist.clone())?;
+    add("energy_loss", &[], &|impact| vec![impact.energy_loss])?;
+    if question.wants_map {
+        add("impact_map", &[c, c], &|impact| impact.map.clone())?;
+    }
+    if question.wants_reactions {
+        add("reactions", &[joints, 6], &|impact| impact.reactions.clone())?;
+    }
+    let sticks =
+        rows.iter().flat_map(|row| row.as_ref().map_or(vec![false; k], |impact| impact.sticks.clone()));
+    let sticks = PyArray1::from_vec(py, sticks.collect());
+    found.set_item("sticks", sticks.reshape([rows.len(), k])?)?;
+    let status = |row: &Result<Impact, Refusal>| {
+        u8::from(if row.is_ok() { ContactStatus::Finite } else { ContactStatus::Unanswered })
+    };
+    found.set_item("status", PyArray1::from_vec(py, rows.iter().map(status).collect()))?;
+    let reasons = rows.iter().enumerate().filter_map(|(row, found)| match found {
+        Err(Refusal::NoAnswer(reason)) => Some((row, reason.clone())),
+        _ => None,
+    });
+    found.set_item("reasons", reasons.collect::<Vec<(usize, String)>>())?;
+    Ok(found)
+}
