@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from cases import ROOT
 
@@ -84,3 +85,36 @@ def test_everything_of_python_stands_on_the_page() -> None:
 def test_the_citation_has_the_version() -> None:
     cited = re.search(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(), flags=re.M)
     assert cited is not None and cited[1] == percuss.__version__
+
+
+MODEL, ARM = percuss.load(ROOT / "models/four_bar.urdf"), percuss.load(ROOT / "models/six_r_arm.urdf")
+#: Names in the examples of docstrings.
+NAMES: dict[str, object] = {
+    "percuss": percuss, "np": np, "model": MODEL, "arm": ARM, "corner": percuss.load(ROOT / "models/suspensions/double-wishbone.toml"),
+    "contact": percuss.Contact("coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]), "tool": percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0]),
+    "q": np.linspace(-0.5, 0.5, 60).reshape(10, 6), "law": percuss.contact_law.Damping(0.3, 2e5, speed=1.0),
+}  # fmt: skip
+PUBLIC = {
+    f"{owner.__name__}.{name}": getattr(owner, name)
+    for owner in (percuss, percuss.suspension, percuss.study, percuss.contact_law)
+    for name in owner.__all__
+}
+EXAMPLES = {
+    name: item for name, item in PUBLIC.items()
+    if callable(item) and not (isinstance(item, type) and issubclass(item, (Exception, percuss.Report)))
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(EXAMPLES))
+def test_the_example_of_a_docstring(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every function and class has an example, and it runs; those with other programs are run in tests/peers."""
+    lines = re.findall(r"^\s*>>> (.*)$", EXAMPLES[name].__doc__ or "", flags=re.M)
+    assert lines, "no example"
+    monkeypatch.chdir(ROOT)
+    names = dict(NAMES)
+    try:
+        for line in lines:
+            if "pinocchio" not in line and "mujoco." not in line:
+                exec(line, names)
+    finally:
+        percuss.set_threads(None)

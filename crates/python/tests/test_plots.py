@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import matplotlib
@@ -123,3 +124,12 @@ def test_an_ellipsoid_has_the_principal_masses_as_labels() -> None:
     # The longest half axis is that of the lightest direction.
     lengths = [float(np.linalg.norm(np.diff(np.stack(line.get_data_3d()), axis=1))) for line in ax.lines]
     assert lengths == pytest.approx([float(mass["effective_mass"] or 0) ** -0.5 for mass in principal])
+
+
+def test_a_few_huge_values_do_not_take_the_scale_of_a_map() -> None:
+    """The last of a hundred facets has a mass of 1e18 kg: the scale ends at the 95th of 100 values, as that of the command."""
+    masses = np.append(np.linspace(1.0, 2.0, 99), 1e18)
+    points, normals = np.random.default_rng(0).normal(size=(2, 100, 3))
+    facets = {"effective_mass": masses, "points_world": points, "normals_world": normals, "area": np.full(100, 1e-4)}
+    ax = plots.plot_map(SimpleNamespace(facets={"link": facets}))  # type: ignore[arg-type]
+    assert ax.collections[0].norm.vmax == pytest.approx(masses[94]) and ax.collections[0].norm.vmin == 1.0

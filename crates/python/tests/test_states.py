@@ -219,7 +219,7 @@ def test_impacts_of_states_and_reports_agree() -> None:
     hit = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
     wrong: list[tuple[tuple[Any, ...], dict[str, Any], str]] = [
         ((ARM, contact, still), {}, "no velocities"), ((ARM, contact, moving), {}, "the root link is fixed"),
-        ((ARM, [], state), {}, "contacts is empty"), ((ARM, contact, state), {"restitution": [0.1, 0.2]}, "restitution has 2 numbers"),
+        ((ARM, [], state), {}, "contacts is empty"), ((ARM, contact, state), {"restitution": [0.1, 0.2]}, r"restitution has shape \(2,\)"),
         ((ARM, contact, state), {"law": "sticking", "restitution": 0.1}, "contacts that stick have none"),
         ((bar, hit, opens), {}, "state 0: velocities: with these the loops open"), ((ARM, contact, state), {"impact_map": True}, "impact_map"),
     ]  # fmt: skip

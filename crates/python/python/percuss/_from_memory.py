@@ -40,6 +40,8 @@ def from_pinocchio(model: Any, *, name: str | None = None) -> Model:
 
     A free-flyer at the root becomes the base: use Model.system(base="floating"). The link of joint J is named as the body
     frame at J's origin, else J. Raises InputError for composite joints, which URDF does not have.
+
+        >>> percuss.from_pinocchio(pinocchio.buildModelFromUrdf("arm.urdf"))
     """
     axes = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
     bodies: dict[int, list[tuple[str, Any]]] = {}
@@ -128,6 +130,8 @@ def from_mujoco(model: Any, *, name: str = "mujoco") -> Model:
 
     A body with several joints has massless links between them, as in a file of MuJoCo. Raises InputError for tendons' and
     flexes' equalities.
+
+        >>> percuss.from_mujoco(mujoco.MjModel.from_xml_path("arm.xml"))
     """
     mujoco_free, mujoco_kinds = 0, ("free", "ball", "slide", "hinge")
 

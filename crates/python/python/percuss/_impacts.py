@@ -21,7 +21,11 @@ _Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Impacts:
-    """Impacts of k contacts at N states, as ``impacts`` returns them; NaN in rows without a result."""
+    """Impacts of k contacts at N states, as ``impacts`` returns them; NaN in rows without a result.
+
+        >>> found = percuss.impacts(arm, tool, percuss.State(arm, q, velocities=np.ones((len(q), 6))))
+        >>> found.normal_impulses, found.velocities
+    """
 
     status: NDArray[np.uint8]
     """Status of each row: FINITE, or NO_ANSWER; (N,)."""
@@ -76,20 +80,20 @@ def impacts(
     Impacts.impact_map. threads, progress: as for ``sweep``. Raises InputError for velocities that open loops or move locked joints, and for
     a moving root link that is fixed.
 
-        >>> state = percuss.State(model, q, velocities=v, base_pose=base, base_twist=twist)      # N states
-        >>> feet = [percuss.Contact("foot", corner, [0, 0, -1], normal_frame="world") for corner in corners]
-        >>> landed = percuss.impacts(model.system(base="floating"), feet, state, law="sticking")
+        >>> state = percuss.State(arm, q, velocities=np.zeros((len(q), 6)), base_twist=[0, 0, 0, 0, 0, -1])     # N states
+        >>> feet = [percuss.Contact("tool", [x, 0.02, 0], [0, 0, -1], normal_frame="world") for x in (0.0, 0.08)]
+        >>> landed = percuss.impacts(arm.system(base="floating"), feet, state, law="sticking")
         >>> landed.velocities, landed.base_twist, landed.normal_impulses
     """
     given = [contacts] if isinstance(contacts, (Contact, str)) else list(contacts)
     if not given:
         raise InputError("contacts is empty; expected at least one")
-    each = [float(e) for e in restitution] if isinstance(restitution, Sequence) else [float(restitution)] * len(given)
-    if any(not 0 <= e <= 1 for e in each):
+    each = array_of(restitution, "restitution")
+    if each.shape not in ((), (len(given),)):
+        raise InputError(f"restitution has shape {each.shape}; expected one number, or {len(given)}: one for each contact")
+    if not ((each >= 0) & (each <= 1)).all():
         raise InputError(f"restitution is {restitution}; expected 0 to 1")
-    if len(each) != len(given):
-        raise InputError(f"restitution has {len(each)} numbers; expected one, or {len(given)}: one for each contact")
-    if law == "sticking" and any(each):
+    if law == "sticking" and each.any():
         raise InputError("restitution: contacts that stick have none; expected 0, or another law")
     if impact_map and law != "sticking":
         raise InputError('impact_map: without friction the map depends on the contacts that close; expected law="sticking"')
@@ -106,7 +110,7 @@ def impacts(
 
     found = _percuss.impact_rows(
         model, given, np.atleast_2d(state.positions), np.atleast_2d(state.velocities), rows(state.base_pose), rows(state.base_twist),
-        each, law, (reactions, impact_map), threads, progress,
+        np.broadcast_to(each, (len(given),)).tolist(), law, (reactions, impact_map), threads, progress,
     )  # fmt: skip
     return Impacts(**{"impact_map": None, "reactions": None, **found})
 
@@ -128,9 +132,7 @@ def safe_speeds(
     limits: as for ``safe_speed``. mass: an array, inf for an immovable robot; or a Sweep, of which each mass is increased by its error.
     NaN for NaN and for rows without an upper bound of m̄.
 
-        >>> swept = percuss.sweep(arm, contact, trajectory)
-        >>> limits = percuss.safe_speeds(swept, "chest", force=140)
-        >>> too_fast = np.abs(closing_speed) > limits
+        >>> limits = percuss.safe_speeds(percuss.sweep(arm, tool, q), "chest", force=140.0)
     """
     limit_of(region, force, pressure, area, energy, momentum)
     if isinstance(mass, Sweep):

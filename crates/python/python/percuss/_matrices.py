@@ -15,6 +15,8 @@ class MatrixBatch:
     """m̄, error and status of a batch of matrices, with the findings about it.
 
     Unpacks into effective_mass, error, status.
+
+        >>> masses, errors, status = percuss.effective_masses(np.stack([np.eye(2), 2 * np.eye(2)]), [1.0, 0.0])
     """
 
     def __init__(

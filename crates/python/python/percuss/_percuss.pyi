@@ -124,7 +124,9 @@ class _RankReport(TypedDict):
 
 @final
 class Diagnostic:
-    """Finding about a file or about a result."""
+    """Finding about a file or about a result.
+
+    >>> [(finding.code, finding.message) for finding in model.diagnostics]"""
     @property
     def severity(self) -> _Severity:
         """"error", "warning" or "note"."""
@@ -150,7 +152,9 @@ class Diagnostic:
 
 @final
 class Joint:
-    """A joint of a model."""
+    """A joint of a model.
+
+    >>> [joint.limits for joint in arm.joints]"""
     @property
     def name(self) -> str:
         """Name of the joint."""
@@ -189,7 +193,9 @@ class Contact:
     normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
     with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
     cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
-    Contact.about_axis creates a contact by a moment about an axis."""
+    Contact.about_axis creates a contact by a moment about an axis.
+
+        >>> contact = percuss.Contact("coupler", point=[0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])"""
     def __new__(
         cls,
         link: str,
@@ -243,7 +249,9 @@ class Contact:
 
 @final
 class Model:
-    """Mechanism read from a file. Immutable, so that threads can share it."""
+    """Mechanism read from a file. Immutable, so that threads can share it.
+
+    >>> percuss.load("models/four_bar.urdf").position_names"""
     @property
     def name(self) -> str:
         """The mechanism's name."""
@@ -331,7 +339,9 @@ class Model:
 
 @final
 class System:
-    """Mechanism under conditions. Immutable, so that threads can share it."""
+    """Mechanism under conditions. Immutable, so that threads can share it.
+
+    >>> arm.system(base="floating", lock=["elbow"]).coordinates"""
     @property
     def model(self) -> Model:
         """The model."""
@@ -366,7 +376,9 @@ class System:
 
 @final
 class Assembly:
-    """System with assembled loops. Immutable, so that threads can share it."""
+    """System with assembled loops. Immutable, so that threads can share it.
+
+    >>> model.assemble().drivers"""
     @property
     def model(self) -> Model:
         """The model."""
@@ -411,7 +423,10 @@ class Assembly:
 
 @final
 class Workspace:
-    """Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error."""
+    """Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error.
+
+    >>> workspace = arm.assemble().workspace(tool)
+    >>> workspace.effective_mass(q[0])"""
     def effective_mass(self, q: ArrayLike) -> float | None:
         """m̄ in kg at the positions of all joints, (p,), with closed loops; None unless finite, with the outcome in
         status. A pandas Series is matched by name. findings holds the findings about the last result; Pose.respond
@@ -428,7 +443,9 @@ class Workspace:
 
 @final
 class Pose:
-    """Mechanism at one configuration with closed loops. Immutable, so that threads can share it."""
+    """Mechanism at one configuration with closed loops. Immutable, so that threads can share it.
+
+    >>> model.pose({"crank_hinge": 0.4}).respond(contact).effective_mass"""
     @property
     def model(self) -> Model:
         """The model."""
@@ -544,7 +561,10 @@ class Pose:
 @final
 class Travel:
     """Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
-    share it."""
+    share it.
+
+        >>> height = percuss.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+        >>> height.pose(model.pose(), 0.01).joints["crank_hinge"]"""
     def __new__(cls, pose: Pose, link: str, point: ArrayLike, direction: ArrayLike) -> Travel: ...
     @property
     def link(self) -> str:
@@ -574,7 +594,9 @@ class Travel:
 
 @final
 class Accelerations:
-    """Accelerations of a moving mechanism."""
+    """Accelerations of a moving mechanism.
+
+    >>> arm.pose().accelerations(gravity=[0, 0, -9.81]).joints["elbow"]"""
     @property
     def joints(self) -> dict[str, _Array]:
         """Rates of the velocities of each movable joint, by joint name: rad/s², m/s²; (1,), or one entry per velocity of
@@ -585,7 +607,10 @@ class Accelerations:
 
 @final
 class Response:
-    """m̄ at a contact of a pose, and the quantities derived from it."""
+    """m̄ at a contact of a pose, and the quantities derived from it.
+
+    >>> response = model.pose().respond(contact)
+    >>> response.effective_mass, response.error, response.contributions"""
     @property
     def effective_mass(self) -> float | None:
         """m̄ in the unit given by unit; None unless finite."""
@@ -651,7 +676,9 @@ class Response:
 
 @final
 class MatrixResponse:
-    """m̄ from matrices, with its error, rank report and remarks."""
+    """m̄ from matrices, with its error, rank report and remarks.
+
+    >>> percuss.effective_mass(np.eye(2), [1.0, 0.0], [[0.0, 1.0]]).velocity"""
     @property
     def effective_mass(self) -> float | None:
         """m̄, in the unit of M (kg); None unless finite."""
@@ -679,7 +706,11 @@ class MatrixResponse:
 
 @final
 class Sweep:
-    """m̄ of a contact at many configurations."""
+    """m̄ of a contact at many configurations.
+
+    >>> swept = percuss.sweep(arm, tool, q)
+    >>> swept.effective_mass, swept.error, swept.findings
+    >>> swept[swept.status == percuss.Status.FINITE].to_dataframe()"""
     @property
     def effective_mass(self) -> _Array:
         """m̄, kg; NaN unless finite; (N,)."""
@@ -737,9 +768,13 @@ def load(
 
     accept: findings that are accepted: "indefinite-inertia", "implausible-inertia", "second-inertial". max_size: size limit in bytes;
     larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
-    notes. Raises LoadError, with every error of the file."""
+    notes. Raises LoadError, with every error of the file.
+
+        >>> model = percuss.load("models/four_bar.urdf")"""
 def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model:
-    """Reads URDF from text. name replaces the file name in messages. Other parameters as for load."""
+    """Reads URDF from text. name replaces the file name in messages. Other parameters as for load.
+
+    >>> percuss.loads('<robot name="r"><link name="a"/></robot>').links"""
 def sweep_of_parts(parts: dict[str, Any]) -> Sweep:
     """Rebuilds a sweep from its parts: of another process, or of some rows."""
 def impact_rows(
@@ -759,7 +794,9 @@ def impact_rows(
 
     velocities: (N, n). base_twist: (N, 6) in root axes. restitution: one for each contact. law: "newton", "poisson", "energetic", "sticking"."""
 def set_threads(threads: int | None = None) -> None:
-    """Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it."""
+    """Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it.
+
+    >>> percuss.set_threads(4)"""
 def diagnostic_of_parts(
     severity: _Severity,
     code: str,
@@ -801,7 +838,9 @@ def effective_mass(
     below this fraction of the largest count as zero, with each row scaled to 1; default 1e-10, or 10 times the accuracy
     if larger. accuracy: relative error of the entries, 0 to 1e-3; default by the type of each array: 2.2e-16 (float64),
     6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows of A with no entry above this value, in A's
-    unit, count as zero; default: 1e-14 of the largest entry of the rows that bind the same coordinates."""
+    unit, count as zero; default: 1e-14 of the largest entry of the rows that bind the same coordinates.
+
+        >>> percuss.effective_mass([[2.0, 0.3], [0.3, 1.0]], [1.0, -0.5]).effective_mass"""
 def effective_masses(
     M: ArrayLike,
     j: ArrayLike,
@@ -816,7 +855,9 @@ def effective_masses(
     batch axis is shared by the whole batch: one M with many j. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
     unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
     the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
-    failing problem."""
+    failing problem.
+
+        >>> masses, errors, status = percuss.effective_masses(np.stack([np.eye(2), 2 * np.eye(2)]), [1.0, 0.0])"""
 def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> list[Diagnostic]:
     """Findings about a batch, from the remarks of each problem and the numbers of the problems with small rows."""
 def sweep(
@@ -861,7 +902,10 @@ def sweep(
 
     gradient, inverse_operational_inertia: True also computes Sweep.gradient and Sweep.base_gradient, Sweep.inverse_operational_inertia. threads: number of
     threads of this call, 1 to 1024; default: those of set_threads. progress: function of the numbers of finished rows and of all
-    rows, called about 20 times a second; its exceptions stop the sweep."""
+    rows, called about 20 times a second; its exceptions stop the sweep.
+
+        >>> percuss.sweep(arm, tool, q).effective_mass
+        >>> percuss.sweep(model, contact, [[0.1], [0.2]], joints=["crank_hinge"]).effective_mass"""
 def load_suspension(
     path: str | os.PathLike[str],
     *,
@@ -881,17 +925,29 @@ def load_suspension(
     does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
     sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
     the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
-    Warnings and errors as for load."""
+    Warnings and errors as for load.
+
+        >>> percuss.suspension.load("models/suspensions/double-wishbone.toml").contacts"""
 def suspension_templates() -> list[tuple[str, str]]:
-    """Templates of sheets: name, title."""
+    """Templates of sheets: name, title.
+
+    >>> [name for name, title in percuss.suspension.templates()]"""
 def suspension_template(name: str, *, unit: str = "mm", axes: str = "iso") -> str:
-    """Empty sheet of a template, to fill in: TOML text."""
+    """Empty sheet of a template, to fill in: TOML text.
+
+    >>> percuss.suspension.template("macpherson-strut", unit="mm")"""
 def laws() -> list[tuple[str, str, str, str, bool, bool]]:
-    """Contact laws: name, title, formula, source, exactness, need for the impact speed."""
+    """Contact laws: name, title, formula, source, exactness, need for the impact speed.
+
+    >>> [law[0] for law in percuss.contact_law.laws()]"""
 def tools() -> list[tuple[str, str]]:
-    """Simulators: name, title."""
+    """Simulators: name, title.
+
+    >>> [name for name, title in percuss.contact_law.tools()]"""
 def regions() -> list[tuple[str, str, float, float]]:
-    """Body regions: name, title, mass (kg), stiffness (N/m)."""
+    """Body regions: name, title, mass (kg), stiffness (N/m).
+
+    >>> [name for name, title, mass, stiffness in percuss.regions()]"""
 def run_command(arguments: Sequence[str]) -> NoReturn:
     """Runs the command and ends the process with its exit code. The first argument is the program name."""
 

@@ -10,6 +10,8 @@ class RemarkFlags(enum.IntFlag):
 
     percuss.RemarkFlags(int(swept.remarks[3])) lists the kinds of a row; Sweep.findings and MatrixBatch.findings have a
     text for each kind.
+
+        >>> percuss.RemarkFlags(4096).name
     """
 
     NEARLY_IMMOVABLE = 1

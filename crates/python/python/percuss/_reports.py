@@ -52,7 +52,10 @@ def with_rows(parts: tuple[str, list[str]]) -> Any:
 
 @checked
 def check(model: Model) -> records.CheckReport:
-    """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
+    """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``.
+
+        >>> percuss.check(model).degrees_of_freedom
+    """
     return records.CheckReport.of(json.loads(_percuss.check(model)))
 
 
@@ -61,7 +64,10 @@ def mass(
     model: Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> records.MassReport:
     """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
-    contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``."""
+    contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``.
+
+        >>> percuss.mass(corner, "bump_stop").effective_mass
+    """
     model, request = asked(model, contact, conditions, **({} if damping is None else damping._tables()))
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
 
@@ -86,6 +92,8 @@ def sweep_report(
     "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or (joint, from, to, count). input: a file of positions, .csv or
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
     Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
+
+        >>> percuss.sweep_report(model, contact, vary="crank_hinge=0:0.2:5").rows[0].effective_mass
     """
     model, request = asked(model, contact, conditions, sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient})
     return records.SweepReport.of(with_rows(_percuss.sweep_report(model, request)))
@@ -107,6 +115,8 @@ def map(
     against: the other side; None: the ground. links: None: all links with a shape. shapes: "auto", "collision",
     "visual".
     edge: longest edge of a facet, m. packages: folders of ``package://`` names.
+
+        >>> percuss.map(percuss.load("models/shaped_arm.urdf"), links=["finger"]).facets["finger"]["effective_mass"]
     """
     if links is not None and not len(links):
         raise InputError("links is empty; expected names of links, or None for all links with a shape")
@@ -124,7 +134,10 @@ def map_point(
     model: Of, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> records.PointMapReport:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
-    not used."""
+    not used.
+
+        >>> percuss.map_point(arm, tool, 100).principal
+    """
     model, request = asked(model, contact, conditions)
     return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, request, directions)))
 
@@ -133,7 +146,10 @@ def map_point(
 def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
-    ``percuss mass --explain``."""
+    ``percuss mass --explain``.
+
+        >>> percuss.explain(arm, tool)
+    """
     model, request = asked(model, contact, conditions, mass={"explain": True})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).explanation
 
@@ -143,7 +159,10 @@ def friction_thresholds(
     model: Of, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
-    has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``."""
+    has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``.
+
+        >>> percuss.friction_thresholds(arm, tool)
+    """
     model, request = asked(model, contact, conditions, mass={"friction_thresholds": True})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).friction_thresholds
 
@@ -154,7 +173,10 @@ def reflected_inertias(
 ) -> records.ReflectedReport:
     """Inertias reflected to joints: with all other joints free, and with the other driving joints at rest. joints: "JOINT" for the
     inertia at the pose; "JOINT=FROM:TO:COUNT" for the inertia over a range of positions, with two substitutes for simulators without
-    loops. As ``percuss impact --reflected`` without a contact."""
+    loops. As ``percuss impact --reflected`` without a contact.
+
+        >>> percuss.reflected_inertias(model, ["crank_hinge"])
+    """
     model, request = asked(model, None, conditions)
     return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, request, list(joints))))
 
@@ -171,7 +193,10 @@ def tolerate(
 ) -> records.ToleranceReport | None:
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
-    --tolerance``."""
+    --tolerance``.
+
+        >>> percuss.tolerate(arm, tool, "mass=2%,com=1mm", samples=100)
+    """
     drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
     model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).tolerance
@@ -235,7 +260,10 @@ def impact(
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
     "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
     forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. The velocities of a State in place of
-    the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states."""
+    the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states.
+
+        >>> percuss.impact(arm, tool, restitution=0.5, speed=1.0).impulse
+    """
     if isinstance(model, State) and (model.velocities is not None or model.base_twist is not None):
         if rates is not None or base_twist is not None:
             raise InputError("rates, base_twist: the State has velocities; expected a State without velocities, or no rates")
@@ -283,7 +311,10 @@ def extremes(
     optimality residual and the number of starts that agree.
     keep: links or points that stay in place, "LINK", "LINK:X,Y,Z" or "LINK:X,Y,Z:NX,NY,NZ" (m, link's frame; direction in world axes): the
     search covers the self-motion. A path replaces the ranges. vary: one range of a joint or of a travel. input: a file of positions,
-    without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``."""
+    without the columns in ignore. Both are as for ``sweep_report``. The command is ``percuss extremes``.
+
+        >>> percuss.extremes(arm, tool, ranges={"elbow": (-1.0, 1.0)}, starts=4).least.effective_mass
+    """
     path = rows(vary, input, ignore, None, 0) or {}
     if vary is not None and input is not None:
         raise InputError("vary: give one of vary and input")
@@ -342,7 +373,10 @@ def safe_speed(
     """Safe speed of a robot in a possible impact with a person. region: a name of regions(); None: a rigid obstacle,
     with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
     pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
-    ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
+    ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``.
+
+        >>> percuss.safe_speed(arm, tool, "chest", force=140.0).reflected.speed
+    """
     limit = limit_of(region, force, pressure, area, energy, momentum, load)
     model, request = asked(model, contact, conditions, safe_speed=limit, sweep=rows(vary, input, ignore, random, seed))
     return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, request))[0])
@@ -365,7 +399,10 @@ def safe_speed_directions(
     load: float = 0.0,
 ) -> list[records.SafeSpeedReport]:
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
-    direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
+    direction: the direction of the greatest effective mass at the point. The contact's normal is not used.
+
+        >>> percuss.safe_speed_directions(arm, tool, "chest", [[0, 1, 0]], worst=True, force=140.0)[-1].normal_world
+    """
     if not len(directions) and not worst:
         raise InputError("directions: none is given; give at least one, or worst=True")
     along = [[float(x) for x in direction] for direction in directions]

@@ -42,6 +42,8 @@ class Conditions:
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating"; default: that of the System, or "fixed".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
+
+        >>> percuss.mass(arm, tool, percuss.Conditions(set={"elbow": "30deg"}, lock=["yaw"])).effective_mass
     """
 
     frame: Literal["link", "world", "against"] = "link"
@@ -73,6 +75,8 @@ class Damping:
     step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
     diagonal ratio. closed_loops: true if loops bind the contact link. A model supplies this value; for a mass alone,
     None means unknown, and the parameters of MuJoCo's equality constraints are given too.
+
+        >>> law = percuss.contact_law.Damping(restitution=0.3, stiffness=2e5, speed=1.0, tools=["mujoco"])
     """
 
     restitution: float

@@ -15,7 +15,7 @@ from ._remarks import RemarkFlags
 class Status(enum.IntEnum):
     """Outcome of a contact, as in the status arrays of sweeps, matrices, maps and impacts.
 
-    >>> percuss.Status(swept.status[3]).name
+        >>> percuss.Status(percuss.sweep(arm, tool, q).status[0]).name
     """
 
     FINITE = 0
@@ -31,7 +31,10 @@ class Status(enum.IntEnum):
 
 
 class SweepRow(NamedTuple):
-    """Row of a Sweep."""
+    """Row of a Sweep.
+
+        >>> percuss.sweep(arm, tool, q)[0].effective_mass
+    """
 
     #: m̄, kg; NaN unless finite.
     effective_mass: float

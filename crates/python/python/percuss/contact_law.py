@@ -20,7 +20,10 @@ from ._request import Conditions, Damping, Of, asked, tables
 
 @checked
 def damp(mass: float, damping: Damping) -> records.DampingReport:
-    """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
+    """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``.
+
+        >>> percuss.contact_law.damp(2.0, law).damping
+    """
     return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, (tables(**damping._tables()), None, None))))
 
 
@@ -28,7 +31,10 @@ def damp(mass: float, damping: Damping) -> records.DampingReport:
 def damp_contact(
     model: Of, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
 ) -> records.DampingReport:
-    """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
+    """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``.
+
+        >>> percuss.contact_law.damp_contact(arm, tool, law).damping
+    """
     model, request = asked(model, contact, conditions, **damping._tables())
     return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
 
@@ -43,7 +49,10 @@ def damp_stop(
     end: Literal["lower", "upper"] | None = None,
 ) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
-    damp --limit``."""
+    damp --limit``.
+
+        >>> percuss.contact_law.damp_stop(arm, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper").damping
+    """
     model, request = asked(model, None, conditions, **damping._tables(joint if end is None else f"{joint}:{end}"))
     return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
 
@@ -51,7 +60,10 @@ def damp_stop(
 @checked
 def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
     """Impact of a mass (kg) over time, with the approach speed damping.speed. Returns (samples, 4): time (s),
-    penetration (m), penetration rate (m/s), force (N)."""
+    penetration (m), penetration rate (m/s), force (N).
+
+        >>> time, penetration, rate, force = percuss.contact_law.impact_history(2.0, law).T
+    """
     return _percuss.impact_history(mass, (tables(**damping._tables()), None, None), samples)
 
 

@@ -18,6 +18,8 @@ __all__ = ["plot_ellipsoid", "plot_map", "plot_sweep"]
 
 #: Points of an ellipsoid along its meridians and parallels: smooth at the size of a page.
 _ELLIPSOID_POINTS = 40
+#: Factor of the values from which a scale is logarithmic, and of the largest value over the quantile from which it ends there.
+_LOGARITHMIC, _CAP = 20.0, 0.95
 
 
 def _new_axes(projection: str | None = None) -> Any:
@@ -41,8 +43,12 @@ def plot_sweep(swept: Sweep, x: ArrayLike | None = None, *, label: str | None = 
 
 
 def plot_map(report: MapReport, *, quantity: str = "effective_mass", ax: Any = None) -> Any:
-    """Surfaces of a map in space, facets coloured by a quantity of MapReport.facets on a logarithmic scale."""
-    from matplotlib.colors import LogNorm
+    """Surfaces of a map in space, facets coloured by a quantity of MapReport.facets, with the scale of ``percuss map``: logarithmic if the
+    values extend over a factor of 20; ending at the value that 95 % of the facets do not exceed if a few values are far above all others.
+
+        >>> percuss.plots.plot_map(percuss.map(model, links=["finger"]))
+    """
+    from matplotlib.colors import LogNorm, Normalize
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     axes = _new_axes("3d") if ax is None else ax
@@ -55,12 +61,16 @@ def plot_map(report: MapReport, *, quantity: str = "effective_mass", ax: Any = N
     known = np.isfinite(values) & (values > 0)
     if not known.any():
         raise NoAnswerError(f"no facet of the map has a {quantity}: nothing to draw")
-    scale = LogNorm(values[known].min(), values[known].max())
+    low, high = values[known].min(), values[known].max()
+    quantile = np.sort(values[known])[int(_CAP * (known.sum() - 1))]
+    is_capped = bool(high > _LOGARITHMIC * quantile)
+    high = quantile if is_capped else high
+    scale = (LogNorm if high > _LOGARITHMIC * low else Normalize)(low, high)
     drawn = Poly3DCollection(squares_of(points[known], normals[known], area[known]), norm=scale)
     drawn.set_array(values[known])
     axes.add_collection3d(drawn)
     _equal(axes, points[known])
-    axes.figure.colorbar(drawn, ax=axes, label="effective mass (kg)" if quantity == "effective_mass" else quantity)
+    axes.figure.colorbar(drawn, ax=axes, extend="max" if is_capped else "neither", label="effective mass (kg)" if quantity == "effective_mass" else quantity)
     return axes
 
 

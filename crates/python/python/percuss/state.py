@@ -71,8 +71,8 @@ class State:
     (frame="root") or of the world (frame="world"); linear_first=True: linear, then angular. ``converters.Converter.state`` reads the state
     of Pinocchio, MuJoCo, Drake or ROS.
 
-        >>> state = percuss.State(model, {"shoulder": 0.4}, velocities={"shoulder": 1.0}, base_twist=[0, 0, 0.5, 0, 0, 0])
-        >>> model.system(base="floating").pose(state).respond(contact).effective_mass
+        >>> state = percuss.State(arm, {"shoulder": 0.4}, velocities={"shoulder": 1.0}, base_twist=[0, 0, 0.5, 0, 0, 0])
+        >>> arm.system(base="floating").pose(state).respond(tool).effective_mass
     """
 
     #: The model.

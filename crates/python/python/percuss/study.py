@@ -22,7 +22,10 @@ from ._request import Conditions, Of, Range, asked, json_of, rows, tables
 
 @dataclass(frozen=True)
 class Design:
-    """Design for ``compare``: a model, a contact and conditions, under a name."""
+    """Design for ``compare``: a model, a contact and conditions, under a name.
+
+        >>> percuss.study.Design("stock", corner, "bump_stop")
+    """
 
     name: str
     model: Of
@@ -44,7 +47,10 @@ def compare(
     seed: int = 0,
 ) -> records.ComparisonReport:
     """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
-    random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
+    random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``.
+
+        >>> percuss.study.compare([percuss.study.Design("a", corner, "bump_stop"), percuss.study.Design("b", corner, "spring")]).designs
+    """
     if len(designs) < 2:
         raise InputError(f"designs has {len(designs)} entries; expected two at least")
     given = [(design.name, *asked(design.model, design.contact, design.conditions)) for design in designs]
@@ -54,7 +60,10 @@ def compare(
 
 @checked
 def compare_study(path: str | os.PathLike[str]) -> records.ComparisonReport:
-    """Compares the variants of a study (TOML) with its model, which has the name ``[model] name``. As ``percuss compare STUDY``."""
+    """Compares the variants of a study (TOML) with its model, which has the name ``[model] name``. As ``percuss compare STUDY``.
+
+        >>> percuss.study.compare_study("models/studies/variants.toml").designs
+    """
     return records.ComparisonReport.of(with_rows(_percuss.compare_study(path)))
 
 
@@ -74,7 +83,10 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 def run(path: str | os.PathLike[str]) -> records.AnyRecord:
     """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. If the study has the tables
     [impact] and [extremes], the keys "impact" and "extremes" of the report contain the reports of ``impact`` and ``extremes``. Safe speeds
-    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
+    in several directions are a list under the key "reports". Writes no file. As ``percuss run``.
+
+        >>> percuss.study.run("models/four_bar.toml")
+    """
     found = with_rows(_percuss.run_study(path))
     if isinstance(found, list):
         speeds = [records.SafeSpeedReport.of(one) for one in found]
@@ -91,19 +103,28 @@ def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
     """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
     request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
     the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
-    (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError."""
+    (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError.
+
+        >>> percuss.study.ask(corner, {"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}).impact
+    """
     return records.RequestReport.of(json.loads(_percuss.ask(model, json_of(request, "request"))))
 
 
 @checked
 def starting(model: Model, path: str | os.PathLike[str]) -> str:
     """Complete initial study of a model as TOML, with a contact. path: path of the model's file in the study,
-    relative to the study's folder. As ``percuss init``."""
+    relative to the study's folder. As ``percuss init``.
+
+        >>> print(percuss.study.starting(model, "four_bar.urdf"))
+    """
     return _percuss.starting_study(model, path)
 
 
 def schema() -> dict[str, Any]:
-    """JSON schema of studies: the permitted tables and keys. As ``percuss schema``."""
+    """JSON schema of studies: the permitted tables and keys. As ``percuss schema``.
+
+        >>> percuss.study.schema()["properties"].keys()
+    """
     return cast("dict[str, Any]", json.loads(_percuss.study_schema()))
 
 

@@ -33,6 +33,9 @@ class Kinematics:
     values: columns by name, (rows,) each, NaN where a quantity is missing; with two wheels the names end in "_left" and
     "_right". units: SI unit of each column, "" for a plain number. missing: reason for each column without values.
     problems: reason for each row without a pose, None for a row with one. report: as ``percuss kinematics --format json``.
+
+        >>> table = percuss.suspension.kinematics(corner, wheel_travel=[-0.05, 0, 0.05])
+        >>> table["toe"], table.units["toe"]
     """
 
     variable: str | None
@@ -91,6 +94,8 @@ def kinematics(
     wheel_hop_frequency, Hz.
     compliance: "single", "parallel" or "opposed": toe, camber and displacements per load (N, N·m) with the bushes of the sheet, such as
     toe_per_lateral_force, rad/N; travel_held: the heights of the wheel centres are held.
+
+        >>> percuss.suspension.kinematics(corner, wheel_travel=[-0.05, 0, 0.05])["camber"]
     """
     state: list[tuple[str, float]] = []
     ranges: dict[str, list[float]] = {}

@@ -20,6 +20,8 @@ use pyo3::types::PyAny;
 /// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
 /// cable: True if the line of toward is a cable, which resists lengthening; without against, the other side is its link.
 /// Contact.about_axis creates a contact by a moment about an axis.
+///
+///     >>> contact = percuss.Contact("coupler", point=[0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {

@@ -17,6 +17,8 @@ use pyo3::types::{PyAny, PyDict};
 use rayon::prelude::*;
 
 /// m̄ from matrices, with its error, rank report and remarks.
+///
+///     >>> percuss.effective_mass(np.eye(2), [1.0, 0.0], [[0.0, 1.0]]).velocity
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct MatrixResponse(Found);
@@ -264,6 +266,8 @@ impl<'a> Block<'a> {
 /// if larger. accuracy: relative error of the entries, 0 to 1e-3; default by the type of each array: 2.2e-16 (float64),
 /// 6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows of A with no entry above this value, in A's
 /// unit, count as zero; default: 1e-14 of the largest entry of the rows that bind the same coordinates.
+///
+///     >>> percuss.effective_mass([[2.0, 0.3], [0.3, 1.0]], [1.0, -0.5]).effective_mass
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
@@ -301,6 +305,8 @@ pub fn effective_mass(
 /// unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
 /// the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
 /// failing problem.
+///
+///     >>> masses, errors, status = percuss.effective_masses(np.stack([np.eye(2), 2 * np.eye(2)]), [1.0, 0.0])
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]

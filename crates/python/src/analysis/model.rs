@@ -41,6 +41,8 @@ const JOINT_KINDS: [JointKind; 7] = [
 ];
 
 /// A joint of a model.
+///
+///     >>> [joint.limits for joint in arm.joints]
 #[pyclass(frozen, get_all, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -81,6 +83,8 @@ impl Joint {
 }
 
 /// Mechanism read from a file. Immutable, so that threads can share it.
+///
+///     >>> percuss.load("models/four_bar.urdf").position_names
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Model {
@@ -134,6 +138,8 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
 /// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia", "second-inertial". max_size: size limit in bytes;
 /// larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
 /// notes. Raises LoadError, with every error of the file.
+///
+///     >>> model = percuss.load("models/four_bar.urdf")
 #[pyfunction]
 #[pyo3(signature = (path, *, accept=Vec::new(), max_size=DEFAULT_MAX_SIZE))]
 pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -> PyResult<Model> {
@@ -145,6 +151,8 @@ pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -
 }
 
 /// Reads URDF from text. name replaces the file name in messages. Other parameters as for load.
+///
+///     >>> percuss.loads('<robot name="r"><link name="a"/></robot>').links
 #[pyfunction]
 #[pyo3(signature = (text, *, name="<text>", accept=Vec::new()))]
 pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyResult<Model> {

@@ -25,6 +25,9 @@ const RESIDUAL_TOLERANCE: f64 = 1e-6;
 
 /// Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
 /// share it.
+///
+///     >>> height = percuss.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+///     >>> height.pose(model.pose(), 0.01).joints["crank_hinge"]
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Travel {
@@ -343,6 +346,8 @@ pub fn by_joint<'py>(
 }
 
 /// Accelerations of a moving mechanism.
+///
+///     >>> arm.pose().accelerations(gravity=[0, 0, -9.81]).joints["elbow"]
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Accelerations {

@@ -10,6 +10,8 @@ use pyo3::prelude::*;
 use std::sync::Arc;
 
 /// Mechanism at one configuration with closed loops. Immutable, so that threads can share it.
+///
+///     >>> model.pose({"crank_hinge": 0.4}).respond(contact).effective_mass
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Pose {

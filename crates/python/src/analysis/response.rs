@@ -16,6 +16,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
 /// m̄ at a contact of a pose, and the quantities derived from it.
+///
+///     >>> response = model.pose().respond(contact)
+///     >>> response.effective_mass, response.error, response.contributions
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Response {

@@ -45,6 +45,8 @@ fn side(name: &str) -> PyResult<Side> {
 /// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
 /// the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
 /// Warnings and errors as for load.
+///
+///     >>> percuss.suspension.load("models/suspensions/double-wishbone.toml").contacts
 #[pyfunction]
 #[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false, worksheet=None))]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
@@ -80,12 +82,16 @@ pub fn load_suspension(
 }
 
 /// Templates of sheets: name, title.
+///
+///     >>> [name for name, title in percuss.suspension.templates()]
 #[pyfunction]
 pub fn suspension_templates() -> Vec<(&'static str, &'static str)> {
     template_names()
 }
 
 /// Empty sheet of a template, to fill in: TOML text.
+///
+///     >>> percuss.suspension.template("macpherson-strut", unit="mm")
 #[pyfunction]
 #[pyo3(signature = (name, *, unit="mm", axes="iso"))]
 pub fn suspension_template(name: &str, unit: &str, axes: &str) -> PyResult<String> {

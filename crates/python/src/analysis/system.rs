@@ -14,6 +14,8 @@ use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
 
 /// Mechanism under conditions. Immutable, so that threads can share it.
+///
+///     >>> arm.system(base="floating", lock=["elbow"]).coordinates
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct System {
@@ -32,6 +34,8 @@ pub struct GivenConditions {
 }
 
 /// System with assembled loops. Immutable, so that threads can share it.
+///
+///     >>> model.assemble().drivers
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Assembly {

@@ -276,6 +276,9 @@ pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolve
 }
 
 /// Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error.
+///
+///     >>> workspace = arm.assemble().workspace(tool)
+///     >>> workspace.effective_mass(q[0])
 #[pyclass(module = "percuss")]
 #[derive(Debug)]
 pub struct Workspace {

@@ -96,6 +96,8 @@ fn cannot_start(error: ThreadPoolBuildError) -> PyErr {
 }
 
 /// Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it.
+///
+///     >>> percuss.set_threads(4)
 #[pyfunction]
 #[pyo3(signature = (threads=None))]
 pub fn set_threads(threads: Option<usize>) -> PyResult<()> {

@@ -92,6 +92,8 @@ pub fn safe_speeds<'py>(
 }
 
 /// Contact laws: name, title, formula, source, exactness, need for the impact speed.
+///
+///     >>> [law[0] for law in percuss.contact_law.laws()]
 #[pyfunction]
 pub fn laws() -> Vec<(&'static str, &'static str, &'static str, &'static str, bool, bool)> {
     let of =
@@ -100,12 +102,16 @@ pub fn laws() -> Vec<(&'static str, &'static str, &'static str, &'static str, bo
 }
 
 /// Simulators: name, title.
+///
+///     >>> [name for name, title in percuss.contact_law.tools()]
 #[pyfunction]
 pub fn tools() -> Vec<(&'static str, &'static str)> {
     Tool::ALL.into_iter().map(|tool| (tool.name(), tool.facts().title)).collect()
 }
 
 /// Body regions: name, title, mass (kg), stiffness (N/m).
+///
+///     >>> [name for name, title, mass, stiffness in percuss.regions()]
 #[pyfunction]
 pub fn regions() -> Vec<(&'static str, &'static str, f64, f64)> {
     BodyRegion::all().iter().map(|r| (r.name, r.title, r.mass, r.stiffness)).collect()

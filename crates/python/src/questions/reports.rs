@@ -313,7 +313,9 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
             let report = interruptible(py, || study.results(None, mass, &names))?.map_err(errors::ask)?;
             let json = report.main_json();
             Ok((
-                json.ok_or_else(|| input("the study contains no question with one report: use percuss.study.ask"))?,
+                json.ok_or_else(|| {
+                    input("the study contains no question with one report: use percuss.study.ask")
+                })?,
                 Vec::new(),
             ))
         }

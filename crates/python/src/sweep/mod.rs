@@ -82,6 +82,9 @@ pub fn parts_of(given: &Bound<'_, PyAny>) -> PyResult<(Model, Compiled, Arc<Asse
 /// gradient, inverse_operational_inertia: True also computes Sweep.gradient and Sweep.base_gradient, Sweep.inverse_operational_inertia. threads: number of
 /// threads of this call, 1 to 1024; default: those of set_threads. progress: function of the numbers of finished rows and of all
 /// rows, called about 20 times a second; its exceptions stop the sweep.
+///
+///     >>> percuss.sweep(arm, tool, q).effective_mass
+///     >>> percuss.sweep(model, contact, [[0.1], [0.2]], joints=["crank_hinge"]).effective_mass
 #[pyfunction]
 #[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false, points=None, normals=None,
     gradient=false, inverse_operational_inertia=false, ignore=Vec::new(), nan="refuse", threads=None, progress=None))]

@@ -11,6 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
 /// m̄ of a contact at many configurations.
+///
+///     >>> swept = percuss.sweep(arm, tool, q)
+///     >>> swept.effective_mass, swept.error, swept.findings
+///     >>> swept[swept.status == percuss.Status.FINITE].to_dataframe()
 #[pyclass(frozen, module = "percuss")]
 #[derive(Debug)]
 pub struct Sweep {

@@ -92,6 +92,41 @@ def mimics(pin):
         check(f"Pinocchio, mimics {number}", 1 / response.effective_mass, row @ np.linalg.solve(mass, row))
 
 
+def states(pin, peer, data, converter, system, contact, q):
+    """States there and back; dm̄/dt with a moving base against differences of m̄ of Pinocchio; rates after an impact from its M and J."""
+    v = np.random.default_rng(5).normal(size=(len(q), peer.nv))
+    frame, normal = peer.getFrameId("third", pin.FrameType.BODY), np.asarray(contact.normal) / np.linalg.norm(contact.normal)
+
+    def matrices(q):
+        mass = pin.crba(peer, data, q)
+        jacobian = pin.computeFrameJacobian(peer, data, q, frame, pin.LOCAL_WORLD_ALIGNED)
+        pin.framesForwardKinematics(peer, data, q)
+        arm = data.oMf[frame].rotation @ contact.point
+        return np.triu(mass) + np.triu(mass, 1).T, normal @ (jacobian[:3] - pin.skew(arm) @ jacobian[3:])
+
+    def of_pinocchio(q):
+        mass, row = matrices(q)
+        return 1 / (row @ np.linalg.solve(mass, row))
+
+    state = converter.state(q, v)
+    back = converter.of_state(state)
+    check("Pinocchio, states back", back[0], q)
+    check("Pinocchio, velocities of states back", back[1], v)
+    swept = percuss.sweep(system, contact, state, gradient=True)
+    rates = np.sum(swept.gradient * state.velocities, axis=1) + np.sum(swept.base_gradient * state.twist(), axis=1)
+    after = percuss.impacts(system, contact, state, restitution=0.3)
+    after = percuss.State(state.model, state.positions, velocities=after.velocities, base_pose=state.base_pose, base_twist=after.base_twist)
+    step = 1e-5
+    for number, (q_row, v_row, found) in enumerate(zip(q, v, converter.of_state(after)[1])):
+        mass, row = matrices(q_row)
+        closing = max(row @ v_row, 0.0)
+        expected = v_row - 1.3 * closing * of_pinocchio(q_row) * np.linalg.solve(mass, row)
+        check(f"Pinocchio, impact {number}", found, expected)
+        slope = np.subtract(*(of_pinocchio(pin.integrate(peer, q_row, sign * step * v_row)) for sign in (1, -1))) / (2 * step)
+        # As for MuJoCo: the error of central differences.
+        check(f"Pinocchio, rate {number}", round(abs(rates[number] - slope) / (1 + abs(slope)), 6), 0.0)
+
+
 def pinocchio():
     import pinocchio as pin
 
@@ -125,6 +160,7 @@ def pinocchio():
                 check(f"Pinocchio, velocities {number}", closing_speeds(model, converter, q, v, point), expected)
                 check(f"Pinocchio, velocities back {number}", converter.from_velocities(converter.velocities(v)), v)
         check("Pinocchio, rows", converter.positions(np.stack(rows))[7], converter.positions(rows[7]))
+        states(pin, peer, data, converter, model.system(base="floating" if floating else "fixed"), contact, np.stack(rows))
         built = percuss.from_pinocchio(peer)
         base_kind = "floating" if floating else "fixed"
         system, again = model.system(base=base_kind), built.system(base=base_kind)
@@ -203,7 +239,7 @@ def mujoco():
             mj.mj_integratePos(peer, moved, v, sign * step)
             masses.append(percuss.sweep(model, contact, converter.positions(moved)[None]).effective_mass[0])
         swept = percuss.sweep(model, contact, own[None], gradient=True)
-        found = swept.gradient[0] @ converter.velocities(v, q)
+        found = swept.gradient[0] @ converter.state(q, v).velocities
         expected = (masses[0] - masses[1]) / (2 * step)
         # Central differences: 1e-10 of the third derivative, 1e-16 / 1e-5 of rounding.
         check(f"MuJoCo, rate {number}", round(abs(found - expected) / (1 + abs(expected)), 6), 0.0)
