@@ -54,6 +54,8 @@ pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;
 pub use sdf::write::{SdfError, write_sdf};
 pub use shape::{Purpose, Shape, Solid};
+#[cfg(feature = "urdf-rs")]
+pub use urdf::from_urdf_rs::from_urdf_rs;
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
 pub use writing::changes::{Change, Effect, ModelText, lost_pose};

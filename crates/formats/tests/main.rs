@@ -14,6 +14,8 @@ mod surfaces;
 /// Elements of a URDF beside its links and joints.
 mod urdf {
     mod closing_pairs;
+    #[cfg(feature = "urdf-rs")]
+    mod from_urdf_rs;
     mod gazebo_joints;
     mod simulator_elements;
 }
