@@ -69,6 +69,7 @@ pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
+pub use several::state_impact::{ContactsLaw, StateImpact, state_impact};
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
 pub use time::conditions::TimeConditions;
 pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};

@@ -76,6 +76,15 @@ pub const MOST_STEPS: usize = 20_000;
 /// Violation of a complementarity condition, relative to the largest speed or impulse, that is rounding.
 pub const COMPLEMENTARY: f64 = 1e-10;
 
+/// Pivot of M, relative to its diagonal entry, above which M is clearly regular: its factorisation keeps ten digits.
+pub const REGULAR_MASS: f64 = 1e-6;
+
+/// Pivots of a mobility of contacts with a unit diagonal: above the first a direction can clearly move, up to the second it is rounding.
+pub const CLEAR_PIVOT: f64 = 1e-6;
+
+/// See [`CLEAR_PIVOT`].
+pub const ROUNDING_PIVOT: f64 = 1e-12;
+
 /// Largest number of simultaneous contacts: all subsets of contacts are examined.
 pub const MOST_CONTACTS: usize = 12;
 

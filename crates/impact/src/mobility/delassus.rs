@@ -203,7 +203,7 @@ fn is_immovable(pose: &Pose, contact: &LocatedContact) -> bool {
 }
 
 /// Axes of a contact as columns, in root axes: −n̂ and two tangents.
-fn contact_axes(pose: &Pose, contact: &LocatedContact) -> Matrix3<f64> {
+pub(crate) fn contact_axes(pose: &Pose, contact: &LocatedContact) -> Matrix3<f64> {
     let normal = pose.link_in_root(contact.link).vector(&contact.normal_link);
     let (t1, t2) = plane_basis(&normal);
     Matrix3::from_columns(&[-normal, t1, t2])

@@ -5,4 +5,5 @@ pub(crate) mod complementarity;
 pub(crate) mod energetic;
 pub(crate) mod laws;
 pub(crate) mod least_friction;
+pub(crate) mod state_impact;
 pub(crate) mod sticking;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterable, Sequence
 from typing import Any
 from xml.sax.saxutils import quoteattr
@@ -35,6 +36,16 @@ def _tensor(i: Any) -> str:
     return "<inertia " + " ".join(f'{name}="{float(i[at])!r}"' for name, at in parts.items()) + "/>"
 
 
+def _read(text: str, name: str) -> Model:
+    """Model of a text; its warnings have the line of the caller of from_pinocchio or from_mujoco."""
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        model = loads(text, name=name)
+    for warning in found:
+        warnings.warn(str(warning.message), warning.category, stacklevel=3)
+    return model
+
+
 def from_pinocchio(model: Any, *, name: str | None = None) -> Model:
     """Model of a pinocchio.Model in memory: its joints, inertias, armatures, limits, and body frames as links.
 
@@ -47,9 +58,9 @@ def from_pinocchio(model: Any, *, name: str | None = None) -> Model:
     bodies: dict[int, list[tuple[str, Any]]] = {}
     for frame in model.frames:
         if "BODY" in str(frame.type):
-            bodies.setdefault(int(getattr(frame, "parentJoint", frame.parent if hasattr(frame, "parent") else 0)), []).append(
-                (str(frame.name), frame.placement)
-            )
+            # Later versions of Pinocchio warn of `parent`.
+            joint = frame.parentJoint if hasattr(frame, "parentJoint") else frame.parent
+            bodies.setdefault(int(joint), []).append((str(frame.name), frame.placement))
     links: dict[int, str] = {}
     lines = [f"<robot name={quoteattr(name or str(model.name) or 'pinocchio')}>"]
     free_base = [i for i in range(1, model.njoints) if model.joints[i].nq == 7 and model.parents[i] == 0]
@@ -122,7 +133,7 @@ def from_pinocchio(model: Any, *, name: str | None = None) -> Model:
             f"<child link={quoteattr(links[number])}/>{_origin(model.jointPlacements[number])}{extra}</joint>"
         )
     lines.append("</robot>")
-    return loads("\n".join(lines), name=name or str(model.name) or "pinocchio")
+    return _read("\n".join(lines), name or str(model.name) or "pinocchio")
 
 
 def from_mujoco(model: Any, *, name: str = "mujoco") -> Model:
@@ -201,7 +212,7 @@ def from_mujoco(model: Any, *, name: str = "mujoco") -> Model:
     if equalities:
         lines += ["<equality>", *equalities, "</equality>"]
     lines.append("</mujoco>")
-    return loads("\n".join(lines), name=name)
+    return _read("\n".join(lines), name)
 
 
 __all__ = ["from_mujoco", "from_pinocchio"]

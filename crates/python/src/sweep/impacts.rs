@@ -11,10 +11,9 @@ use crate::sweep::portions::{Progress, run_portions};
 use crate::sweep::row_contacts::BasePose;
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use percuss::impact::{
-    Component, ContactStiffness, Delassus, ImpactError, JointRates, ReactionMap, SimultaneousLaw,
-    simultaneous_impact, sticking_impact,
+    Component, ContactsLaw, JointRates, ReactionMap, SimultaneousLaw, StateImpact, state_impact,
 };
-use percuss::nalgebra::{DVector, Vector3};
+use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
 use percuss::{
     Assembly as Assembled, Base, Configuration, Contact as Resolved, ContactStatus, Direction, Frame,
@@ -26,24 +25,17 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Law of the impacts.
-#[derive(Clone, Copy)]
-enum Law {
-    Sticking,
-    Simultaneous(SimultaneousLaw),
-}
-
-impl Law {
-    fn of(name: &str) -> PyResult<Self> {
-        let simultaneous = SimultaneousLaw::ALL.into_iter().find(|law| law.name() == name);
-        match (name, simultaneous) {
-            ("sticking", _) => Ok(Self::Sticking),
-            (_, Some(law)) => Ok(Self::Simultaneous(law)),
-            _ => Err(input(format_args!(
-                "law is \"{name}\"; expected \"newton\", \"poisson\", \"energetic\" or \"sticking\""
-            ))),
-        }
+/// Law from its name.
+fn law_of(name: &str) -> PyResult<ContactsLaw> {
+    if name == "sticking" {
+        return Ok(ContactsLaw::Sticking);
     }
+    let found = SimultaneousLaw::ALL.into_iter().find(|law| law.name() == name);
+    found.map(ContactsLaw::Simultaneous).ok_or_else(|| {
+        input(format_args!(
+            "law is \"{name}\"; expected \"newton\", \"poisson\", \"energetic\" or \"sticking\""
+        ))
+    })
 }
 
 /// States and contacts of a call.
@@ -58,7 +50,7 @@ struct Question<'a> {
     /// Twists of the root link in its axes, row by row; empty if it is at rest.
     twists: Vec<f64>,
     restitution: Vec<f64>,
-    law: Law,
+    law: ContactsLaw,
     wants_reactions: bool,
     wants_map: bool,
     /// Numbers of velocities of the joints.
@@ -87,17 +79,6 @@ enum Refusal {
     NoAnswer(String),
 }
 
-/// Impulses of a law.
-struct Impulses {
-    /// Components of all contacts in the axes of the Delassus matrix.
-    all: DVector<f64>,
-    /// Normal impulse of each contact; NaN if open.
-    normal: Vec<f64>,
-    sticks: Vec<bool>,
-    energy_loss: f64,
-    map: Vec<f64>,
-}
-
 impl Question<'_> {
     /// Impact at a row.
     fn solve(&self, row: usize) -> Result<Impact, Refusal> {
@@ -109,28 +90,25 @@ impl Question<'_> {
         if let Some(reason) = opening(self.system, &pose, &rates.joints) {
             return Err(Refusal::State(reason));
         }
-        let delassus = Delassus::new(&pose, &located).map_err(|error| no_answer(&error))?;
-        let before = delassus.velocities(&pose, &rates);
-        let found = self.impulses(&delassus, &before).map_err(|error| no_answer(&error))?;
-        let after = rates.plus_scaled(&delassus.rate_change(&pose, &found.all), 1.0);
-        let vector = |i: usize| {
-            let own: Vector3<f64> = delassus.axes(i) * found.all.fixed_rows::<3>(3 * i);
-            pose.base().vector(&own)
-        };
-        let k = self.contacts.len();
+        let found = state_impact(&pose, &located, &rates, self.law, &self.restitution, self.wants_map)
+            .map_err(|error| no_answer(&error))?;
         let reactions = match self.wants_reactions {
-            true => self.reactions(&pose, &located, &delassus, &found).map_err(|error| no_answer(&error))?,
+            true => self.reactions(&pose, &located, &found).map_err(|error| no_answer(&error))?,
             false => Vec::new(),
         };
+        let vector = |(contact, axes): (usize, &Matrix3<f64>)| -> [f64; 3] {
+            pose.base().vector(&(axes * found.impulses.fixed_rows::<3>(3 * contact))).into()
+        };
+        let (twist, open) = (&found.after.base, |impulse: &Option<f64>| impulse.unwrap_or(f64::NAN));
         Ok(Impact {
-            closing_speeds: (0..k).map(|i| -before[3 * i]).collect(),
-            impulses: (0..k).flat_map(|i| <[f64; 3]>::from(vector(i))).collect(),
-            normal_impulses: found.normal,
-            velocities: after.joints.concat(),
-            twist: after.base.angular.iter().chain(after.base.linear.iter()).copied().collect(),
+            closing_speeds: found.before.iter().step_by(3).map(|speed| -speed).collect(),
+            impulses: found.axes.iter().enumerate().flat_map(vector).collect(),
+            normal_impulses: found.normal_impulses.iter().map(open).collect(),
+            velocities: found.after.joints.concat(),
+            twist: twist.angular.iter().chain(twist.linear.iter()).copied().collect(),
             energy_loss: found.energy_loss,
             sticks: found.sticks,
-            map: found.map,
+            map: found.map.map_or_else(Vec::new, |map| map.transpose().as_slice().to_vec()),
             reactions,
         })
     }
@@ -165,72 +143,23 @@ impl Question<'_> {
         JointRates { joints, base }
     }
 
-    /// Impulses of the law; zero if no contact closes.
-    fn impulses(&self, delassus: &Delassus, before: &DVector<f64>) -> Result<Impulses, ImpactError> {
-        let k = self.contacts.len();
-        let none = || Impulses {
-            all: DVector::zeros(3 * k),
-            normal: vec![0.0; k],
-            sticks: vec![false; k],
-            energy_loss: 0.0,
-            map: match self.wants_map {
-                true => identity(delassus.jacobian().ncols()),
-                false => Vec::new(),
-            },
-        };
-        if (0..k).all(|i| before[3 * i] >= 0.0) {
-            return Ok(none());
-        }
-        let open = |impulse: Option<f64>| impulse.unwrap_or(f64::NAN);
-        match self.law {
-            Law::Sticking => match sticking_impact(delassus, before) {
-                // Closing speeds of rounding.
-                Err(ImpactError::ClosingSpeed { .. }) => Ok(none()),
-                found => found.map(|found| Impulses {
-                    normal: found.contacts.iter().map(|contact| open(contact.normal_impulse)).collect(),
-                    sticks: found.contacts.iter().map(|contact| contact.sticks).collect(),
-                    energy_loss: found.energy_loss,
-                    map: match self.wants_map {
-                        true => found.map.transpose().as_slice().to_vec(),
-                        false => Vec::new(),
-                    },
-                    all: found.impulses,
-                }),
-            },
-            Law::Simultaneous(law) => {
-                let speeds = DVector::from_fn(k, |i, _| before[3 * i]);
-                let stiffness = ContactStiffness { ratios: vec![1.0; k], exponent: 1.0 };
-                let found = simultaneous_impact(delassus, &speeds, &self.restitution, law, &stiffness)?;
-                let own = |r: usize| if r.is_multiple_of(3) { found.solution[r / 3] } else { 0.0 };
-                Ok(Impulses {
-                    all: DVector::from_fn(3 * k, |r, _| own(r)),
-                    normal: found.impulses.iter().map(|impulse| open(*impulse)).collect(),
-                    sticks: vec![false; k],
-                    energy_loss: found.energy_loss,
-                    map: Vec::new(),
-                })
-            }
-        }
-    }
-
     /// Reactions in all joints: force, then moment; NaN if redundant constraints or contacts leave them open.
     fn reactions(
         &self,
         pose: &Posed,
         located: &[LocatedContact],
-        delassus: &Delassus,
-        found: &Impulses,
+        found: &StateImpact,
     ) -> Result<Vec<f64>, Box<dyn std::error::Error>> {
         let joints = self.widths.len();
-        if found.normal.iter().any(|impulse| impulse.is_nan()) {
+        if found.normal_impulses.contains(&None) {
             return Ok(vec![f64::NAN; 6 * joints]);
         }
         let map = ReactionMap::new(pose);
         let mut sum = vec![0.0; 6 * joints];
-        for (row, impulse) in found.all.iter().enumerate().filter(|(_, impulse)| **impulse != 0.0) {
+        for (row, impulse) in found.impulses.iter().enumerate().filter(|(_, impulse)| **impulse != 0.0) {
             let (contact, is_moment) = (self.contacts[row / 3], located[row / 3].is_moment);
             // The unit impulse of a response on the contact link is opposite to its normal.
-            let axis = pose.base().vector(&-delassus.axes(row / 3).column(row % 3).into_owned());
+            let axis = pose.base().vector(&-found.axes[row / 3].column(row % 3).into_owned());
             let along = if is_moment { Direction::About } else { Direction::Along };
             let response = pose.respond(&Resolved { normal: along(axis, Frame::World), ..contact })?;
             let reactions = map.reactions(&response, *impulse)?;
@@ -242,11 +171,6 @@ impl Question<'_> {
         }
         Ok(sum)
     }
-}
-
-/// Identity matrix, row by row.
-fn identity(n: usize) -> Vec<f64> {
-    (0..n * n).map(|k| if k / n.max(1) == k % n.max(1) { 1.0 } else { 0.0 }).collect()
 }
 
 /// Arrays of a call by name: results of N states, k contacts, n velocities, c coordinates and the joints.
@@ -310,7 +234,7 @@ pub fn impact_rows<'py>(
         bases: BasePose::of(base_pose, count)?,
         twists,
         restitution,
-        law: Law::of(law)?,
+        law: law_of(law)?,
         wants_reactions: wants.0,
         wants_map: wants.1,
         widths,
