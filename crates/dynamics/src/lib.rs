@@ -26,6 +26,7 @@ pub use analysis::compliance::residual::{ResidualCompliance, RowShare};
 pub use analysis::compliance::response::Receptance;
 pub use analysis::compliance::statics::{Load, StaticDisplacement, StaticSystem};
 pub use analysis::compliance::system::{ComplianceError, ElasticSystem};
+pub use analysis::compliance::transient::{ElasticInput, ElasticMotion, ElasticOutput, ElasticRowOutput};
 pub use analysis::pose::{Pose, PoseRank};
 pub use analysis::response::{ContactResponse, Contributions};
 pub use analysis::rigid_loops::{DepartingAxis, RigidLoops};

@@ -2,7 +2,7 @@
 
 use crate::mobility::delassus::DelassusError;
 use crate::reactions::reaction_map::ReactionError;
-use percuss_dynamics::ResponseError;
+use percuss_dynamics::{ComplianceError, ResponseError};
 
 /// Error of an impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -156,6 +156,14 @@ pub enum ImpactError {
         "the motion of the impact leads to a pose at which the contact has no normal or the loops break; expected a stiffer contact"
     )]
     LostContact,
+    /// The contact of a mechanism with free bushes has no mass, or its motion is not determined.
+    #[error(
+        "a motion without mass, stiffness and damping closes the gap of the mechanism with bushes; expected a mass at the contact, or a stiffness"
+    )]
+    MasslessContact,
+    /// The mechanism with free bushes cannot be computed.
+    #[error(transparent)]
+    Compliance(#[from] ComplianceError),
     /// The mobility of the contacts cannot be computed.
     #[error(transparent)]
     Mobility(#[from] DelassusError),

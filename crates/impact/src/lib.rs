@@ -13,6 +13,7 @@
 //! A rigid impact is instantaneous: gravity, springs and dampers have no effect. [`impact_in_time`] integrates the motion with a given
 //! contact force, with gravity, springs and dampers. This crate reads no files and contains no laws of compliant contacts.
 
+mod compliant;
 mod error;
 mod friction;
 mod group_rows;
@@ -27,6 +28,10 @@ mod several;
 mod time;
 mod tolerances;
 
+pub use compliant::impact::{
+    CompliantEnergy, CompliantImpact, CompliantLaw, CompliantSample, ContactEnd, ElementPeak, SecondHit,
+    compliant_impact, compliant_impact_of,
+};
 pub use error::ImpactError;
 pub use friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
 pub use friction::impulse::{Friction, FrictionLaw, FrictionalCompression, LawResult};

@@ -38,14 +38,14 @@ pub use percuss_dynamics::{
     Configuration, ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource,
     Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus,
     Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
-    ElasticDirection, ElasticSystem, ElementMotion, ErrorBudget, Frame, Gap, GivenPositions,
-    InverseOperationalInertia, LayoutError, LinearElement, Load, LocatedContact, LoopState, LowestPoint,
-    MapAnswers, MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
-    Mode, PathAnswer, PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Receptance, Remark,
-    RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice,
-    RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity,
-    StateSizeError, StaticDisplacement, StaticSystem, System, Travel, TravelError, Workspace,
-    WorkspaceResponse, effective_mass, input, interruption,
+    ElasticDirection, ElasticInput, ElasticMotion, ElasticOutput, ElasticRowOutput, ElasticSystem,
+    ElementMotion, ErrorBudget, Frame, Gap, GivenPositions, InverseOperationalInertia, LayoutError,
+    LinearElement, Load, LocatedContact, LoopState, LowestPoint, MapAnswers, MapError, MassGradient,
+    MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, Mode, PathAnswer, PointForce,
+    PointVelocity, Pose, PoseRank, PrincipalMass, Receptance, Remark, RemarkFlags, ResidualCompliance,
+    ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowColumns,
+    RowHandler, RowPath, RowResults, RowShare, Singularity, StateSizeError, StaticDisplacement, StaticSystem,
+    System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
 };
 #[cfg(feature = "urdf-rs")]
 #[doc(no_inline)]

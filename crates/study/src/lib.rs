@@ -27,7 +27,9 @@ pub use checks::model_check::{
     CheckReport, ClosureRecord, JointRecord, LinkRecord, RelationTermRecord, check,
 };
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
-pub use damper::compliance::{BushShareRecord, ComplianceRecord, CompliantContactRecord};
+pub use damper::compliance::{
+    BushShareRecord, ComplianceRecord, CompliantContactRecord, UndampedImpactRecord,
+};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::response::{ComplexSeries, ModeRecord, ModeShareRecord, ResponseReport, response};
@@ -108,13 +110,16 @@ pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
 pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesReport, KeptRecord, PathRecord, extremes,
 };
-pub use reports::impact::forces_in_time::{
-    AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
-};
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
 pub use reports::impact::identification::{
     ComparedMass, IdentificationReport, MassExplanation, MeasuredImpact, identify_contact,
     identify_contact_of,
+};
+pub use reports::impact::in_time::compliant::{
+    CompliantEnergyRecord, CompliantImpactRecord, ContactEndName, ElementForceRecord, SecondHitRecord,
+};
+pub use reports::impact::in_time::forces::{
+    AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 pub use reports::impact::in_time::{BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::masses::MassStateRecord;

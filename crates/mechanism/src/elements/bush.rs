@@ -30,7 +30,7 @@ pub struct BushDescription {
     pub stiffness: [f64; 6],
     /// Damping c of each row, N·m·s/rad and N·s/m.
     pub damping: [f64; 6],
-    /// Loss factor η of all rows; used in the frequency domain only.
+    /// Loss factor η of all rows; in time a damper c = ηk/ω at one frequency.
     pub loss_factor: f64,
     /// Factor of the stiffness in motions: stiffness in motion divided by the static stiffness.
     pub dynamic_factor: f64,

@@ -69,6 +69,7 @@ finding_kinds! {
     FarFromGuess = "far-from-guess", Warning, Pose;
     FarPoint = "far-point", Warning, Model;
     ForceBeyondData = "force-beyond-data", Warning, Report;
+    GearsRigid = "gears-rigid", Note, Model;
     HoldPulls = "hold-pulls", Warning, Pose;
     HoldUndetermined = "hold-undetermined", Note, Pose;
     ImmovableMechanism = "immovable-mechanism", Note, Pose;
@@ -132,6 +133,9 @@ finding_kinds! {
 }
 
 impl FindingKind {
+    /// Notes about elastic parts that are rigid in the result.
+    pub const ELASTIC: [Self; 2] = [Self::BushesRigid, Self::GearsRigid];
+
     /// Stable short name.
     pub const fn code(self) -> &'static str {
         self.properties().0

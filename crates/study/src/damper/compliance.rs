@@ -7,17 +7,23 @@ use crate::damper::sheet_forces::{
 };
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE};
+use crate::values::drives::GivenSpring;
 use percuss_dynamics::{ComplianceError, ElasticSystem, ElementMotion, LinearElement, ResidualCompliance};
+use percuss_impact::{ContactEnd, compliant_impact_of};
 use percuss_spatial::Vector3;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// Compliance of the bushes at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment.
+/// Compliance of the bushes and gears at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ComplianceRecord {
+    /// Elastic parts: `bushes`, `gears`, or `bushes and gears`. "Bushes" in the descriptions of the other keys means all of them.
+    pub elastic: &'static str,
     /// m̄ with all bushes free, the limit of stiff contacts, in the unit of the report; null unless finite.
     pub free_mass: Option<f64>,
     /// Kind of result with all bushes free.
@@ -42,9 +48,9 @@ pub struct ComplianceRecord {
 /// Share of a bush.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BushShareRecord {
-    /// The bush.
+    /// The bush, or the joint of a gear.
     pub bush: String,
-    /// Direction in the bush: `radial x`, `radial y`, `axial`, `conical x`, `conical y`, `torsional`.
+    /// Direction in the bush: `radial x`, `radial y`, `axial`, `conical x`, `conical y`, `torsional`; `twist` of a gear.
     pub direction: &'static str,
     /// Share of the elastic energy, from 0 to 1.
     pub share: f64,
@@ -68,6 +74,28 @@ pub struct CompliantContactRecord {
     pub peak_force_per_speed: [Option<f64>; 2],
     /// The same bounds at the given approach speed, N.
     pub peak_force: Option<[Option<f64>; 2]>,
+    /// Least duration of the contact, π√(m_free/k), s: proved without contact damping; null if a stiffness or a damping acts along the motion.
+    pub least_duration: Option<f64>,
+    /// Impact on this contact without damping, with the elastic bushes and gears and without springs and dampers of the sheet, from the motion of
+    /// least energy; null if the contact is immovable or massless.
+    pub impact: Option<UndampedImpactRecord>,
+}
+
+/// Impact of a mechanism with elastic bushes and gears on a linear contact without damping.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct UndampedImpactRecord {
+    /// Stiffness k of the contact, N/m.
+    pub stiffness: f64,
+    /// m_imp = P/(v⁻ + v⁺), kg: mass of a free body with the same impulse P between the same speeds.
+    pub impulse_mass: f64,
+    /// F²/(k v²), kg: mass of a free body with the same peak force F.
+    pub force_mass: f64,
+    /// Separation speed divided by closing speed.
+    pub restitution: f64,
+    /// Duration of the contact, s; null without a separation.
+    pub duration: Option<f64>,
+    /// Largest m_imp by the proof, 2 m̄/(1 + e), kg; null if a stiffness or a damping acts along the motion. The least is the free mass.
+    pub most_impulse_mass: Option<f64>,
 }
 
 /// Springs, dampers, tyres and the anti-roll bar of the suspension sheet as linear elements; a damper has its slope at speed 0.
@@ -95,33 +123,126 @@ fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
 }
 
 /// Mechanism with elastic bushes at the evaluated contact, with the springs and dampers of the sheet.
-pub(crate) fn elastic_system(evaluated: &EvaluatedQuestion) -> Result<ElasticSystem, ComplianceError> {
+pub(crate) fn elastic_system(evaluated: &EvaluatedQuestion) -> Result<ElasticSystem, StudyError> {
+    let elements = linear_elements(evaluated).into_iter().chain(gear_elements(evaluated)?);
+    elastic_system_with(evaluated, &elements.collect::<Vec<_>>())
+}
+
+/// Mechanism with elastic bushes at the evaluated contact, with the given elements.
+fn elastic_system_with(
+    evaluated: &EvaluatedQuestion,
+    elements: &[LinearElement],
+) -> Result<ElasticSystem, StudyError> {
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
-    ElasticSystem::new(pose, &result.response.contact, &linear_elements(evaluated), prepared.other_mass())
+    let system = ElasticSystem::new(pose, &result.response.contact, elements, prepared.other_mass());
+    system.map_err(compliance_error)
+}
+
+/// Error of a mechanism with bushes and gears.
+pub(crate) fn compliance_error(error: ComplianceError) -> StudyError {
+    match error {
+        ComplianceError::Gear { .. } => StudyError::input(Field::GearStiffness, error.to_string()),
+        error => StudyError::NoResult(error.to_string()),
+    }
+}
+
+/// Elastic gears of the question.
+pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearElement>, StudyError> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let given = &prepared.question.gear_stiffness;
+    let gear = |(number, (name, gear)): (usize, &(String, GivenSpring))| {
+        let refuse = |why: String| Err(StudyError::input(Field::GearStiffness, why));
+        if given[..number].iter().any(|(earlier, _)| earlier == name) {
+            return refuse(format!("joint \"{name}\" is given twice; give it once"));
+        }
+        let mechanism = pose.mechanism();
+        let joint = mechanism.find_joint(name);
+        let joint = joint.map_err(|error| StudyError::input(Field::GearStiffness, error))?;
+        let kind = mechanism.joint(joint).kind();
+        if kind.dofs() != 1 {
+            let dofs = kind.dofs();
+            return refuse(format!("joint \"{name}\" has {dofs} velocities; expected a joint with one"));
+        }
+        let wrong =
+            |source| StudyError::input(Field::GearStiffness, Fault::Position { joint: name.clone(), source });
+        let (stiffness, damping) = match gear.values_for_joint(kind).map_err(wrong)?[..] {
+            [stiffness] => (stiffness, 0.0),
+            [stiffness, damping] => (stiffness, damping),
+            _ => {
+                return refuse(format!(
+                    "joint \"{name}\": expected K or K,D: stiffness and damping of the gear"
+                ));
+            }
+        };
+        if !(stiffness > 0.0 && damping >= 0.0) {
+            return refuse(format!(
+                "joint \"{name}\": {gear} is given; expected a stiffness above 0 and a damping of at least 0"
+            ));
+        }
+        let gear = LinearElement::spring(name, ElementMotion::Gear(joint), stiffness);
+        Ok(LinearElement { damping, ..gear })
+    };
+    given.iter().enumerate().map(gear).collect()
 }
 
 /// True if the model has bushes in place of joints.
-pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
+fn has_bushes(evaluated: &EvaluatedQuestion) -> bool {
     let bushes = evaluated.prepared.model.mechanism.bushes();
     bushes.iter().any(|bush| bush.description().rigid.contains(&true))
 }
 
-/// Compliance of the bushes at a contact; `None` for a model without bushes in place of joints, or with the reason as a finding. `damping`: contact
-/// whose stiffness is judged.
+/// True if the model has bushes in place of joints, or elastic gears.
+pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
+    has_bushes(evaluated) || !evaluated.prepared.question.gear_stiffness.is_empty()
+}
+
+/// Compliance of the bushes and gears at a contact; `None` for a model without them, or with the reason as a finding. `damping`: contact whose
+/// stiffness is judged.
+///
+/// # Errors
+/// [`StudyError`]: an invalid gear.
 pub(crate) fn compliance(
     evaluated: &EvaluatedQuestion,
     damping: Option<&DampingQuestion>,
-) -> (Option<ComplianceRecord>, Option<Finding>) {
+) -> Result<(Option<ComplianceRecord>, Option<Finding>), StudyError> {
     if !has_elastic_joints(evaluated) {
-        return (None, None);
+        return Ok((None, None));
     }
-    match elastic_system(evaluated).and_then(|system| system.residual()) {
-        Ok(found) => (Some(record(evaluated, damping, found)), None),
-        Err(error) => {
-            let message = format!("the compliance of the bushes is not computed: {error}");
-            (None, Some(Finding::about_result(FindingKind::NoCompliance, message)))
+    let system = elastic_system(evaluated);
+    match system.and_then(|system| system.residual().map_err(compliance_error)) {
+        Ok(found) => Ok((Some(record(evaluated, damping, found)?), None)),
+        Err(StudyError::NoResult(error)) => {
+            let message = format!("the compliance of the bushes and gears is not computed: {error}");
+            Ok((None, Some(Finding::about_result(FindingKind::NoCompliance, message))))
         }
+        Err(error) => Err(error),
     }
+}
+
+/// Impacts on contacts of several stiffnesses (N/m) without damping, with the elastic bushes and gears alone; a contact without a result is left out.
+///
+/// # Errors
+/// [`StudyError`]: an invalid gear.
+pub(crate) fn undamped_impacts(
+    evaluated: &EvaluatedQuestion,
+    stiffnesses: &[f64],
+) -> Result<Vec<UndampedImpactRecord>, StudyError> {
+    let system = elastic_system_with(evaluated, &gear_elements(evaluated)?)?;
+    let rigid = system.residual().map_err(compliance_error)?;
+    let impact = |&stiffness: &f64| {
+        let found = compliant_impact_of(&system, [stiffness, 0.0], 1.0).ok()?;
+        let separates = found.end != ContactEnd::NoRebound;
+        let most = rigid.rigid.kilograms().filter(|_| rigid.is_free_along_motion && separates);
+        Some(UndampedImpactRecord {
+            stiffness,
+            impulse_mass: found.impulse_mass,
+            force_mass: found.peak_force.powi(2) / stiffness,
+            restitution: found.restitution,
+            duration: separates.then_some(found.duration),
+            most_impulse_mass: most.map(|mass| 2.0 * mass / (1.0 + found.restitution)),
+        })
+    };
+    Ok(stiffnesses.iter().filter_map(impact).collect())
 }
 
 /// Record of a residual compliance.
@@ -129,7 +250,7 @@ fn record(
     evaluated: &EvaluatedQuestion,
     damping: Option<&DampingQuestion>,
     found: ResidualCompliance,
-) -> ComplianceRecord {
+) -> Result<ComplianceRecord, StudyError> {
     let (free_status, free_mass) = Status::classify(found.free);
     let compliance = found.compliance;
     let positive = compliance.filter(|c| *c > 0.0);
@@ -139,13 +260,15 @@ fn record(
         share: row.share,
     });
     let linear = damping.filter(|damping| damping.stiffness.is_some() && damping.exponent() == 1.0);
-    let contact = linear.map(|damping| {
+    let contact = |damping: &DampingQuestion| {
         let (stiffness, rigid) =
             (damping.stiffness(), Status::classify(evaluated.result.response.effective_mass).1);
         let bound = |mass: Option<f64>| mass.map(|mass| (stiffness * mass).sqrt());
         let free = if free_status == Status::Massless { Some(0.0) } else { free_mass };
         let bounds = [bound(free).filter(|_| found.is_free_along_motion), bound(rigid)];
-        CompliantContactRecord {
+        let impacts = undamped_impacts(evaluated, &[stiffness])?;
+        let applies = |mass: &f64| found.is_free_along_motion && *mass > 0.0;
+        Ok::<_, StudyError>(CompliantContactRecord {
             stiffness,
             frequency: rigid.map(|mass| (stiffness / mass).sqrt() / TAU),
             duration: rigid.map(|mass| PI * (mass / stiffness).sqrt()),
@@ -153,9 +276,18 @@ fn record(
             force_change: compliance.map(|c| FORCE_CHANGE * stiffness * c),
             peak_force_per_speed: bounds,
             peak_force: damping.speed().map(|speed| bounds.map(|bound| bound.map(|force| force * speed))),
-        }
-    });
-    ComplianceRecord {
+            least_duration: free.filter(applies).map(|mass| PI * (mass / stiffness).sqrt()),
+            impact: impacts.first().copied(),
+        })
+    };
+    let contact = linear.map(contact).transpose()?;
+    let elastic = match (has_bushes(evaluated), evaluated.prepared.question.gear_stiffness.is_empty()) {
+        (true, true) => "bushes",
+        (true, false) => "bushes and gears",
+        (false, _) => "gears",
+    };
+    Ok(ComplianceRecord {
+        elastic,
         free_mass,
         free_status,
         residual_compliance: compliance,
@@ -165,5 +297,5 @@ fn record(
         beside: linear_elements(evaluated).into_iter().map(|element| element.name).collect(),
         rigid_up_to: positive.map(|c| [0.01, 0.05].map(|change| change / (IMPULSE_CHANGE * c))),
         contact,
-    }
+    })
 }

@@ -1,7 +1,9 @@
 //! Response of a contact over frequency: apparent mass, accelerance, mobility, dynamic stiffness, and natural modes.
 
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::compliance::{ComplianceRecord, compliance, elastic_system};
+use crate::damper::compliance::{
+    ComplianceRecord, UndampedImpactRecord, compliance, compliance_error, elastic_system, undamped_impacts,
+};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::{Status, mass_unit};
@@ -19,6 +21,9 @@ use std::f64::consts::TAU;
 
 /// Number of links and bushes that a mode names.
 const NAMED_PARTS: usize = 3;
+
+/// Stiffnesses of contacts relative to the residual stiffness.
+const STIFFNESS_RATIOS: [f64; 7] = [0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0];
 
 /// Complex numbers over frequency; null where the response does not exist.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
@@ -91,6 +96,9 @@ pub struct ResponseReport {
     pub mobility: ComplexSeries,
     /// Dynamic stiffness F/x = 1/h, N/m.
     pub dynamic_stiffness: ComplexSeries,
+    /// Impacts on contacts without damping over their stiffness, with the elastic bushes and gears alone: from soft contacts, which meet the rigid
+    /// mass, to stiff ones, which meet the free mass first; empty without bushes and gears.
+    pub over_stiffness: Vec<UndampedImpactRecord>,
     /// Natural modes in ascending order of the frequency.
     pub modes: Vec<ModeRecord>,
     /// Findings about the file and the result.
@@ -108,13 +116,12 @@ pub fn response(
 ) -> Result<ResponseReport, StudyError> {
     asked.check()?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let refuse = |error: percuss_dynamics::ComplianceError| StudyError::NoResult(error.to_string());
-    let system = elastic_system(&evaluated).map_err(refuse)?;
+    let system = elastic_system(&evaluated)?;
     let frequency = asked.frequency.unwrap_or_default().values();
     let omega: Vec<f64> = frequency.iter().map(|f| TAU * f).collect();
-    let found = system.receptance(&omega).map_err(refuse)?;
-    let modes = system.modes().map_err(refuse)?;
-    let (compliance, _) = compliance(&evaluated, None);
+    let found = system.receptance(&omega).map_err(compliance_error)?;
+    let modes = system.modes().map_err(compliance_error)?;
+    let (compliance, _) = compliance(&evaluated, None)?;
     let EvaluatedQuestion { prepared, result, .. } = &evaluated;
     let located = &result.response.contact;
     let (status, effective_mass) = Status::classify(result.response.effective_mass);
@@ -127,7 +134,7 @@ pub fn response(
     };
     let free = compliance.as_ref().and_then(|found| found.free_mass);
     let mut diagnostics = prepared.model.diagnostics.clone();
-    let findings = result.findings.iter().filter(|finding| finding.kind() != FindingKind::BushesRigid);
+    let findings = result.findings.iter().filter(|finding| !FindingKind::ELASTIC.contains(&finding.kind()));
     diagnostics.extend(findings.cloned().map(DiagnosticRecord::from));
     Ok(ResponseReport {
         schema: "percuss.response/1",
@@ -141,7 +148,7 @@ pub fn response(
         is_moment: located.is_moment,
         static_stiffness: system
             .static_compliance()
-            .map_err(refuse)?
+            .map_err(compliance_error)?
             .map(|h| 1.0 / h)
             .filter(|k| k.is_finite()),
         apparent_mass: series(Receptance::apparent_mass),
@@ -149,6 +156,10 @@ pub fn response(
         mobility: series(Receptance::mobility),
         dynamic_stiffness: series(Receptance::dynamic_stiffness),
         frequency,
+        over_stiffness: match compliance.as_ref().and_then(|found| found.residual_stiffness) {
+            Some(residual) => undamped_impacts(&evaluated, &STIFFNESS_RATIOS.map(|ratio| ratio * residual))?,
+            None => Vec::new(),
+        },
         modes: modes.iter().map(|mode| mode_record(&model.mechanism, mode, free)).collect(),
         compliance,
         diagnostics,

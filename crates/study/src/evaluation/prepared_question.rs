@@ -279,6 +279,10 @@ impl<'a> PreparedQuestion<'a> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact)?;
         let mut findings = collect_pose_findings(system, pose, names);
+        if !self.question.gear_stiffness.is_empty() {
+            let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the vibrations";
+            findings.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
+        }
         let of_response = collect_response_findings(system, contact, &response, names);
         // A question about a stop states its gap as a result.
         let is_stated =
@@ -371,6 +375,9 @@ pub(crate) fn compile(
     for (name, values) in &question.armature {
         joint(Field::Armature, name)?;
         conditions = conditions.armature(name, values.clone());
+    }
+    for (name, _) in &question.gear_stiffness {
+        joint(Field::GearStiffness, name)?;
     }
     for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
         mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;

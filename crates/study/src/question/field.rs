@@ -120,6 +120,8 @@ fields! {
     Base = "--base", "conditions.base";
     /// Inertia of a rotor.
     Armature = "--armature", "conditions.armature";
+    /// Stiffness of a gear.
+    GearStiffness = "--gear-stiffness", "conditions.gear_stiffness";
     /// The classical estimate.
     Estimate = "--estimate", "contact.estimate";
     /// Range of a sweep.

@@ -5,6 +5,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::pose_file::GivenPose;
 use crate::question::travel::given_travel::GivenTravel;
+use crate::values::drives::GivenSpring;
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{self, Point, Vector};
 use percuss_dynamics::{Base, Contact, Direction, Frame};
@@ -279,6 +280,7 @@ impl MassQuestion {
             lock: Vec::new(),
             hold: Vec::new(),
             armature: Vec::new(),
+            gear_stiffness: Vec::new(),
             base: Base::Fixed,
             estimate: None,
             ratio_at: Vec::new(),
@@ -321,6 +323,8 @@ pub struct MassQuestion {
     pub hold: Vec<Hold>,
     /// Joints with replaced armature: one value, or one value per velocity.
     pub armature: Vec<(String, Vec<f64>)>,
+    /// Joints with elastic gears between the rotor (the armature) and the joint: stiffness, and damping if given.
+    pub gear_stiffness: Vec<(String, GivenSpring)>,
     /// Base: fixed or floating root link.
     pub base: Base,
     /// Classical estimate to report with the result.

@@ -32,7 +32,7 @@ use percuss_suspension::kinematics::wheel_centres;
 /// [`StudyError`]: unknown names, unreachable positions, an invalid contact.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    Ok(with_compliance(build_mass_report(&evaluated)?, &evaluated, None))
+    with_compliance(build_mass_report(&evaluated)?, &evaluated, None)
 }
 
 /// Report with the compliance of bushes. `damping`: contact whose stiffness is judged.
@@ -40,13 +40,13 @@ fn with_compliance(
     mut report: MassReport,
     evaluated: &EvaluatedQuestion,
     damping: Option<&DampingQuestion>,
-) -> MassReport {
-    let (compliance, finding) = compliance(evaluated, damping);
+) -> Result<MassReport, StudyError> {
+    let (compliance, finding) = compliance(evaluated, damping)?;
     if compliance.is_some() || finding.is_some() {
-        report.diagnostics.retain(|found| found.code != FindingKind::BushesRigid.code());
+        report.diagnostics.retain(|found| !FindingKind::ELASTIC.iter().any(|kind| kind.code() == found.code));
     }
     report.diagnostics.extend(finding.map(Into::into));
-    MassReport { compliance, ..report }
+    Ok(MassReport { compliance, ..report })
 }
 
 /// Report without a damper, with the requested motion ratios.
@@ -104,7 +104,7 @@ pub fn mass_with_damper(
     damping: &DampingQuestion,
 ) -> Result<MassReport, StudyError> {
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    Ok(with_compliance(with_damper(&evaluated, damping)?, &evaluated, Some(damping)))
+    with_compliance(with_damper(&evaluated, damping)?, &evaluated, Some(damping))
 }
 
 /// Effective mass with all results that a study requests for its contact: the damper, the sensitivities, the thresholds of friction and the
@@ -149,7 +149,7 @@ fn requested_report(
         Some(damping) if !has_elastic_joints(evaluated) => return Err(damping.restitution_missing().into()),
         _ => build_mass_report(evaluated)?,
     };
-    report = with_compliance(report, evaluated, damping);
+    report = with_compliance(report, evaluated, damping)?;
     if requested.explain {
         report.explanation = explain_parts(evaluated, question, true)?;
     }

@@ -9,7 +9,8 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
-use crate::reports::answer_mass::{mass, mass_with_damper};
+use crate::question::tables::mass::MassOptions;
+use crate::reports::answer_mass::{mass, requested_mass};
 use crate::reports::mass_report::MassReport;
 use percuss_mechanism::{ContactKind, Mechanism, NamedContact};
 use schemars::JsonSchema;
@@ -109,7 +110,7 @@ pub fn contact_list_of(
             found.push((name, Finding::about_result(FindingKind::NoDamper, message.to_owned()).into()));
         }
         let answer = match damping.filter(|_| !always_touches && is_soft) {
-            Some(damping) => mass_with_damper(model, question, damping),
+            Some(damping) => requested_mass(model, question, Some(damping), &MassOptions::default()),
             None => mass(model, question),
         };
         let remaining_gap = match &answer {

@@ -333,7 +333,8 @@ impl StudyReader<'_> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
         let refused = |refusal| self.invalid_key_error(refusal);
-        if let Some(missing) = study.damping.as_ref().and_then(DampingQuestion::missing) {
+        let damping = study.damping.as_ref().filter(|damping| !damping.judges_compliance());
+        if let Some(missing) = damping.and_then(DampingQuestion::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
         // The study closes the loops that the file only marks.
@@ -379,7 +380,9 @@ impl StudyReader<'_> {
         {
             return Err(self.value(key, key, "the file is missing".to_owned()));
         }
-        if study.export.is_some() && study.damping.is_none() {
+        if study.export.is_some()
+            && study.damping.as_ref().is_none_or(|damping| damping.restitution.is_none())
+        {
             let why = "the impact requires a damper: give [damping] with restitution and stiffness, or use [convert] for the mechanism alone";
             return Err(self.value("export", "export", why.to_owned()));
         }
@@ -567,7 +570,7 @@ impl StudyReader<'_> {
         folder: &Path,
     ) -> Result<Option<DampingQuestion>, StudyFileError> {
         let Some(given) = &study.damping else { return Ok(None) };
-        let given = given.checked().map_err(|refusal| self.invalid_key_error(refusal))?;
+        let given = given.checked_for_mass().map_err(|refusal| self.invalid_key_error(refusal))?;
         let Some(given) = given else { return Ok(None) };
         let turns = match &given.limit {
             Some(stop) => stop.motion(model).map_err(|error| self.study_error(&error))? == StopMotion::Turn,

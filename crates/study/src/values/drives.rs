@@ -5,7 +5,7 @@ use crate::values::value::{self, NumberOrText, OneOrMany};
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity, QuantityError};
 use serde::Deserializer;
-use std::fmt::Display;
+use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 /// Dimensions of the limit of a gear: impulses, then torques and forces.
@@ -80,6 +80,13 @@ impl FromStr for GivenSpring {
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let number = |(k, part): (usize, &str)| Quantity::parse_as(part, &OF_SPRING[k.min(2)]);
         text.split(',').enumerate().map(number).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Display for GivenSpring {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let texts: Vec<String> = self.0.iter().map(ToString::to_string).collect();
+        f.write_str(&texts.join(","))
     }
 }
 

@@ -46,6 +46,11 @@ pub fn joint_spring(text: &str) -> Result<(String, GivenSpring), String> {
     named(text, "JOINT=K,D, such as elbow=900,4")
 }
 
+/// `JOINT=K,D` of a flag: stiffness and damping of a gear, with optional units.
+pub fn gear_stiffness(text: &str) -> Result<(String, GivenSpring), String> {
+    named(text, "JOINT=K,D, such as elbow=9e4,19")
+}
+
 /// `LINK=KG` of a flag.
 pub fn link_mass(text: &str) -> Result<(String, Mass), String> {
     named(text, "LINK=KG, such as upright=10kg")

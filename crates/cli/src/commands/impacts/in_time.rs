@@ -2,6 +2,7 @@
 
 use crate::commands::damp::{law_name, stiffness_text, unit_power};
 use crate::commands::impacts::bearings::place_name;
+use crate::commands::impacts::compliant;
 use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
@@ -64,6 +65,7 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         );
         facts.push(("energy", text));
     }
+    facts.extend(compliant::facts(report, found));
     if found.loop_gap > 0.0 && details_are_shown() {
         facts.push(("loops", format!("closed to {:.1e} m during the motion", found.loop_gap)));
     }
@@ -198,7 +200,7 @@ fn is_loaded(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
 pub fn write_history(report: &ImpactReport, path: &str) -> Result<(), Failure> {
     report.mass.inputs.iter().for_each(|input| record_input(&input.path));
     let Some(found) = &report.in_time else { return Ok(()) };
-    let table = || cells(found);
+    let table = || found.compliant.as_ref().map_or_else(|| cells(found), compliant::cells);
     let picture = || Ok(Box::new(sheet(report, found)) as Box<dyn Picture>);
     Contents { name: "impact", table: Some(&table), picture: Some(&picture), ..Contents::default() }
         .write(path)
@@ -259,6 +261,8 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         let stiffness = if law.stiffness.is_some() { format!("stiffness {stiffness}") } else { stiffness };
         format!("{}, {stiffness}, {} {speed}", law_name(law.law), number(report.closing_speed))
     });
+    // For a moment, the contact has a moment in N·m; the bearings have forces in N.
+    let label = if is_moment { "moment (N·m), forces (N)" } else { "force (N)" };
     let figure = Figure {
         title: format!(
             "Impact in time: restitution {}, peak force {}",
@@ -267,12 +271,14 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
         ),
         subtitle: law,
         x_label: "time (ms)".into(),
-        panels: vec![
-            // For a moment, the contact has a moment in N·m; the bearings have forces in N.
-            panel(if is_moment { "moment (N·m), forces (N)" } else { "force (N)" }, forces),
-            panel(&format!("compression ({small_length})"), vec![depth]),
-            panel(&format!("m̄ ({mass_unit})"), vec![mass]),
-        ],
+        panels: [panel(label, forces)]
+            .into_iter()
+            .chain(found.compliant.as_ref().map(|with| compliant::panel(found, with, label)))
+            .chain([
+                panel(&format!("compression ({small_length})"), vec![depth]),
+                panel(&format!("m̄ ({mass_unit})"), vec![mass]),
+            ])
+            .collect(),
         marks: deepest.into_iter().collect(),
         ..Figure::default()
     };

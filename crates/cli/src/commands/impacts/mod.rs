@@ -1,6 +1,7 @@
 //! Commands about impacts: rigid impact, safe speed.
 
 mod bearings;
+mod compliant;
 pub(crate) mod extremes;
 pub(crate) mod identify;
 pub(crate) mod in_time;

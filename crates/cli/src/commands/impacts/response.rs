@@ -10,7 +10,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits::{MODES_SHOWN, SEEN_SHARE};
 use crate::terminal::number::{fixed, number, with_unit};
 use crate::terminal::report::{details_are_shown, with_findings, write_diagnostics};
-use crate::terminal::text::Table;
+use crate::terminal::text::{Table, TableCell};
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, LabelledPoint, Mark, Panel, Picture, Series, Style};
 use percuss_study::{ComplexSeries, ModeRecord, ModeShareRecord, ResponseReport, response};
@@ -50,7 +50,10 @@ pub fn document(report: &ResponseReport) -> Document<'_> {
     let units = ContactUnits::new(report.is_moment);
     let mass =
         report.effective_mass.map_or_else(|| report.status.name().to_owned(), |m| with_unit(m, report.unit));
-    out.facts([(units.name, format!("{mass}   (bushes rigid)"))]);
+    out.facts([(
+        units.name,
+        format!("{mass}   ({} rigid)", report.compliance.as_ref().map_or("bushes", |found| found.elastic)),
+    )]);
     out.facts(report.named_contact.as_ref().map_or_else(Vec::new, named_contact));
     if let Some(found) = &report.compliance {
         out.facts(compliance::facts_of(found, &mass, report.unit, &units));
@@ -60,6 +63,7 @@ pub fn document(report: &ResponseReport) -> Document<'_> {
         "static stiffness",
         stiffness.unwrap_or_else(|| "0: a motion without stiffness closes the gap".to_owned()),
     )]);
+    out.table(over_stiffness(report, &units));
     out.table(modes(report));
     let left = report.modes.len().saturating_sub(MODES_SHOWN);
     if left > 0 && !details_are_shown() {
@@ -69,6 +73,27 @@ pub fn document(report: &ResponseReport) -> Document<'_> {
     let caption = "Apparent mass over frequency, with the rigid and the free mass; lines at the natural frequencies with a participation.";
     out.picture(|| figure(report).to_svg(), "Apparent mass over frequency", caption);
     out
+}
+
+/// Impacts over the stiffness of the contact; empty without elastic bushes and gears.
+fn over_stiffness(report: &ResponseReport, units: &ContactUnits) -> Table {
+    let mut table = Table::new([
+        "contact without damping",
+        &format!("m_imp {}", report.unit),
+        &format!("of the peak force {}", report.unit),
+        "restitution",
+        "contact ms",
+    ]);
+    for impact in &report.over_stiffness {
+        table.row([
+            TableCell::from(compliance::stiffness(impact.stiffness, units)),
+            TableCell::Part(Some(impact.impulse_mass)),
+            TableCell::Part(Some(impact.force_mass)),
+            TableCell::Part(Some(impact.restitution)),
+            TableCell::Part(impact.duration.map(|time| 1e3 * time)),
+        ]);
+    }
+    table
 }
 
 /// Natural modes, at most [`MODES_SHOWN`] without details.

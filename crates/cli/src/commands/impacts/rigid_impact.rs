@@ -3,7 +3,7 @@
 use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::damp::{law_name, stiffness_text};
 use crate::commands::impacts::bearings::{BearingTable, place_name};
-use crate::commands::impacts::{in_time, reflected, simultaneous};
+use crate::commands::impacts::{compliant, in_time, reflected, simultaneous};
 use crate::commands::mass::conditions::{facts as mass_facts, place as place_of};
 use crate::document::{self, Document};
 use crate::files::contents::{self, TABLES_AND_PICTURES};
@@ -99,6 +99,7 @@ fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
         out.table(reaction_table(report));
         out.note(legend(report));
     }
+    add_compliant(report, view.all, &mut out);
     out.table(gear_table(report));
     add_joint_constraints(report, &mut out);
     if details_are_shown() {
@@ -107,6 +108,15 @@ fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
     }
     out.remark(validity(report));
     out
+}
+
+/// Adds the forces of elastic bushes and gears.
+fn add_compliant(report: &ImpactReport, all: bool, out: &mut Document) {
+    if let Some(found) = report.in_time.as_ref().and_then(|found| found.compliant.as_ref()) {
+        let (table, note) = compliant::elements(found, all);
+        out.table(table);
+        out.note(note);
+    }
 }
 
 /// Adds the impulses of locks, mimics and couplings.
@@ -158,6 +168,10 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: &'a DrawnMechanism) -> 
         out.heading("Reactions by components");
         out.table(reaction_table(report));
         out.note(legend(report));
+    }
+    if report.in_time.as_ref().is_some_and(|found| found.compliant.is_some()) {
+        out.heading("Bushes and gears");
+        add_compliant(report, false, &mut out);
     }
     out.table(gear_table(report));
     add_joint_constraints(report, &mut out);

@@ -24,11 +24,31 @@ pub fn facts_of(
         (Status::Finite, Some(mass)) => with_unit(mass, unit),
         (status, _) => status.name().to_owned(),
     };
-    let mut facts = vec![("bushes free".to_owned(), format!("{free}   (bushes rigid: {rigid})"))];
+    let elastic = compliance.elastic;
+    let mut facts = vec![(format!("{elastic} free"), format!("{free}   ({elastic} rigid: {rigid})"))];
     facts.push(("residual stiffness".to_owned(), residual(compliance, units)));
     if let Some(contact) = &compliance.contact {
         facts.push((format!("for {}", stiffness(contact.stiffness, units)), verdict(contact)));
         facts.push(("peak force".to_owned(), peak_force(contact, units)));
+        facts.extend(contact.impact.map(|impact| {
+            let mass = |mass: f64| with_unit(mass, unit);
+            let most = impact.most_impulse_mass.map_or_else(String::new, |most| {
+                format!(", proved between {free} and {}", mass(most))
+            });
+            let least = contact.least_duration.map_or_else(String::new, |least| {
+                format!(" (at least {} ms)", number(1e3 * least))
+            });
+            let end = impact.duration.map_or_else(
+                || "no rebound".to_owned(),
+                |time| format!("contact {} ms{least}, restitution {}", number(1e3 * time), number(impact.restitution)),
+            );
+            let text = format!(
+                "impulse as of {} (m_imp{most}), peak force as of {}; {end}; contact without damping, {elastic} alone",
+                mass(impact.impulse_mass),
+                mass(impact.force_mass)
+            );
+            ("impact".to_owned(), text)
+        }));
     } else if let Some([one, five]) = compliance.rigid_up_to {
         let [one, five] = [one, five].map(|k| stiffness(k, units));
         facts.push((
@@ -62,7 +82,7 @@ pub fn stiffness(value: f64, units: &ContactUnits) -> String {
 fn residual(compliance: &ComplianceRecord, units: &ContactUnits) -> String {
     let Some(value) = compliance.residual_stiffness else {
         return match compliance.residual_compliance {
-            Some(_) => "infinite: no bush gives way at this contact".to_owned(),
+            Some(_) => format!("infinite: the {} do not give way at this contact", compliance.elastic),
             None => "none: the contact is massless or immovable".to_owned(),
         };
     };
@@ -70,7 +90,8 @@ fn residual(compliance: &ComplianceRecord, units: &ContactUnits) -> String {
     let rows: Vec<String> = shown
         .map(|row| format!("{} {} {} %", row.bush, row.direction, fixed(100.0 * row.share, 0)))
         .collect();
-    format!("{} of the bushes at the contact   ({})", stiffness(value, units), rows.join(", "))
+    let (value, elastic) = (stiffness(value, units), compliance.elastic);
+    format!("{value} of the {elastic} at the contact   ({})", rows.join(", "))
 }
 
 /// Range in which the rigid mass holds, with the contact.
@@ -88,7 +109,9 @@ fn verdict(contact: &CompliantContactRecord) -> String {
                 "the rigid mass is right within {percent} % for peak force and impulse (rule of thumb){times}"
             )
         }
-        Some(_) => format!("the rigid mass does not hold: the bushes give way as much as the contact{times}"),
+        Some(_) => format!(
+            "the rigid mass does not hold: the residual stiffness is not far above that of the contact{times}"
+        ),
         None => format!("no residual stiffness{times}"),
     }
 }

@@ -102,11 +102,33 @@ fn damper_table(report: &ContactListReport) -> Table {
     dampers
 }
 
-/// Tables of masses and dampers, the meaning of their columns, and the reasons of missing results.
+/// Table of the effect of bushes and gears; empty for a model without them.
+fn compliance_table(report: &ContactListReport) -> Table {
+    let found = |contact: &ListedContact| contact.report.as_ref()?.compliance.clone();
+    let judges = report.contacts.iter().filter_map(found).any(|found| found.contact.is_some());
+    let last = if judges { "m_imp, kg" } else { "rigid within 1 % up to, N/mm" };
+    let mut table = Table::new(["contact", "bushes free, kg", "residual stiffness, N/mm", last]);
+    for contact in &report.contacts {
+        let Some(found) = found(contact) else { continue };
+        let free = found.free_mass.map_or_else(|| found.free_status.name().into(), TableCell::from);
+        let up_to = found.rigid_up_to.map(|[one, _]| 1e-3 * one);
+        let impact = found.contact.and_then(|contact| contact.impact);
+        table.row([
+            contact.name.clone().into(),
+            free,
+            TableCell::from(found.residual_stiffness.map(|stiffness| 1e-3 * stiffness)),
+            TableCell::from(if judges { impact.map(|impact| impact.impulse_mass) } else { up_to }),
+        ]);
+    }
+    table
+}
+
+/// Tables of masses, dampers and compliance, the meaning of their columns, and the reasons of missing results.
 pub fn document(report: &ContactListReport) -> Document<'_> {
     let mut out = Document::default();
     out.table(mass_table(report));
     out.table(damper_table(report));
+    out.table(compliance_table(report));
     out.paragraph(explanation(report));
     for contact in &report.contacts {
         if let Some(problem) = &contact.problem {
@@ -160,7 +182,11 @@ fn table_as_csv(report: &ContactListReport) -> String {
         "damping",
         "on",
     ];
-    let mut out = csv::line(&header.map(str::to_owned));
+    let compliance = |contact: &ListedContact| contact.report.as_ref()?.compliance.clone();
+    let is_elastic = report.contacts.iter().any(|contact| compliance(contact).is_some());
+    let further = ["free_mass", "residual_stiffness"].into_iter().filter(|_| is_elastic);
+    let header: Vec<String> = header.into_iter().chain(further).map(str::to_owned).collect();
+    let mut out = csv::line(&header);
     for contact in &report.contacts {
         let status = contact.report.as_ref().map_or("none", |report| report.status.name());
         let mut cells = vec![contact.name.clone(), contact.kind.to_owned(), status.to_owned()];
@@ -168,6 +194,11 @@ fn table_as_csv(report: &ContactListReport) -> String {
         let [gap, travel] = [gap, travel].map(|length| length.map(|x| 1e3 * x));
         cells.extend([mass, gap, travel, ratio, damping].map(csv::cell));
         cells.push(named(contact).map_or_else(String::new, body_of));
+        if is_elastic {
+            let found = compliance(contact);
+            let free = found.as_ref().and_then(|found| found.free_mass);
+            cells.extend([free, found.and_then(|found| found.residual_stiffness)].map(csv::cell));
+        }
         out += &csv::line(&cells);
     }
     out

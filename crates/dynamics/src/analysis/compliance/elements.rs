@@ -3,9 +3,9 @@
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use nalgebra::{DVector, Vector3};
-use percuss_mechanism::{Bush, JointId, LinkId};
+use percuss_mechanism::{Bush, JointId, JointKind, LinkId};
 
-/// Spring or damper that acts beside the bushes: force −(k + c d/dt) per displacement of its motion.
+/// Spring, damper or gear that acts beside the bushes: force −(k + c d/dt) per displacement of its motion.
 ///
 /// An infinite stiffness holds the motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +34,13 @@ impl LinearElement {
 pub enum ElementMotion {
     /// Change of the distance of two points, each of a link, in the frame of the link (m).
     Length([(LinkId, Vector3<f64>); 2]),
-    /// Displacement of a point of a link (m, link frame) along a direction in root axes, relative to the root link.
+    /// Displacement of a point of a link (m, link frame) over the ground along a direction in root axes.
     Along(LinkId, Vector3<f64>, Vector3<f64>),
-    /// Rotation of the child of a joint about the joint's axis, less the rotation of a second joint.
+    /// Motion of a joint with one velocity, less that of a second joint.
     Twist(JointId, Option<JointId>),
+    /// Motion of a joint with one velocity, less that of its rotor, whose inertia is the armature of the joint: elasticity of the gear. The rigid
+    /// mechanism holds it.
+    Gear(JointId),
 }
 
 /// Direction of a row of an elastic element. The z-axis of a bush is its axis.
@@ -57,6 +60,8 @@ pub enum ElasticDirection {
     Axial,
     /// Motion of a spring or damper.
     Element,
+    /// Twist of a gear.
+    Gear,
 }
 
 impl ElasticDirection {
@@ -74,6 +79,7 @@ impl ElasticDirection {
             Self::RadialY => "radial y",
             Self::Axial => "axial",
             Self::Element => "motion",
+            Self::Gear => "twist",
         }
     }
 }
@@ -83,12 +89,16 @@ impl ElasticDirection {
 pub(crate) struct ElasticRow {
     pub element: String,
     pub direction: ElasticDirection,
+    /// Number of a spring, damper or gear in the list of elements; `None` for a bush.
+    pub number: Option<usize>,
     /// Stiffness in motion, N/m or N·m/rad; infinite for an ideal row.
     pub stiffness: f64,
     /// Stiffness under loads at rest: without the dynamic factor.
     pub static_stiffness: f64,
     pub damping: f64,
     pub loss_factor: f64,
+    /// True for a rotation: the row resists it by a moment.
+    pub is_moment: bool,
     /// True if the rigid mechanism holds the row.
     pub is_rigid: bool,
     /// Force of an element at the pose along its motion, N or N·m.
@@ -132,10 +142,12 @@ impl Model {
         let row = |(i, direction): (usize, ElasticDirection)| ElasticRow {
             element: bush.name().to_owned(),
             direction,
+            number: None,
             stiffness: description.stiffness[i] * description.dynamic_factor,
             static_stiffness: description.stiffness[i],
             damping: description.damping[i],
             loss_factor: description.loss_factor,
+            is_moment: i < 3,
             is_rigid: description.rigid[i],
             force: 0.0,
             row: relative[i / 3].tr_mul(&x_rf.rotation.column(i % 3)),
@@ -143,38 +155,45 @@ impl Model {
         ElasticDirection::OF_BUSH.into_iter().enumerate().map(row).collect()
     }
 
-    /// Row of a spring or damper; `None` for a line without length.
-    pub(super) fn element_row(&self, kinematics: &Kinematics, element: &LinearElement) -> Option<ElasticRow> {
+    /// Row of a spring, damper or gear with its number; `None` for a line without length. The row of a gear is without its rotor.
+    pub(super) fn element_row(
+        &self,
+        kinematics: &Kinematics,
+        (number, element): (usize, &LinearElement),
+    ) -> Option<ElasticRow> {
         let frame = |link: LinkId| kinematics.link_frame(self, link);
         let velocity = |link: LinkId, point: &Vector3<f64>| self.point_jacobian(kinematics, link, point);
-        let twist = |id: JointId| {
+        let turns = |id: JointId| self.mechanism.joint(id).kind() != JointKind::Prismatic;
+        let joint_row = |id: JointId| {
             let joint = self.mechanism.joint(id);
-            let axis = frame(joint.child()).vector(joint.axis());
-            let [child, parent] =
-                [joint.child(), joint.parent()].map(|link| self.angular_jacobian(kinematics, link));
-            (child - parent).tr_mul(&axis)
+            let child = frame(joint.child());
+            let axis = child.vector(joint.axis());
+            let of_link = |link: LinkId| match turns(id) {
+                true => self.angular_jacobian(kinematics, link),
+                false => velocity(link, &frame(link).inverse_point(&child.translation)),
+            };
+            (of_link(joint.child()) - of_link(joint.parent())).tr_mul(&axis)
         };
         let row = match &element.motion {
             ElementMotion::Length([(a, at_a), (b, at_b)]) => {
                 let line = (frame(*b).point(at_b) - frame(*a).point(at_a)).try_normalize(0.0)?;
                 (velocity(*b, at_b) - velocity(*a, at_a)).tr_mul(&line)
             }
-            ElementMotion::Along(link, point, direction) => {
-                let root = self.mechanism.root();
-                let at = frame(*link).point(point);
-                (velocity(*link, point) - velocity(root, &at)).tr_mul(direction)
-            }
-            ElementMotion::Twist(joint, None) => twist(*joint),
-            ElementMotion::Twist(joint, Some(other)) => twist(*joint) - twist(*other),
+            ElementMotion::Along(link, point, direction) => velocity(*link, point).tr_mul(direction),
+            ElementMotion::Twist(joint, None) | ElementMotion::Gear(joint) => joint_row(*joint),
+            ElementMotion::Twist(joint, Some(other)) => joint_row(*joint) - joint_row(*other),
         };
+        let is_gear = matches!(element.motion, ElementMotion::Gear(_));
         Some(ElasticRow {
             element: element.name.clone(),
-            direction: ElasticDirection::Element,
+            direction: if is_gear { ElasticDirection::Gear } else { ElasticDirection::Element },
+            number: Some(number),
             stiffness: element.stiffness,
             static_stiffness: element.stiffness,
             damping: element.damping,
             loss_factor: 0.0,
-            is_rigid: false,
+            is_moment: matches!(element.motion, ElementMotion::Twist(joint, _) | ElementMotion::Gear(joint) if turns(joint)),
+            is_rigid: is_gear,
             force: element.force,
             row,
         })

@@ -11,3 +11,4 @@ pub(crate) mod response;
 pub(crate) mod statics;
 mod subspace;
 pub(crate) mod system;
+pub(crate) mod transient;

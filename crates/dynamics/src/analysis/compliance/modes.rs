@@ -5,7 +5,7 @@ use super::residual::solve_positive;
 use super::response::symmetric_eigen;
 use super::system::{ComplianceError, ElasticSystem};
 use crate::tolerances::{NO_INERTIA, RIGID_MODE};
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DVector, Vector3};
 use percuss_mechanism::LinkId;
 
 /// Natural mode of the undamped mechanism.
@@ -42,7 +42,8 @@ impl ElasticSystem {
             shapes.column_mut(c).scale_mut(1.0 / masses[i].sqrt());
         }
         // Motions without mass but with stiffness follow: their forces are in balance.
-        let elastic = self.resisting_rows(&vectors.select_columns(&without))?;
+        let elastic_rows = self.rows.iter().filter(|row| row.stiffness > 0.0).map(|row| &row.row);
+        let elastic = self.acting_part(elastic_rows, &vectors.select_columns(&without))?.range;
         if elastic.ncols() > 0 {
             let own = elastic.tr_mul(&stiffness) * &elastic;
             let coupling = elastic.tr_mul(&stiffness) * &shapes;
@@ -65,20 +66,6 @@ impl ElasticSystem {
         }
         modes.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
         Ok(modes)
-    }
-
-    /// Basis of the part of a subspace in which rows with stiffness act.
-    fn resisting_rows(&self, subspace: &DMatrix<f64>) -> Result<DMatrix<f64>, ComplianceError> {
-        let all = self.rows_where(|row| row.stiffness > 0.0) * subspace;
-        // Rows without a part in the subspace are rounding.
-        let kept: Vec<usize> =
-            (0..all.nrows()).filter(|&r| all.row(r).amax() > self.floor * all.amax()).collect();
-        if kept.is_empty() || all.amax() <= self.floor {
-            return Ok(DMatrix::zeros(subspace.nrows(), 0));
-        }
-        let rows = all.select_rows(&kept);
-        let spaces = super::subspace::split(&rows, subspace.ncols(), self.floor);
-        Ok(subspace * spaces.ok_or(ComplianceError::Decomposition)?.range)
     }
 
     /// Mode with the shape `motion`, of any size.

@@ -17,6 +17,8 @@ pub struct ResidualCompliance {
     pub rigid: EffectiveMass,
     /// c_res, m/N (rad/(N·m) for a moment); `None` if the contact is massless or no motion closes the gap.
     pub compliance: Option<f64>,
+    /// Velocities ż of the rigid mechanism at unit closing speed, the motion of least energy; `None` unless the rigid mechanism closes the gap.
+    pub rigid_motion: Option<DVector<f64>>,
     /// Shares of the rows in the elastic energy, the largest first.
     pub shares: Vec<RowShare>,
     /// True if no stiffness and no damping acts along the motion of the rigid mechanism. The lower bounds of an impact need this.
@@ -64,6 +66,7 @@ impl ElasticSystem {
             compliance: None,
             shares: Vec::new(),
             is_free_along_motion: motion.as_ref().is_none_or(|v| self.is_free_along(v)),
+            rigid_motion: motion.clone(),
         };
         let force = match (mass, free.effective_mass) {
             (EffectiveMass::Massless, _) | (_, EffectiveMass::Immovable) => return Ok(result),
@@ -132,11 +135,20 @@ fn minimum(mass: &DMatrix<f64>, contact: &DVector<f64>) -> Result<MatrixResponse
 
 /// Solves A x = b for a symmetric positive definite matrix. `None` if it is not positive definite.
 pub(super) fn solve_positive(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
+    let columns = DMatrix::from_column_slice(b.len(), 1, b.as_slice());
+    Some(solve_positive_columns(a, columns)?.column(0).into_owned())
+}
+
+/// Solves A X = B for a symmetric positive definite matrix, scaled to unit diagonal. `None` if it is not positive definite.
+pub(super) fn solve_positive_columns(a: &DMatrix<f64>, mut b: DMatrix<f64>) -> Option<DMatrix<f64>> {
     if b.is_empty() {
-        return Some(b.clone());
+        return Some(b);
     }
     let (scale, factor) = stiffness_factor(a)?;
-    Some(factor.solve(&b.component_mul(&scale)).component_mul(&scale))
+    b.column_iter_mut().for_each(|mut column| column.component_mul_assign(&scale));
+    factor.solve_mut(&mut b);
+    b.column_iter_mut().for_each(|mut column| column.component_mul_assign(&scale));
+    Some(b)
 }
 
 /// Scale s of a symmetric positive definite matrix A, and the decomposition of the matrix sᵢ aᵢⱼ sⱼ, whose diagonal is 1. `None` for an empty matrix

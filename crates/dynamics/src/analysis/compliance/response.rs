@@ -1,7 +1,7 @@
 //! Receptance of a contact over frequency.
 
 use super::elements::ElasticRow;
-use super::subspace::split;
+use super::subspace::{Subspaces, split};
 use super::system::{ComplianceError, ElasticSystem};
 use crate::tolerances::{MASSLESS_CLOSING, NO_INERTIA};
 use nalgebra::{Complex, DMatrix, DVector};
@@ -93,6 +93,24 @@ impl ElasticSystem {
         let spaces = split(&rows, m, self.floor).ok_or(ComplianceError::Decomposition)?;
         let open = spaces.null.tr_mul(&self.contact).norm();
         Ok((open <= MASSLESS_CLOSING * self.contact.norm()).then_some(spaces.range))
+    }
+
+    /// Part of a subspace on which rows act (`range`), and the rest (`null`).
+    pub(super) fn acting_part<'r>(
+        &self,
+        rows: impl Iterator<Item = &'r DVector<f64>>,
+        subspace: &DMatrix<f64>,
+    ) -> Result<Subspaces, ComplianceError> {
+        // A part of a row that is rounding of the row does not act.
+        let part = |row: &DVector<f64>| {
+            let part = subspace.tr_mul(row);
+            (part.norm() > self.floor * row.norm()).then_some(part)
+        };
+        let kept: Vec<DVector<f64>> = rows.filter_map(part).collect();
+        let columns = subspace.ncols();
+        let matrix = DMatrix::from_fn(kept.len(), columns, |r, c| kept[r][c]);
+        let own = split(&matrix, columns, self.floor).ok_or(ComplianceError::Decomposition)?;
+        Ok(Subspaces { null: subspace * own.null, range: subspace * own.range })
     }
 
     /// Directions with a mass, one per row: eigenvectors of M whose eigenvalue is more than rounding.

@@ -1,6 +1,6 @@
 //! Matrices of a mechanism at a pose with elastic bushes.
 
-use super::elements::{ElasticRow, LinearElement};
+use super::elements::{ElasticRow, ElementMotion, LinearElement};
 use super::subspace::split;
 use crate::analysis::pose::Pose;
 use crate::dense::matrices::MatrixError;
@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::model::conditions::Conditions;
 use crate::tolerances::{COMPLIANT_COORDINATES, INEXACT_RANK_FACTOR, LARGEST_RANK_FLOOR, RANK_FLOOR};
 use nalgebra::{DMatrix, DVector};
+use percuss_mechanism::{JointId, JointKind};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
@@ -48,8 +49,16 @@ pub enum ComplianceError {
         /// The joint.
         joint: String,
     },
+    /// A gear whose joint has no rotor, is locked, or is replaced by a bush.
+    #[error("joint \"{joint}\": {why}")]
+    Gear {
+        /// The joint.
+        joint: String,
+        /// Reason and remedy.
+        why: &'static str,
+    },
     /// Too many coordinates.
-    #[error("the mechanism with free bushes has {got} coordinates; at most {most} are computed")]
+    #[error("the mechanism with free bushes and gears has {got} coordinates; at most {most} are computed")]
     Size {
         /// Number of coordinates.
         got: usize,
@@ -88,18 +97,23 @@ impl ElasticSystem {
         elements: &[LinearElement],
         other_mass: Option<f64>,
     ) -> Result<Self, ComplianceError> {
-        let (model, kinematics) = released(pose)?;
+        let gears = gears(pose, elements)?;
+        let (model, kinematics) = released(pose, &gears)?;
         let mechanism = Arc::clone(&model.mechanism);
         let own = model.coordinates.len();
-        let n = own + usize::from(other_mass.is_some());
+        // The rotors of the gears follow, then the body on the other side.
+        let other = own + gears.len();
+        let n = other + usize::from(other_mass.is_some());
         if n > COMPLIANT_COORDINATES {
             return Err(ComplianceError::Size { got: n, most: COMPLIANT_COORDINATES });
         }
         // A coordinate of unit value moves points by about 1 m.
         let length = mechanism.characteristic_length();
-        let scale = DVector::from_fn(n, |c, _| {
-            model.coordinates.get(c).filter(|c| c.turns).map_or(1.0, |_| 1.0 / length)
-        });
+        let turns = |c: usize| match c.checked_sub(own) {
+            None => model.coordinates[c].turns,
+            Some(i) => gears.get(i).is_some_and(|gear| gear.turns),
+        };
+        let scale = DVector::from_fn(n, |c, _| if turns(c) { 1.0 / length } else { 1.0 });
         let extended =
             |row: &DVector<f64>| DVector::from_fn(n, |c, _| if c < own { row[c] * scale[c] } else { 0.0 });
         let mut mass = DMatrix::zeros(n, n);
@@ -109,13 +123,21 @@ impl ElasticSystem {
             row[entry.velocity] = entry.value;
         }
         let mut closing = extended(&DVector::from_vec(model.reduce_vector(&row, |multiplier| multiplier)));
-        if let Some(other) = other_mass {
-            mass[(own, own)] = other;
-            closing[own] = 1.0;
+        if let Some(other_mass) = other_mass {
+            mass[(other, other)] = other_mass;
+            closing[other] = 1.0;
+        }
+        for (i, gear) in gears.iter().enumerate() {
+            mass[(own + i, own + i)] = gear.inertia;
         }
         let mass = DMatrix::from_fn(n, n, |r, c| scale[r] * mass[(r, c)] * scale[c]);
         let mut elastic = elastic_rows(&model, &kinematics, None, elements);
-        elastic.iter_mut().for_each(|row| row.row = extended(&row.row));
+        for row in &mut elastic {
+            row.row = extended(&row.row);
+            if let Some(i) = gears.iter().position(|gear| row.number == Some(gear.number)) {
+                row.row[own + i] = -scale[own + i];
+            }
+        }
         let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness) / length;
         let floor = RANK_FLOOR.max(INEXACT_RANK_FACTOR * inexactness).min(LARGEST_RANK_FLOOR);
         let loops = model.constraint_matrix(&kinematics);
@@ -174,7 +196,8 @@ pub(super) fn elastic_rows(
     elements: &[LinearElement],
 ) -> Vec<ElasticRow> {
     let bushes = model.mechanism.bushes().iter().flat_map(|bush| model.bush_rows(kinematics, drawn, bush));
-    let elements = elements.iter().filter_map(|element| model.element_row(kinematics, element));
+    let elements = elements.iter().enumerate();
+    let elements = elements.filter_map(|element| model.element_row(kinematics, element));
     bushes.chain(elements).collect()
 }
 
@@ -183,8 +206,44 @@ pub(super) fn stacked(rows: &[DVector<f64>], n: usize) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c])
 }
 
-/// Model of the mechanism with free bushes, under the conditions of the pose and drawn at it.
-fn released(pose: &Pose) -> Result<(Model, Kinematics), ComplianceError> {
+/// Elastic gear with its rotor.
+struct Gear {
+    /// Number of the element.
+    number: usize,
+    joint: JointId,
+    /// Inertia of the rotor at the joint, kg·m² or kg.
+    inertia: f64,
+    /// True for a joint that turns.
+    turns: bool,
+}
+
+/// Gears among the elements.
+fn gears(pose: &Pose, elements: &[LinearElement]) -> Result<Vec<Gear>, ComplianceError> {
+    let rigid = pose.assembly.model();
+    let mechanism = &rigid.mechanism;
+    let gear = |(number, element): (usize, &LinearElement)| {
+        let ElementMotion::Gear(joint) = element.motion else { return None };
+        let declared = mechanism.joint(joint);
+        let inertia = pose.armature(joint).first().copied().unwrap_or(0.0);
+        let why = if declared.kind().dofs() != 1 {
+            "a gear requires a joint with one velocity"
+        } else if rigid.own_locks[joint.index()] {
+            "the joint is locked, so its gear has no effect: leave out one of both"
+        } else if mechanism.bushes().iter().any(|bush| bush.joints().contains(&joint)) {
+            "a bush acts in place of the joint: leave out its gear"
+        } else if inertia <= 0.0 {
+            "the joint has no rotor, so the stiffness of its gear has no effect: give the rotor inertia (armature)"
+        } else {
+            let turns = declared.kind() != JointKind::Prismatic;
+            return Some(Ok(Gear { number, joint, inertia, turns }));
+        };
+        Some(Err(ComplianceError::Gear { joint: declared.name().to_owned(), why }))
+    };
+    elements.iter().enumerate().filter_map(gear).collect()
+}
+
+/// Model of the mechanism with free bushes and gears, under the conditions of the pose and drawn at it: without the rotors of the gears.
+fn released(pose: &Pose, gears: &[Gear]) -> Result<(Model, Kinematics), ComplianceError> {
     let rigid = pose.assembly.model();
     let mechanism = &rigid.mechanism;
     let replaced = || mechanism.bushes().iter().flat_map(|bush| bush.joints());
@@ -208,8 +267,10 @@ fn released(pose: &Pose) -> Result<(Model, Kinematics), ComplianceError> {
         }
         let body = rigid.body_of_joint[id.index()].map(|body| &rigid.bodies[body]);
         let is_replaced = replaced().any(|other| *other == id);
+        let has_gear = gears.iter().any(|gear| gear.joint == id);
         if let Some(body) = body.filter(|body| !is_replaced && !body.armature.is_empty()) {
-            conditions = conditions.armature(joint.name(), body.armature.clone());
+            let armature = if has_gear { vec![0.0] } else { body.armature.clone() };
+            conditions = conditions.armature(joint.name(), armature);
         }
     }
     for hold in &rigid.holds {

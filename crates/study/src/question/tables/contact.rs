@@ -9,11 +9,12 @@ use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Norma
 use crate::question::pose_file::GivenPose;
 use crate::question::row_source::path_in;
 use crate::question::travel::given_travel::GivenTravel;
+use crate::values::drives::{self, GivenSpring};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{LinkPoint, Point, PositiveMass, Vector};
-use crate::values::value::{self, OneOrMany, PositionText, Words};
+use crate::values::value::{self, NumberOrText, OneOrMany, PositionText, Words};
 use percuss_dynamics::{Base, Frame};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -281,6 +282,22 @@ pub struct ConditionsTable {
     )]
     #[schemars(with = "BTreeMap<String, OneOrMany<f64>>")]
     pub armature: Vec<(String, Vec<f64>)>,
+    /// Stiffness, and damping if given, of the gear between the rotor of a joint and the joint: K or K,D.
+    ///
+    /// N·m/rad and N·m·s/rad (N/m and N·s/m for a slide), at the output of the gear, or with units (N·m/deg); the rotor is the armature of the
+    /// joint. `percuss mass`, `percuss response` and `percuss impact --in-time --compliance` compute with elastic gears; all other results have
+    /// rigid gears. A spring parallel to a joint is `--joint-spring` of an impact in time.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=K,D", value_parser = named::gear_stiffness, help_heading = CONDITIONS)
+    )]
+    #[serde(
+        deserialize_with = "drives::by_joint",
+        serialize_with = "value::by_name_texts",
+        skip_serializing_if = "Vec::is_empty"
+    )]
+    #[schemars(with = "BTreeMap<String, OneOrMany<NumberOrText>>")]
+    pub gear_stiffness: Vec<(String, GivenSpring)>,
     /// Root link fixed or floating; default: fixed.
     #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONDITIONS))]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -319,6 +336,7 @@ impl ContactTable {
             lock: conditions.lock.clone(),
             hold: hold.to_vec(),
             armature: conditions.armature.clone(),
+            gear_stiffness: conditions.gear_stiffness.clone(),
             base: conditions.base.unwrap_or_default().into(),
             names,
             ..MassQuestion::without_contact()

@@ -243,6 +243,13 @@ pub struct ImpactQuestion {
     /// effective mass, and the peak force of every bearing beside its estimate.
     #[cfg_attr(feature = "flags", arg(long, conflicts_with = "friction", help_heading = IMPACT))]
     pub in_time: bool,
+    /// Also with the elastic bushes and gears of the model: their forces, and the impact of the compliant mechanism.
+    ///
+    /// Linear about the touch, from the motion of the rigid mechanism. Bushes are those of the suspension sheet, gears those of
+    /// --gear-stiffness. Springs, dampers, tyre, drives and gravity act as in the impact of the rigid mechanism; the contact has the same law and
+    /// damping.
+    #[cfg_attr(feature = "flags", arg(long, requires = "in_time", help_heading = IMPACT))]
+    pub compliance: bool,
     /// Damping with which the impact in time reaches the restitution.
     ///
     /// With springs, dampers, tyre, drives and gravity as they act, and the effective mass over the stroke. Without it, the damping is that of
@@ -443,6 +450,7 @@ impl ImpactQuestion {
         let needs = [
             ("impact.springs", self.springs.is_some(), "in_time", self.in_time),
             ("impact.reach", self.reach, "in_time", self.in_time),
+            ("impact.compliance", self.compliance, "in_time", self.in_time),
             ("impact.spring", !self.spring.is_empty(), "in_time", self.in_time),
             ("impact.damper", !self.damper.is_empty(), "in_time", self.in_time),
             ("impact.drive", !self.drive.is_empty(), "in_time", self.in_time),

@@ -3,7 +3,6 @@
 pub(crate) mod additions;
 pub(crate) mod errors;
 pub(crate) mod extremes;
-pub(crate) mod forces_in_time;
 pub(crate) mod friction;
 pub(crate) mod further_contacts;
 pub(crate) mod identification;

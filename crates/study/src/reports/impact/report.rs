@@ -261,6 +261,9 @@ pub fn impact(
         // The impact in time has these effects.
         let estimated = [FindingKind::SpringsAct, FindingKind::MassDrifts, FindingKind::ForceBeyondData];
         diagnostics.retain(|found| !estimated.iter().any(|kind| kind.code() == found.code));
+        if found.compliant.is_some() {
+            diagnostics.retain(|found| !FindingKind::ELASTIC.iter().any(|kind| kind.code() == found.code));
+        }
         diagnostics.extend(beyond_curve(impact.stiffness_curve.as_ref(), Some(found.max_penetration)));
         let findings = restitution_finding(found).into_iter().chain(of_dampers.into_iter().flatten());
         diagnostics.extend(findings.map(DiagnosticRecord::from));

@@ -95,7 +95,7 @@ pub struct DampingQuestion {
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// Without a restitution: the stiffness for which the effect of the bushes of the model is judged. Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// Without a restitution: the stiffness for which the effect of the bushes and gears of the model is judged. Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
     #[cfg_attr(
         feature = "flags",
@@ -268,9 +268,14 @@ impl DampingQuestion {
         Ok(Some(self))
     }
 
+    /// True for a stiffness alone, for which the bushes and gears of a model are judged.
+    pub fn judges_compliance(&self) -> bool {
+        self.stiffness.is_some() && *self == Self { stiffness: self.stiffness, ..Self::default() }
+    }
+
     /// Error for a stiffness without a restitution and without bushes.
     pub(crate) fn restitution_missing(&self) -> InvalidKey {
-        let why = "it requires `restitution`, for the damper of the contact; alone it judges the bushes of a model, and this model has none";
+        let why = "it requires `restitution`, for the damper of the contact; alone it judges the elastic bushes and gears of a model, and this model has none";
         InvalidKey::new("damping.stiffness", why)
     }
 

@@ -1,5 +1,8 @@
 //! Impact in time with the contact law, as a record.
 
+pub(crate) mod compliant;
+pub(crate) mod forces;
+
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::no_damper;
@@ -11,7 +14,8 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
-use crate::reports::impact::forces_in_time::{
+use crate::reports::impact::in_time::compliant::{CompliantImpactRecord, compliant};
+use crate::reports::impact::in_time::forces::{
     ActingForces, AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
@@ -127,6 +131,8 @@ pub struct ImpactTimeRecord {
     pub joints: Vec<JointMotionRecord>,
     /// Forces in the bearings.
     pub bearings: Vec<BearingForceRecord>,
+    /// The same impact with elastic bushes and gears; null unless requested.
+    pub compliant: Option<CompliantImpactRecord>,
 }
 
 /// Impact in time, and findings about dampers; `None` unless requested.
@@ -142,8 +148,8 @@ pub(crate) fn in_time(
     let own = result.mechanism_response().effective_mass;
     let mass = result.response.effective_mass.kilograms();
     let mass = mass.ok_or_else(|| StudyError::NoDamper(no_damper(Status::Immovable)))?;
-    let compliant = contact(&law, mass)?;
-    let mut damper = contact_damper(&law, compliant)?;
+    let compliant_contact = contact(&law, mass)?;
+    let mut damper = contact_damper(&law, compliant_contact)?;
     let gravity = impact.gravity().unwrap_or_default();
     let acting = ActingForces::new(evaluated, impact)?;
     let conditions = TimeConditions {
@@ -156,14 +162,14 @@ pub(crate) fn in_time(
         springs: acting.joints.clone(),
         point_springs: acting.lines.iter().map(|(_, spring)| spring.clone()).collect(),
         supports: acting.tyres.iter().map(|(_, support)| *support).collect(),
-        corners: match compliant.stiffness() {
+        corners: match compliant_contact.stiffness() {
             StiffnessLaw::Curve(curve) => curve.deflections()[1..].to_vec(),
             StiffnessLaw::Power { .. } => Vec::new(),
         },
         samples_within_steps: SAMPLES_WITHIN_STEPS,
     };
     let run = |damper: Damper, conditions: &TimeConditions| {
-        let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
+        let force = |penetration: f64, rate: f64| damper.force(compliant_contact, penetration, rate);
         impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, conditions)
             .map_err(|error| impact_error(error, impact))
     };
@@ -185,6 +191,8 @@ pub(crate) fn in_time(
     } else {
         None
     };
+    let with_bushes =
+        compliant(evaluated, impact, rigid, (damper, compliant_contact), (&conditions, &acting), &found)?;
     let drives = acting.drive_records(pose, &found);
     let work: f64 = drives.iter().map(|drive| drive.work).sum();
     let effective_weight = (!drives.is_empty()).then(|| mass + 2.0 * work / rigid.closing_speed.powi(2));
@@ -228,6 +236,7 @@ pub(crate) fn in_time(
         effective_mass: found.samples.iter().map(|s| s.effective_mass).collect(),
         joints: joints(pose, &found),
         bearings: bearings(pose, &found, rigid, held),
+        compliant: with_bushes,
     };
     Ok(Some((record, of_dampers)))
 }
