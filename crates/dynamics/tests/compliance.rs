@@ -495,7 +495,7 @@ fn gears_are_between_rotor_and_joint() {
         let build = || {
             let builder = MechanismBuilder::new("drive")
                 .link(LinkDescription::massless("ground"))
-                .link(LinkDescription::new("arm", inertia.clone()))
+                .link(LinkDescription::new("arm", inertia))
                 .joint(JointDescription::new("joint", kind, "ground", "arm"));
             builder.build().unwrap().mechanism
         };
@@ -509,10 +509,8 @@ fn gears_are_between_rotor_and_joint() {
         };
         let contact = pose.locate(&contact).unwrap();
         let gear = |stiffness| LinearElement {
-            name: "joint".into(),
-            motion: ElementMotion::Gear(joint),
-            stiffness,
             damping: d,
+            ..LinearElement::spring("joint", ElementMotion::Gear(joint), stiffness)
         };
         let system = ElasticSystem::new(&pose, &contact, &[gear(k)], None).unwrap();
         let found = system.residual().unwrap();
