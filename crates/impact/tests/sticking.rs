@@ -307,11 +307,15 @@ fn impacts_of_states_are_those_of_all_subsets() {
         let stiffness = percuss_impact::ContactStiffness { ratios: vec![1.0; e.len()], exponent: 1.0 };
         let expected = simultaneous_impact(&delassus, &speeds, &e, law, &stiffness);
         let found = state_impact(&case.pose, &contacts, &rates, ContactsLaw::Simultaneous(law), &e, false);
-        assert_eq!(
-            found.map(|found| found.normal_impulses),
-            expected.map(|expected| expected.impulses),
-            "{context}"
-        );
+        let (Ok(found), Ok(expected)) = (&found, &expected) else {
+            assert_eq!(found.as_ref().err(), expected.as_ref().err(), "{context}");
+            continue;
+        };
+        let largest = expected.solution.amax();
+        for (a, b) in found.normal_impulses.iter().zip(&expected.impulses) {
+            assert_eq!(a.is_some(), b.is_some(), "{context}");
+            assert!((a.unwrap_or(0.0) - b.unwrap_or(0.0)).abs() < 1e-9 * largest, "{context}: {a:?} {b:?}");
+        }
     }
     println!("{all_stick} stick, {some_stick} with contacts that let go, {refused} refused, {opened} open");
     assert!(all_stick > 40 && opened > 5, "{all_stick} {some_stick} {refused} {opened}");

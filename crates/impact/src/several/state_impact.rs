@@ -4,18 +4,19 @@ use crate::error::ImpactError;
 use crate::mobility::delassus::{Delassus, contact_axes, relative_jacobian};
 use crate::motion::joint_rates::JointRates;
 use crate::several::energetic::ContactStiffness;
-use crate::several::laws::{SimultaneousLaw, simultaneous_impact};
+use crate::several::laws::{SimultaneousLaw, simultaneous_impact_of_matrix};
 use crate::several::sticking::sticking_impact;
 use crate::tolerances::{
     CLEAR_PIVOT, COMPLEMENTARY, OPEN_COMPONENT, REGULAR_MASS, ROUNDING_PIVOT, SPEED_ROUNDING,
 };
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3};
 use percuss_dynamics::{LocatedContact, Pose};
+use percuss_spatial::Twist;
 
 /// Law of the impact of contacts that touch at the same time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactsLaw {
-    /// Without friction: [`simultaneous_impact`] with equal stiffnesses.
+    /// Without friction: [`simultaneous_impact`](crate::simultaneous_impact) with equal stiffnesses.
     Simultaneous(SimultaneousLaw),
     /// Plastic impact with sticking points: [`sticking_impact`].
     Sticking,
@@ -44,7 +45,8 @@ pub struct StateImpact {
 
 /// Impact of the contacts at a pose with the given rates; without impulses if no contact closes.
 ///
-/// `restitution`: e of each contact, not for sticking points. The results are those of [`simultaneous_impact`] and [`sticking_impact`].
+/// `restitution`: e of each contact, not for sticking points. The results are those of [`simultaneous_impact`](crate::simultaneous_impact)
+/// and [`sticking_impact`].
 /// If all points of a tree stick, one factorisation of M and one of W give the result: O(n³/3 + n² k), without eigenvalues and without
 /// the other subsets, because the result with the most sticking contacts is that of all of them.
 ///
@@ -58,53 +60,87 @@ pub fn state_impact(
     restitution: &[f64],
     wants_map: bool,
 ) -> Result<StateImpact, ImpactError> {
-    if law == ContactsLaw::Sticking
-        && let Some(tree) = TreeMobility::new(pose, contacts)
-        && let Some(found) = tree.stick(pose, rates, wants_map)
-    {
-        return Ok(found);
+    if let Some(tree) = TreeMobility::new(pose, contacts) {
+        let coordinates = DVector::from_vec(rates.coordinates(pose));
+        let before = tree.velocities(&coordinates);
+        let found = match law {
+            ContactsLaw::Sticking => tree.stick(before, wants_map),
+            ContactsLaw::Simultaneous(law) => {
+                let mut found = StateImpact::without_impulses(before, &tree.axes, rates);
+                found.add_simultaneous(&tree.normal_matrix(), law, restitution)?;
+                Some(found)
+            }
+        };
+        if let Some(mut found) = found {
+            let change = tree.rates_of(&tree.half * &found.impulses);
+            let (joints, base) = pose.joint_velocities(change.as_slice());
+            found.after = rates.plus_scaled(&JointRates { joints, base }, 1.0);
+            return Ok(found);
+        }
     }
     let delassus = Delassus::new(pose, contacts)?;
-    let (before, k) = (delassus.velocities(pose, rates), contacts.len());
-    let n = delassus.jacobian().ncols();
-    let mut found = StateImpact {
-        impulses: DVector::zeros(3 * k),
-        axes: (0..k).map(|contact| *delassus.axes(contact)).collect(),
-        normal_impulses: vec![Some(0.0); k],
-        sticks: vec![false; k],
-        after: rates.clone(),
-        energy_loss: 0.0,
-        map: (wants_map && law == ContactsLaw::Sticking).then(|| DMatrix::identity(n, n)),
-        before,
-    };
-    if (0..k).all(|contact| found.before[3 * contact] >= 0.0) {
-        return Ok(found);
-    }
+    let axes: Vec<_> = (0..contacts.len()).map(|contact| *delassus.axes(contact)).collect();
+    let mut found = StateImpact::without_impulses(delassus.velocities(pose, rates), &axes, rates);
     match law {
-        ContactsLaw::Sticking => match sticking_impact(&delassus, &found.before) {
-            // Closing speeds of rounding.
-            Err(ImpactError::ClosingSpeed { .. }) => return Ok(found),
-            impact => {
-                let impact = impact?;
-                found.normal_impulses =
-                    impact.contacts.iter().map(|contact| contact.normal_impulse).collect();
-                found.sticks = impact.contacts.iter().map(|contact| contact.sticks).collect();
-                found.energy_loss = impact.energy_loss;
-                found.impulses = impact.impulses;
-                found.map = wants_map.then_some(impact.map);
-            }
-        },
         ContactsLaw::Simultaneous(law) => {
-            let speeds = DVector::from_fn(k, |contact, _| found.before[3 * contact]);
-            let stiffness = ContactStiffness { ratios: vec![1.0; k], exponent: 1.0 };
-            let impact = simultaneous_impact(&delassus, &speeds, restitution, law, &stiffness)?;
-            (0..k).for_each(|contact| found.impulses[3 * contact] = impact.solution[contact]);
-            found.normal_impulses = impact.impulses;
-            found.energy_loss = impact.energy_loss;
+            found.add_simultaneous(&delassus.normal_matrix(), law, restitution)?;
+        }
+        ContactsLaw::Sticking => {
+            let n = delassus.jacobian().ncols();
+            found.map = wants_map.then(|| DMatrix::identity(n, n));
+            match sticking_impact(&delassus, &found.before) {
+                Err(ImpactError::ClosingSpeed { .. }) => return Ok(found),
+                impact => {
+                    let impact = impact?;
+                    found.normal_impulses =
+                        impact.contacts.iter().map(|contact| contact.normal_impulse).collect();
+                    found.sticks = impact.contacts.iter().map(|contact| contact.sticks).collect();
+                    found.energy_loss = impact.energy_loss;
+                    found.impulses = impact.impulses;
+                    found.map = wants_map.then_some(impact.map);
+                }
+            }
         }
     }
     found.after = rates.plus_scaled(&delassus.rate_change(pose, &found.impulses), 1.0);
     Ok(found)
+}
+
+impl StateImpact {
+    /// State without an impact.
+    fn without_impulses(before: DVector<f64>, axes: &[Matrix3<f64>], rates: &JointRates) -> Self {
+        let k = axes.len();
+        Self {
+            impulses: DVector::zeros(3 * k),
+            axes: axes.to_vec(),
+            normal_impulses: vec![Some(0.0); k],
+            sticks: vec![false; k],
+            after: rates.clone(),
+            energy_loss: 0.0,
+            map: None,
+            before,
+        }
+    }
+
+    /// Adds the impulses of a law without friction, if a contact closes. `matrix`: W of the normals.
+    fn add_simultaneous(
+        &mut self,
+        matrix: &DMatrix<f64>,
+        law: SimultaneousLaw,
+        restitution: &[f64],
+    ) -> Result<(), ImpactError> {
+        let k = self.axes.len();
+        let speeds = DVector::from_fn(k, |contact, _| self.before[3 * contact]);
+        if speeds.iter().all(|speed| *speed >= 0.0) {
+            return Ok(());
+        }
+        let stiffness = ContactStiffness { ratios: vec![1.0; k], exponent: 1.0 };
+        let impact = simultaneous_impact_of_matrix(matrix, &speeds, restitution, law, &stiffness)?;
+        (0..k).for_each(|contact| self.impulses[3 * contact] = impact.solution[contact]);
+        self.normal_impulses = impact.impulses;
+        self.energy_loss = impact.energy_loss;
+        Ok(())
+    }
 }
 
 /// Mobility of contacts of a tree with a mass matrix that is clearly regular: M = L Lᵀ, Y = L⁻¹ Jᵀ, W = YᵀY.
@@ -153,18 +189,29 @@ impl TreeMobility {
         Some(Self { axes, jacobian, mass: factor, half, even, scale })
     }
 
-    /// Impact in which all points stick; `None` if a contact would pull, or if the result needs a decision about rounding.
-    fn stick(&self, pose: &Pose, rates: &JointRates, wants_map: bool) -> Option<StateImpact> {
-        let k = self.axes.len();
-        let rates_of_coordinates = DVector::from_vec(rates.coordinates(pose));
-        let mut before = &self.jacobian * &rates_of_coordinates;
-        for contact in 0..k {
+    /// W of the normals.
+    fn normal_matrix(&self) -> DMatrix<f64> {
+        let entry = |r: usize, c: usize| self.even[(r, c)] / (self.scale[r] * self.scale[c]);
+        DMatrix::from_fn(self.axes.len(), self.axes.len(), |r, c| entry(3 * r, 3 * c))
+    }
+
+    /// Relative velocities of the contacts, as [`Delassus::velocities`].
+    fn velocities(&self, rates: &DVector<f64>) -> DVector<f64> {
+        let mut before = &self.jacobian * rates;
+        for contact in 0..self.axes.len() {
             let rows = self.jacobian.rows(3 * contact, 3);
-            let terms = rows.column_iter().zip(rates_of_coordinates.iter());
+            let terms = rows.column_iter().zip(rates.iter());
             let size: f64 = terms.map(|(column, rate)| column.norm() * rate.abs()).sum();
             let own = before.rows_mut(3 * contact, 3).into_iter();
             own.filter(|speed| speed.abs() <= SPEED_ROUNDING * size).for_each(|speed| *speed = 0.0);
         }
+        before
+    }
+
+    /// Impact in which all points stick, with the rates after it left out; `None` if no contact closes, if a contact would pull, or if the
+    /// result needs a decision about rounding.
+    fn stick(&self, before: DVector<f64>, wants_map: bool) -> Option<StateImpact> {
+        let k = self.axes.len();
         let speed = before.amax();
         let closing = (0..k).map(|contact| -before[3 * contact]).fold(f64::NEG_INFINITY, f64::max);
         if closing.is_nan() || closing <= COMPLEMENTARY * speed {
@@ -181,8 +228,6 @@ impl TreeMobility {
             return None;
         }
         let is_open = |contact: usize| solver.kernel.row(3 * contact).norm() > OPEN_COMPONENT;
-        let change = self.rates_of(response);
-        let (joints, base) = pose.joint_velocities(change.as_slice());
         let map = wants_map.then(|| {
             let mut map = DMatrix::identity(self.jacobian.ncols(), self.jacobian.ncols());
             for (column, mut to) in self.jacobian.column_iter().zip(map.column_iter_mut()) {
@@ -193,7 +238,7 @@ impl TreeMobility {
         Some(StateImpact {
             normal_impulses: (0..k).map(|i| (!is_open(i)).then_some(impulses[3 * i])).collect(),
             sticks: vec![true; k],
-            after: rates.plus_scaled(&JointRates { joints, base }, 1.0),
+            after: JointRates { joints: Vec::new(), base: Twist::zero() },
             energy_loss: -0.5 * impulses.dot(&(&before + after)),
             axes: self.axes.clone(),
             map,
