@@ -103,7 +103,7 @@ fn is_own_workbook(_: File) -> bool {
 /// Line below the tables of kinematics as text.
 pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
 /// Starts of the columns of kinematics.
-const KINEMATIC_COLUMNS: [&str; 19] = [
+const KINEMATIC_COLUMNS: [&str; 22] = [
     "wheel_travel_",
     "camber_",
     "toe_",
@@ -117,6 +117,9 @@ const KINEMATIC_COLUMNS: [&str; 19] = [
     "side_view_angle_",
     "anti_",
     "motion_ratio_",
+    "ratio_gradient_",
+    "wheel_centre_",
+    "contact_patch_",
     "force_",
     "wheel_rate_",
     "unsprung_mass_",
