@@ -552,7 +552,7 @@ fn column_under_a_weight_has_the_closed_form() {
     let contact = pose.locate(&Contact::new(link, [0.0; 3], [1.0, 0.0, 0.0])).unwrap();
     let system = ElasticSystem::new(&pose, &contact, &[], None).unwrap();
     let top = Vector3::new(0.0, 0.0, h);
-    let load = |force| Load { link, point: top, force, moment: Vector3::zeros() };
+    let load = |force| Load::force(link, top, force);
     for weight in [0.0, 300.0, 1500.0] {
         let statics = system.statics(&[load(Vector3::new(0.0, 0.0, -weight))]).unwrap();
         let stiffness = nalgebra::Matrix2::new(radial, -weight, -weight, conical - weight * h);

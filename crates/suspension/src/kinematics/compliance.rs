@@ -43,7 +43,8 @@ impl LoadCase {
         let vector = pose.base().inverse_vector(&self.vector) * factor;
         let zero = Vector3::zeros();
         let (force, moment) = if self.is_moment { (zero, vector) } else { (vector, zero) };
-        Ok(Load { link: wheel.spindle, point: pose.link(wheel.spindle).inverse_point(&at), force, moment })
+        let point = pose.link(wheel.spindle).inverse_point(&at);
+        Ok(Load { moment, ..Load::force(wheel.spindle, point, force) })
     }
 
     /// Factor of the mirror image of the load.
@@ -93,7 +94,7 @@ impl SuspensionParts {
         ElasticSystem::new(pose, &contact, &elements, None).map_err(|error| error.to_string())
     }
 
-    /// Vertical forces on the wheels that balance the springs and touched stops with a known force, at the contact points.
+    /// Vertical forces on the wheels that balance the springs and touched stops with a known force, at the contact points, which roll.
     fn resting_loads(&self, linkage: &Linkage, pose: &Pose) -> Result<Vec<Load>, String> {
         let mut loads = Vec::new();
         if self
@@ -114,9 +115,12 @@ impl SuspensionParts {
             let at = here.contact.unwrap_or(here.centre);
             let rise = motion.velocity(wheel.on_wheel(at)).z;
             let force = self.elements.iter().map(power).sum::<f64>() / rise;
-            let (point, force) = (pose.link(wheel.spindle).inverse_point(&at), Vector3::z() * force);
-            let force = pose.base().inverse_vector(&force);
-            loads.push(Load { link: wheel.spindle, point, force, moment: Vector3::zeros() });
+            let frame = pose.link(wheel.spindle);
+            let force = pose.base().inverse_vector(&(Vector3::z() * force));
+            // The contact point stays below the centre of a wheel that rolls.
+            let disc = wheel.radius.map(|radius| (frame.inverse_vector(&here.outward), radius));
+            let centre = frame.inverse_point(&here.centre);
+            loads.push(Load { disc, ..Load::force(wheel.spindle, centre, force) });
         }
         Ok(loads)
     }

@@ -20,6 +20,16 @@ pub struct Load {
     pub force: Vector3<f64>,
     /// Moment, N·m.
     pub moment: Vector3<f64>,
+    /// Axis (unit vector, link frame) and radius (m) of a disc about the point: the force acts at the point of its circumference that is farthest against
+    /// the force, such as the contact point of a rolling wheel. `None`: the force acts at the point.
+    pub disc: Option<(Vector3<f64>, f64)>,
+}
+
+impl Load {
+    /// Force at a point of a link (m, link frame).
+    pub fn force(link: LinkId, point: Vector3<f64>, force: Vector3<f64>) -> Self {
+        Self { link, point, force, moment: Vector3::zeros(), disc: None }
+    }
 }
 
 /// Mechanism with bushes whose stiffness is decomposed for loads.
@@ -77,8 +87,7 @@ impl ElasticSystem {
         let applied = |kinematics: &Kinematics, rows: &[ElasticRow]| {
             let mut force = DVector::zeros(self.basis.nrows());
             for load in resting {
-                let angular = self.model.angular_jacobian(kinematics, load.link);
-                let linear = self.model.point_jacobian(kinematics, load.link, &load.point);
+                let [angular, linear] = self.jacobians(kinematics, load);
                 force += linear.tr_mul(&load.force) + angular.tr_mul(&load.moment);
             }
             rows.iter().for_each(|row| force.axpy(row.force, &row.row, 1.0));
@@ -146,6 +155,19 @@ impl ElasticSystem {
         Ok((&stiffness + stiffness.transpose()) / 2.0)
     }
 
+    /// Jacobians of the rotation of the link of a load and of the point at which its force acts, 3×n each, in root axes.
+    fn jacobians(&self, kinematics: &Kinematics, load: &Load) -> [DMatrix<f64>; 2] {
+        let frame = kinematics.link_frame(&self.model, load.link);
+        let on_disc = load.disc.and_then(|(axis, radius)| {
+            let (axis, against) = (frame.vector(&axis), -load.force);
+            let arm = (against - axis * axis.dot(&against)).try_normalize(0.0)?;
+            Some(load.point + frame.inverse_vector(&(arm * radius)))
+        });
+        let point = on_disc.unwrap_or(load.point);
+        let angular = self.model.angular_jacobian(kinematics, load.link);
+        [angular, self.model.point_jacobian(kinematics, load.link, &point)]
+    }
+
     /// Rates of a link over z: rotation of the link and translation of one of its points (link frame, m), in root axes, 3×m each.
     fn link_rates(&self, link: LinkId, point: &Vector3<f64>) -> [DMatrix<f64>; 2] {
         let angular = self.model.angular_jacobian(&self.kinematics, link);
@@ -160,7 +182,8 @@ impl StaticSystem<'_> {
         let mut force = DVector::zeros(self.system.contact.len());
         let mut size = 0.0;
         for load in loads {
-            let [angular, linear] = self.system.link_rates(load.link, &load.point);
+            let [angular, linear] = self.system.jacobians(&self.system.kinematics, load);
+            let [angular, linear] = [angular, linear].map(|rates| rates * &self.system.basis);
             force += linear.tr_mul(&load.force) + angular.tr_mul(&load.moment);
             size += linear.norm() * load.force.norm() + angular.norm() * load.moment.norm();
         }
