@@ -31,6 +31,8 @@
 
 pub mod reading;
 
+#[cfg(feature = "urdf-rs")]
+mod from_urdf_rs;
 mod hull;
 mod load;
 mod meshes;
@@ -41,6 +43,8 @@ mod sdf;
 mod shape;
 mod urdf;
 mod writing;
+#[cfg(feature = "urdf-rs")]
+pub use from_urdf_rs::from_urdf_rs;
 pub use hull::inertias_beyond_meshes;
 pub use load::{foreign_format, load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
@@ -54,8 +58,6 @@ pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;
 pub use sdf::write::{SdfError, write_sdf};
 pub use shape::{Purpose, Shape, Solid};
-#[cfg(feature = "urdf-rs")]
-pub use urdf::from_urdf_rs::from_urdf_rs;
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
 pub use writing::changes::{Change, Effect, ModelText, lost_pose};

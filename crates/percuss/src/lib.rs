@@ -79,29 +79,3 @@ pub use percuss_suspension as suspension;
 #[cfg(all(doctest, feature = "study"))]
 #[doc = include_str!("../../../docs/tutorials/SUSPENSION.md")]
 struct Book;
-
-/// Names of most programs: `use percuss::prelude::*;`.
-///
-/// ```no_run
-/// use percuss::prelude::*;
-/// use std::sync::Arc;
-///
-/// let mechanism = Arc::new(load_file("arm.urdf")?.mechanism);
-/// let system = System::new(Arc::clone(&mechanism), &Conditions::new().base(Base::Floating))?;
-/// let pose = system.pose(&system.configuration())?;
-/// let hand = Contact {
-///     link: mechanism.find_link("hand")?,
-///     against: None,
-///     point: Vector3::zeros(),
-///     normal: Direction::Along(Vector3::z(), Frame::World),
-/// };
-/// println!("{:?}", pose.respond(&hand)?.effective_mass);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub mod prelude {
-    pub use crate::{
-        Base, Batch, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame,
-        LoadOptions, Mechanism, MechanismBuilder, Pose, System, Workspace, load_file,
-    };
-    pub use nalgebra::Vector3;
-}

@@ -1,8 +1,9 @@
 //! Robots of the crate urdf-rs, for programs that hold a model of urdf-rs or k.
 
+use crate::load::load;
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::writing::xml_text::{append, escape_attribute, format_number, format_numbers};
-use crate::{Diagnostic, LoadError, Source, load};
+use crate::{Diagnostic, LoadError, Source};
 use percuss_mechanism::Severity;
 use urdf_rs::{Geometry, Joint, JointType, Link, Pose, Robot};
 
