@@ -238,6 +238,7 @@ def impact(
     reach: bool = False,
     damping: float | None = None,
     hunt_crossley: float | None = None,
+    compliance: bool = False,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -259,8 +260,8 @@ def impact(
     spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
     "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
-    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. The velocities of a State in place of
-    the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states.
+    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. compliance: adds the impact in time with the
+    elastic bushes and gears of the model and conditions. The velocities of a State in place of the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states.
 
         >>> percuss.impact(arm, tool, restitution=0.5, speed=1.0).impulse
     """
@@ -276,7 +277,7 @@ def impact(
             "sticking": sticking, "stiffness_ratio": stiffness_ratio, "contact_exponent": contact_exponent, "rates": rates,
             "base_twist": base_twist, "stiffness": stiffness, "exponent": exponent,
             "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive,
-            "in_time": in_time, "reach": reach, "gravity": gravity,
+            "in_time": in_time, "reach": reach, "compliance": compliance, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
             "reflected": reflected, "percussion": percussion, "damping": damping, "hunt_crossley": hunt_crossley,
         },

@@ -42,6 +42,7 @@ class Conditions:
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating"; default: that of the System, or "fixed".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
+    gear_stiffness: joints and the stiffness of their gears between rotor and joint, N·m/rad or N/m, or stiffness and damping.
 
         >>> percuss.mass(arm, tool, percuss.Conditions(set={"elbow": "30deg"}, lock=["yaw"])).effective_mass
     """
@@ -58,6 +59,7 @@ class Conditions:
     travel: Sequence[Travel] = ()
     pose: str | os.PathLike[str] | Pose | None = None
     ratio_at: Sequence[Sequence[Any]] = ()
+    gear_stiffness: Mapping[str, Position] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -233,7 +235,7 @@ def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, 
             "travel": [_travel(one) for one in given.travel],
             "file": None if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
         },
-        conditions={"lock": given.lock, "armature": given.armature, "base": given.base},
+        conditions={"lock": given.lock, "armature": given.armature, "gear_stiffness": given.gear_stiffness, "base": given.base},
         hold=[_parts(one, "hold", ("link", "point", "normal"), 2) for one in given.hold],
         **further,
     )

@@ -91,9 +91,9 @@ class BushShareRecord(Record):
     """Share of a bush."""
 
     bush: str
-    """The bush."""
+    """The bush, or the joint of a gear."""
     direction: str
-    """Direction in the bush: "radial x", "radial y", "axial", "conical x", "conical y", "torsional"."""
+    """Direction in the bush: "radial x", "radial y", "axial", "conical x", "conical y", "torsional"; "twist" of a gear."""
     share: float
     """Share of the elastic energy, from 0 to 1."""
 
@@ -259,8 +259,11 @@ class ComplexSeries(Record):
 
 
 class ComplianceRecord(Record):
-    """Compliance of the bushes at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment."""
+    """Compliance of the bushes and gears at a contact. Units of a contact along a normal; N·m for N and rad for m at a moment."""
 
+    elastic: str
+    """Elastic parts: "bushes", "gears", or "bushes and gears". "Bushes" in the descriptions of the other keys means all of
+    them."""
     free_mass: float | None
     """m̄ with all bushes free, the limit of stiff contacts, in the unit of the report; None unless finite."""
     free_status: Literal["finite", "immovable", "massless"]
@@ -301,6 +304,67 @@ class CompliantContactRecord(Record):
     stiffness or a damping acts along the motion, the upper bound if m̄ is not finite."""
     peak_force: list[float | None] | None
     """The same bounds at the given approach speed, N."""
+    least_duration: float | None
+    """Least duration of the contact, π√(m_free/k), s: proved without contact damping; None if a stiffness or a damping acts
+    along the motion."""
+    impact: UndampedImpactRecord | None
+    """Impact on this contact without damping, with the elastic bushes and gears and without springs and dampers of the sheet,
+    from the motion of least energy; None if the contact is immovable or massless."""
+
+
+class CompliantEnergyRecord(Record):
+    """Energies of an impact with elastic bushes and gears, J."""
+
+    kinetic_before: float
+    """Kinetic energy at the touch."""
+    kinetic_after: float
+    """Kinetic energy at the end, vibrations included."""
+    stored: float
+    """Energy that bushes, springs and gears store at the end."""
+    dissipated: float
+    """Energy that bushes, dampers and gears take."""
+    taken_by_contact: float
+    """Work that the contact takes."""
+    work_of_other_forces: float
+    """Work of gravity, preloads, drives and of forces that are not linear."""
+    residual: float
+    """Error of the balance."""
+
+
+class CompliantImpactRecord(Record):
+    """Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness. Units
+    of a contact along a normal."""
+
+    restitution: float
+    """Separation speed divided by closing speed; 0 without rebound."""
+    end: Literal["separates", "grazes", "no-rebound"]
+    """End of the contact."""
+    duration: float | None
+    """Duration of the contact, s; None without rebound."""
+    max_penetration: float
+    """Largest penetration, m."""
+    peak_force: float
+    """Largest force of the contact, N."""
+    impulse: float
+    """Impulse P of the contact, N·s."""
+    impulse_mass: float
+    """m_imp = P/(v⁻ + v⁺), kg: mass of a free body with the same impulse between the same speeds."""
+    loss_frequency: float
+    """Frequency f at which loss factors act as dampers, c = ηk/(2πf), Hz: that of the rigid mechanism on the contact."""
+    second_hit: SecondHitRecord | None
+    """Second touch within the duration of the first contact; None if there is none."""
+    energy: CompliantEnergyRecord
+    """Energies."""
+    elements: list[ElementForceRecord]
+    """Largest forces of bushes, springs, dampers, tyres and gears."""
+    times: list[float]
+    """Times since the touch, s."""
+    penetration: list[float]
+    """Penetration at each time, m."""
+    closing_speed: list[float]
+    """Closing speed at each time, m/s."""
+    force: list[float]
+    """Force of the contact at each time, N."""
 
 
 class ConditionsRecord(Record):
@@ -572,6 +636,27 @@ class DriveRecord(Record):
     """Unit of the value."""
     work: float
     """Work until the largest penetration, J."""
+
+
+class ElementForceRecord(Record):
+    """Largest force of a bush, a spring, a damper, a tyre or a gear."""
+
+    element: str
+    """The bush, spring, damper, tyre, anti-roll bar, drive or joint."""
+    direction: str | None
+    """Direction in the bush: "radial x", "radial y", "axial", "conical x", "conical y", "torsional"; "motion" of a spring or
+    damper, "twist" of a gear; None for the magnitude of the force of a bush."""
+    unit: str
+    """"N", or "N·m" for a moment."""
+    peak_force: float
+    """Largest magnitude during the contact, N or N·m."""
+    peak_time: float
+    """Its time, s."""
+    peak_force_after: float | None
+    """Largest magnitude after the contact, for as long as the contact lasted or until the second touch; None without a
+    separation."""
+    force: list[float]
+    """Force at each time, with the sign of the displacement, N or N·m."""
 
 
 class EnergyRecord(Record):
@@ -1128,6 +1213,8 @@ class ImpactTimeRecord(Record):
     """Velocities of the movable joints."""
     bearings: list[BearingForceRecord]
     """Forces in the bearings."""
+    compliant: CompliantImpactRecord | None
+    """The same impact with elastic bushes and gears; None unless requested."""
 
 
 class Input(Record):
@@ -2092,6 +2179,9 @@ class ResponseReport(Record):
     """Mobility ẋ/F, m/(N·s)."""
     dynamic_stiffness: ComplexSeries
     """Dynamic stiffness F/x = 1/h, N/m."""
+    over_stiffness: list[UndampedImpactRecord]
+    """Impacts on contacts without damping over their stiffness, with the elastic bushes and gears alone: from soft contacts,
+    which meet the rigid mass, to stiff ones, which meet the free mass first; empty without bushes and gears."""
     modes: list[ModeRecord]
     """Natural modes in ascending order of the frequency."""
     diagnostics: list[DiagnosticRecord]
@@ -2215,6 +2305,15 @@ class SampleRecord(Record):
     """2.5th percentile, kg."""
     percentile_97_5: float
     """97.5th percentile, kg."""
+
+
+class SecondHitRecord(Record):
+    """Second touch after the separation."""
+
+    time: float
+    """Time since the first touch, s."""
+    speed: float
+    """Closing speed, m/s."""
 
 
 class SimultaneousLawRecord(Record):
@@ -2499,6 +2598,24 @@ class TyreRecord(Record):
     """Force at the touch, N: as given, or the force that balances the springs of this side."""
     leaves_road_at: float | None
     """Time of the first sample without force, s: the tyre has left the road; None if it keeps contact."""
+
+
+class UndampedImpactRecord(Record):
+    """Impact of a mechanism with elastic bushes and gears on a linear contact without damping."""
+
+    stiffness: float
+    """Stiffness k of the contact, N/m."""
+    impulse_mass: float
+    """m_imp = P/(v⁻ + v⁺), kg: mass of a free body with the same impulse P between the same speeds."""
+    force_mass: float
+    """F²/(k v²), kg: mass of a free body with the same peak force F."""
+    restitution: float
+    """Separation speed divided by closing speed."""
+    duration: float | None
+    """Duration of the contact, s; None without a separation."""
+    most_impulse_mass: float | None
+    """Largest m_imp by the proof, 2 m̄/(1 + e), kg; None if a stiffness or a damping acts along the motion. The least is the
+    free mass."""
 
 
 class VariedColumn(Record):

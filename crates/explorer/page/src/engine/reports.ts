@@ -33,14 +33,26 @@ export interface BushShareRecord {
 }
 
 export interface ComplianceRecord {
-  free_mass: number | null; free_status: 'finite' | 'immovable' | 'massless'; residual_compliance: number | null;
+  elastic: string; free_mass: number | null; free_status: 'finite' | 'immovable' | 'massless'; residual_compliance: number | null;
   residual_stiffness: number | null; rows: BushShareRecord[]; lower_bounds_hold: boolean; beside: string[];
   rigid_up_to: [number, number] | null; contact: CompliantContactRecord | null;
 }
 
 export interface CompliantContactRecord {
   stiffness: number; frequency: number | null; duration: number | null; impulse_change: number | null; force_change: number | null;
-  peak_force_per_speed: [number | null, number | null]; peak_force: [number | null, number | null] | null;
+  peak_force_per_speed: [number | null, number | null]; peak_force: [number | null, number | null] | null; least_duration: number | null;
+  impact: UndampedImpactRecord | null;
+}
+
+export interface CompliantEnergyRecord {
+  kinetic_before: number; kinetic_after: number; stored: number; dissipated: number; taken_by_contact: number; work_of_other_forces: number;
+  residual: number;
+}
+
+export interface CompliantImpactRecord {
+  restitution: number; end: 'separates' | 'grazes' | 'no-rebound'; duration: number | null; max_penetration: number; peak_force: number;
+  impulse: number; impulse_mass: number; loss_frequency: number; second_hit: SecondHitRecord | null; energy: CompliantEnergyRecord;
+  elements: ElementForceRecord[]; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
 }
 
 export interface ConditionsRecord {
@@ -84,6 +96,11 @@ export interface Drift {
 
 export interface DriveRecord {
   name: string; value: number; unit: string; work: number;
+}
+
+export interface ElementForceRecord {
+  element: string; direction: string | null; unit: string; peak_force: number; peak_time: number; peak_force_after: number | null;
+  force: number[];
 }
 
 export interface EnergyRecord {
@@ -161,7 +178,7 @@ export interface ImpactTimeRecord {
   gravity_world: Triple; springs: PointSpringRecord[]; dampers: PointDamperRecord[]; tyres: TyreRecord[];
   anti_roll_bars: AntiRollBarRecord[]; drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[];
   energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
-  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
+  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
 }
 
 export interface Input {
@@ -388,6 +405,10 @@ export interface SceneWheel {
   link: number; centre: Triple; axis: Triple; radius: number;
 }
 
+export interface SecondHitRecord {
+  time: number; speed: number;
+}
+
 export interface SimultaneousLawRecord {
   law: string; impulses: (number | null)[]; opening_speeds: number[]; energy_loss: number | null; creates_energy: boolean;
   rates: RatesAfterRecord[]; refusal: string | null;
@@ -443,6 +464,11 @@ export interface TravelRecord {
 
 export interface TyreRecord {
   name: string; rate: number; damping: number; force_at_touch: number; leaves_road_at: number | null;
+}
+
+export interface UndampedImpactRecord {
+  stiffness: number; impulse_mass: number; force_mass: number; restitution: number; duration: number | null;
+  most_impulse_mass: number | null;
 }
 
 export interface VaryingMassImpact {
