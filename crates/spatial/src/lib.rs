@@ -4,6 +4,7 @@
 
 mod articulated;
 mod inertia;
+mod interval;
 pub mod lanes;
 mod packed;
 mod rotation;
@@ -13,6 +14,7 @@ mod transform;
 
 pub use articulated::ArticulatedInertia;
 pub use inertia::SpatialInertia;
+pub use interval::Interval;
 pub use nalgebra::{Matrix3, Vector3};
 pub use packed::{
     PackedInertia, PackedTwist, PackedWrench, Pivot, rotate_back, rotate_symmetric, rotated, rotation_rows,
