@@ -20,6 +20,10 @@ mod recursion;
 mod tolerances;
 
 pub use analysis::assembly::{Assembly, DrawnGap};
+pub use analysis::certificate::{
+    BranchProof, CertifiedTree, ExtremeBracket, ExtremesCertificate, MassCertificate, NoCertificate,
+    RangeProof,
+};
 pub use analysis::compliance::elements::{ElasticDirection, ElementMotion, LinearElement};
 pub use analysis::compliance::modes::Mode;
 pub use analysis::compliance::residual::{ResidualCompliance, RowShare};

@@ -534,3 +534,30 @@ pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 pub(crate) const LEAST_FOLLOWED_ROWS: usize = 4;
 /// Largest number of starts of a driven path along its rows. With more frequent stops a driven path saves no time.
 pub(crate) const MOST_PATH_STARTS: usize = 16;
+/// Units in the last place around each number of a model in a proof: readers convert units, normalise axes and rotate inertias. 0 and ±1
+/// are exact.
+pub(crate) const READING: f64 = 8.0;
+/// Units in the last place around a position in a proof: converted units.
+pub(crate) const POSITION_READING: f64 = 2.0;
+/// Units in the last place of the size of a mechanism around a distance as drawn in a proof: the roundings of its frames.
+pub(crate) const DRAWN_READING: f64 = 256.0;
+/// Largest radius of a proof of uniqueness, rad or m: beyond it the cosines of the closures have further zeros.
+pub(crate) const WIDEST_PROOF: f64 = 2.0;
+/// Ratio of two tried radii of a proof of uniqueness.
+pub(crate) const RADIUS_STEP: f64 = 0.8;
+/// Smallest tried radius of a proof of uniqueness, rad or m.
+pub(crate) const LEAST_RADIUS: f64 = 1e-12;
+/// Least radius of the box of an assembly, rad or m: the rounding of its positions.
+pub(crate) const LEAST_BOX: f64 = 1e-15;
+/// Range of each position in the proof that a row is zero everywhere, rad or m.
+pub(crate) const EVERYWHERE: f64 = 1e3;
+/// Smallest accepted pivot of the rows in a proof, relative to the largest entry: smaller ones give no proof in `f64`.
+pub(crate) const LEAST_PROVED_PIVOT: f64 = 1e-7;
+/// Number of steps of Newton for a start far from the assembly of a proof.
+pub(crate) const PROOF_NEWTON_STEPS: usize = 6;
+/// Number of enlarged boxes that are tried for an assembly.
+pub(crate) const MOST_PROOF_BOXES: usize = 12;
+/// Largest number of ranges of a proof with loops: the number of boxes grows with their product.
+pub(crate) const MOST_LINKAGE_RANGES: usize = 2;
+/// Relative distance of the stated bounds of ranges from the computed ones: roundings of another program that checks the proof.
+pub(crate) const CHECK_ROOM: f64 = 1e-11;

@@ -1,6 +1,7 @@
 //! From a compiled system to an assembly, a pose and a response.
 
 pub(crate) mod assembly;
+pub(crate) mod certificate;
 pub(crate) mod compliance;
 pub(crate) mod pose;
 pub(crate) mod posing;

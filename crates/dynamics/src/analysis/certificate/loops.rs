@@ -1,0 +1,383 @@
+//! Loops in intervals: rows of the closures and couplings, proof of the assembly by the operator of Krawczyk.
+
+use super::plan::{On, Placement, Plan, written, written_transform, written_vector};
+use crate::model::{Constraint, Model};
+use crate::tolerances::{
+    DRAWN_READING, EVERYWHERE, LEAST_BOX, LEAST_PROVED_PIVOT, LEAST_RADIUS, MOST_PROOF_BOXES,
+    PROOF_NEWTON_STEPS, RADIUS_STEP, WIDEST_PROOF,
+};
+use nalgebra::{DMatrix, Vector3};
+use percuss_mechanism::ClosureKind;
+use percuss_spatial::{Interval, Scalar, Transform, Wrench};
+
+/// Component of the relative position of the two loop frames that is zero.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// Coordinate of the successor's origin along a direction of the predecessor, m.
+    Along(Vector3<Interval>),
+    /// Cosine between a direction of the predecessor and a direction of the successor.
+    Cosine(Vector3<Interval>, Vector3<Interval>),
+    /// Distance of the origins minus the given one, m.
+    Distance(Interval),
+}
+
+/// A closure of a loop.
+#[derive(Clone, Debug)]
+struct Closure {
+    predecessor: On<Interval>,
+    successor: On<Interval>,
+    forms: Vec<Form>,
+    /// Directions of the predecessor and of the successor with a positive cosine: other zeros of the forms are no assemblies.
+    aligned: Vec<(Vector3<Interval>, Vector3<Interval>)>,
+    /// Bodies of the loop with their sense.
+    path: Vec<(usize, f64)>,
+}
+
+/// Σ factor · q = constant.
+#[derive(Clone, Debug)]
+struct Coupling {
+    terms: Vec<(usize, usize, Interval)>,
+    constant: Interval,
+}
+
+/// Constraints of a model.
+#[derive(Clone, Debug)]
+pub(super) struct Loops {
+    closures: Vec<Closure>,
+    couplings: Vec<Coupling>,
+    /// Name of the constraint of each row.
+    pub names: Vec<String>,
+}
+
+/// Rows at a pose.
+pub(super) struct Rows {
+    /// Residual of each row, m or rad.
+    pub residuals: Vec<Interval>,
+    /// A: rows × coordinates.
+    pub matrix: Vec<Vec<Interval>>,
+}
+
+/// Proved assembly.
+pub(super) struct Closed {
+    /// Positions of all joints.
+    pub q: Vec<Interval>,
+    /// Independent rows, and the dependent coordinates.
+    pub rows: Vec<usize>,
+    pub dependent: Vec<usize>,
+}
+
+impl Loops {
+    /// Constraints of a model; `None` if one of them has no proof: a held contact or a coupling along a curve.
+    pub fn of(
+        model: &Model,
+        plan: &Plan<Interval>,
+        links: &[On<Interval>],
+        bodies: &[usize],
+    ) -> Option<Self> {
+        let mut loops = Self { closures: Vec::new(), couplings: Vec::new(), names: Vec::new() };
+        let mechanism = &model.mechanism;
+        for constraint in model.groups.iter().flat_map(|group| &group.constraints) {
+            match constraint.constraint {
+                Constraint::Hold(_) => return None,
+                Constraint::Coupling(i) => {
+                    let coupling = &model.couplings[i];
+                    if coupling.curve.is_some() {
+                        return None;
+                    }
+                    let terms =
+                        coupling.terms.iter().map(|term| (term.q, bodies[term.body], written(term.factor)));
+                    loops
+                        .couplings
+                        .push(Coupling { terms: terms.collect(), constant: written(coupling.constant) });
+                    // Rows of couplings follow those of the closures.
+                }
+                Constraint::Closure(i) => {
+                    let (own, compiled) = (&mechanism.closures()[i], &model.closures[i]);
+                    let end = |end: &percuss_mechanism::LoopFrame| {
+                        let ground = On { body: None, frame: Transform::identity() };
+                        let link = end.link.map_or(ground, |link| links[link.index()]);
+                        On { body: link.body, frame: link.frame * written_transform(&end.frame) }
+                    };
+                    let (predecessor, successor) = (end(own.predecessor()), end(own.successor()));
+                    let unit = written_vector;
+                    let axes = [Vector3::x(), Vector3::y(), Vector3::z()]
+                        .map(|e: Vector3<f64>| e.map(Interval::point));
+                    let [n1, n2] = compiled.normals.each_ref().map(unit);
+                    let (a, b) = (unit(&compiled.axis), unit(&compiled.successor_axis));
+                    let point = axes.map(Form::Along);
+                    let turns = [1, 2, 0].map(|k: usize| Form::Cosine(axes[k], axes[(k + 1) % 3]));
+                    let parallel = [Form::Cosine(n1, b), Form::Cosine(n2, b)];
+                    let across = [Form::Along(n1), Form::Along(n2)];
+                    let fixed: Vec<_> = axes.iter().map(|e| (*e, *e)).collect();
+                    let (forms, aligned): (Vec<Form>, _) = match compiled.kind {
+                        ClosureKind::Fixed => ([point, turns].concat(), fixed),
+                        ClosureKind::Prismatic => ([&across[..], &turns].concat(), fixed),
+                        ClosureKind::Revolute => ([&point[..], &parallel].concat(), vec![(a, b)]),
+                        ClosureKind::Cylindrical => ([across, parallel].concat(), vec![(a, b)]),
+                        ClosureKind::Universal => {
+                            ([&point[..], &[Form::Cosine(a, unit(&compiled.axis2))]].concat(), vec![])
+                        }
+                        ClosureKind::Planar => ([&[Form::Along(a)][..], &parallel].concat(), vec![(a, b)]),
+                        ClosureKind::Spherical => (point.to_vec(), vec![]),
+                        ClosureKind::Distance => {
+                            // A distance as drawn has the roundings of the frames as drawn.
+                            let drawn = Interval::around(
+                                compiled.distance,
+                                DRAWN_READING,
+                                mechanism.characteristic_length(),
+                            );
+                            let distance = own.distance().map_or(drawn, written);
+                            (vec![Form::Distance(distance)], vec![])
+                        }
+                    };
+                    let path = plan.support(successor.body, predecessor.body);
+                    loops.names.extend(forms.iter().map(|_| compiled.name.clone()));
+                    loops.closures.push(Closure { predecessor, successor, forms, aligned, path });
+                }
+            }
+        }
+        let linear = model.couplings.iter().map(|coupling| coupling.name.clone());
+        loops.names.extend(linear.take(loops.couplings.len()));
+        Some(loops)
+    }
+
+    /// True if the model has no constraints.
+    pub fn is_empty(&self) -> bool {
+        self.names.is_empty()
+    }
+
+    /// Residuals and rows at positions of the joints.
+    pub fn rows(&self, plan: &Plan<Interval>, q: &[Interval], placements: &[Placement<Interval>]) -> Rows {
+        let frames = plan.frames(placements);
+        let at = |on: &On<Interval>| on.body.map_or(on.frame, |body| frames[body] * on.frame);
+        let (mut residuals, mut matrix) = (Vec::new(), Vec::new());
+        for closure in &self.closures {
+            let (x_rp, x_rs) = (at(&closure.predecessor), at(&closure.successor));
+            let apart = x_rs.translation - x_rp.translation;
+            for form in &closure.forms {
+                let (residual, wrench) = match form {
+                    Form::Along(e) => {
+                        let e = x_rp.vector(e);
+                        (e.dot(&apart), Wrench::new(Vector3::zeros(), e))
+                    }
+                    Form::Cosine(e, b) => {
+                        let (e, b) = (x_rp.vector(e), x_rs.vector(b));
+                        (e.dot(&b), Wrench::new(b.cross(&e), Vector3::zeros()))
+                    }
+                    Form::Distance(distance) => {
+                        let length = norm(&apart);
+                        (length - *distance, Wrench::new(Vector3::zeros(), apart.map(|x| x / length)))
+                    }
+                };
+                let mut row = vec![Interval::point(0.0); plan.coordinates];
+                for &(body, sign) in &closure.path {
+                    for (coordinate, twist) in plan.columns_at(body, placements, &frames, &x_rs.translation) {
+                        row[coordinate] += wrench.power(&twist) * Interval::point(sign);
+                    }
+                }
+                residuals.push(residual);
+                matrix.push(row);
+            }
+        }
+        for coupling in &self.couplings {
+            let mut row = vec![Interval::point(0.0); plan.coordinates];
+            let mut residual = -coupling.constant;
+            for &(position, body, factor) in &coupling.terms {
+                residual += factor * q[position];
+                // Couplings relate joints with one velocity.
+                for (coordinate, multiplier) in plan.rates(body).take(1) {
+                    row[coordinate] += factor * multiplier;
+                }
+            }
+            residuals.push(residual);
+            matrix.push(row);
+        }
+        Rows { residuals, matrix }
+    }
+
+    /// Rows that are zero at all positions: residual and derivatives are exactly [0, 0] over wide ranges of all joints.
+    pub fn zero_rows(&self, plan: &Plan<Interval>, positions: usize) -> Vec<bool> {
+        let everywhere = vec![Interval::symmetric(EVERYWHERE); positions];
+        let rows = self.rows(plan, &everywhere, &plan.placements(&everywhere));
+        let is_zero = |x: &Interval| *x == Interval::point(0.0);
+        rows.residuals
+            .iter()
+            .zip(&rows.matrix)
+            .map(|(r, row)| is_zero(r) && row.iter().all(is_zero))
+            .collect()
+    }
+
+    /// True if aligned directions of all closures have a positive cosine.
+    fn is_aligned(&self, plan: &Plan<Interval>, q: &[Interval]) -> bool {
+        let frames = plan.frames(&plan.placements(q));
+        let at = |on: &On<Interval>| on.body.map_or(on.frame, |body| frames[body] * on.frame);
+        self.closures.iter().all(|closure| {
+            let (x_rp, x_rs) = (at(&closure.predecessor), at(&closure.successor));
+            closure.aligned.iter().all(|(e, b)| x_rp.vector(e).dot(&x_rs.vector(b)).lo() > 0.0)
+        })
+    }
+}
+
+/// Euclidean norm.
+fn norm(v: &Vector3<Interval>) -> Interval {
+    (v.x.square() + v.y.square() + v.z.square()).sqrt()
+}
+
+/// Middles of a matrix of intervals.
+pub(super) fn middle(matrix: &[Vec<Interval>]) -> DMatrix<f64> {
+    DMatrix::from_fn(matrix.len(), matrix.first().map_or(0, Vec::len), |r, c| matrix[r][c].mid())
+}
+
+/// C · (interval vector), with C exact.
+pub(super) fn times(c: &DMatrix<f64>, v: &[Interval]) -> Vec<Interval> {
+    let row = |r: usize| {
+        v.iter().enumerate().fold(Interval::point(0.0), |sum, (k, x)| sum + Interval::point(c[(r, k)]) * *x)
+    };
+    (0..c.nrows()).map(row).collect()
+}
+
+/// Independent rows and dependent coordinates by complete pivoting; the coordinates in `free` are not eliminated.
+fn pivots(mut a: DMatrix<f64>, free: &[bool]) -> (Vec<usize>, Vec<usize>) {
+    let (mut rows, mut columns) = (Vec::new(), Vec::new());
+    let largest = a.amax();
+    loop {
+        let open = (0..a.nrows()).filter(|r| !rows.contains(r));
+        let open = open.flat_map(|r| (0..a.ncols()).map(move |c| (r, c)));
+        let open = open.filter(|(_, c)| !free[*c] && !columns.contains(c));
+        let Some((r, c)) = open.max_by(|x, y| a[*x].abs().total_cmp(&a[*y].abs())) else { break };
+        if a[(r, c)].abs() <= LEAST_PROVED_PIVOT * largest {
+            break;
+        }
+        for other in (0..a.nrows()).filter(|other| *other != r && !rows.contains(other)) {
+            let factor = a[(other, c)] / a[(r, c)];
+            for k in 0..a.ncols() {
+                a[(other, k)] -= factor * a[(r, k)];
+            }
+        }
+        rows.push(r);
+        columns.push(c);
+    }
+    (rows, columns)
+}
+
+/// Search for a proved assembly near given positions.
+pub(super) struct Closing<'a> {
+    pub plan: &'a Plan<Interval>,
+    pub loops: &'a Loops,
+    /// Position and coordinate of each dependent coordinate with one velocity: coordinate → position.
+    pub position_of: &'a [Option<usize>],
+    /// Coordinates with given positions.
+    pub free: &'a [bool],
+}
+
+impl Closing<'_> {
+    /// Independent rows and dependent coordinates at the middles of `q`, with the inverse of their matrix. `None` if the dependent
+    /// coordinates do not have one position each, or the matrix is singular.
+    fn dependents(&self, q: &[Interval]) -> Option<(Vec<usize>, Vec<usize>, DMatrix<f64>)> {
+        let mid: Vec<Interval> = q.iter().map(|x| Interval::point(x.mid())).collect();
+        let rows = self.loops.rows(self.plan, &mid, &self.plan.placements(&mid));
+        let a = middle(&rows.matrix);
+        let (rows, columns) = pivots(a.clone(), self.free);
+        columns.iter().all(|c| self.position_of[*c].is_some()).then_some(())?;
+        let square = DMatrix::from_fn(rows.len(), rows.len(), |r, c| a[(rows[r], columns[c])]);
+        let inverse = square.try_inverse()?;
+        Some((rows, columns, inverse))
+    }
+
+    /// Positions of the dependent coordinates.
+    fn positions(&self, dependent: &[usize]) -> Vec<usize> {
+        dependent.iter().filter_map(|c| self.position_of[*c]).collect()
+    }
+
+    /// q̃ − C F(q̃) for the dependent positions. The given positions may be intervals.
+    fn newton(&self, q: &[Interval], rows: &[usize], positions: &[usize], c: &DMatrix<f64>) -> Vec<Interval> {
+        let mut centre = q.to_vec();
+        positions.iter().for_each(|&p| centre[p] = Interval::point(q[p].mid()));
+        let residuals = self.loops.rows(self.plan, &centre, &self.plan.placements(&centre)).residuals;
+        let f: Vec<Interval> = rows.iter().map(|r| residuals[*r]).collect();
+        positions.iter().zip(times(c, &f)).map(|(&p, step)| centre[p] - step).collect()
+    }
+
+    /// Image of the box `q` under the operator of Krawczyk, K = q̃ − C F(q̃) + (1 − C F′(q)) (q − q̃), for the dependent positions.
+    fn krawczyk(
+        &self,
+        q: &[Interval],
+        rows: &[usize],
+        dependent: &[usize],
+        c: &DMatrix<f64>,
+    ) -> Vec<Interval> {
+        let positions = self.positions(dependent);
+        let around = self.loops.rows(self.plan, q, &self.plan.placements(q)).matrix;
+        let mut image = self.newton(q, rows, &positions, c);
+        for (i, image) in image.iter_mut().enumerate() {
+            for (k, column) in dependent.iter().enumerate() {
+                let mut entry = Interval::point(if i == k { 1.0 } else { 0.0 });
+                for (m, r) in rows.iter().enumerate() {
+                    entry -= Interval::point(c[(i, m)]) * around[*r][*column];
+                }
+                *image += entry * (q[positions[k]] - Interval::point(q[positions[k]].mid()));
+            }
+        }
+        image
+    }
+
+    /// Proof that the independent rows have exactly one solution near the positions `q`; the middles of the dependent positions are the
+    /// approximation, and the given positions may be intervals.
+    pub fn close(&self, q: &[Interval]) -> Option<Closed> {
+        let (rows, dependent, c) = self.dependents(q)?;
+        let mut q = q.to_vec();
+        let positions = self.positions(&dependent);
+        // One step of Newton gives the middle of the tried box and its first radius.
+        let first = self.newton(&q, &rows, &positions, &c);
+        let mut radii: Vec<f64> = first.iter().map(|x| x.radius() * 1.1 + LEAST_BOX).collect();
+        for _ in 0..MOST_PROOF_BOXES {
+            for ((&p, x), r) in positions.iter().zip(&first).zip(&radii) {
+                q[p] = Interval::point(x.mid()) + Interval::symmetric(*r);
+            }
+            let image = self.krawczyk(&q, &rows, &dependent, &c);
+            if positions.iter().zip(&image).all(|(&p, x)| x.is_inside(q[p])) {
+                positions.iter().zip(&image).for_each(|(&p, x)| q[p] = *x);
+                return self.loops.is_aligned(self.plan, &q).then_some(Closed { q, rows, dependent });
+            }
+            for ((x, of), r) in image.iter().zip(&first).zip(&mut radii) {
+                *r = r.max((*x - Interval::point(of.mid())).magnitude()) * 1.2;
+                if *r >= WIDEST_PROOF {
+                    return None;
+                }
+            }
+        }
+        None
+    }
+
+    /// Approximate solution by at most [`PROOF_NEWTON_STEPS`] steps of Newton, at the middles of the given positions.
+    pub fn approximate(&self, q: &[Interval]) -> Option<Vec<Interval>> {
+        let mut q: Vec<Interval> = q.iter().map(|x| Interval::point(x.mid())).collect();
+        for _ in 0..PROOF_NEWTON_STEPS {
+            let (rows, dependent, c) = self.dependents(&q)?;
+            let positions = self.positions(&dependent);
+            for (p, x) in positions.iter().zip(self.newton(&q, &rows, &positions, &c)) {
+                q[*p] = Interval::point(x.mid());
+            }
+        }
+        Some(q)
+    }
+
+    /// Largest tried radius (rad or m) around a proved assembly without another solution of the independent rows.
+    pub fn uniqueness(&self, closed: &Closed) -> Option<f64> {
+        let (rows, dependent, c) = self.dependents(&closed.q)?;
+        let positions = self.positions(&dependent);
+        let mut radius = WIDEST_PROOF;
+        while radius > LEAST_RADIUS {
+            let mut q = closed.q.clone();
+            positions
+                .iter()
+                .for_each(|&p| q[p] = Interval::point(closed.q[p].mid()) + Interval::symmetric(radius));
+            let image = self.krawczyk(&q, &rows, &dependent, &c);
+            if positions.iter().zip(&image).all(|(&p, x)| x.is_inside(q[p])) {
+                return Some(radius);
+            }
+            radius *= RADIUS_STEP;
+        }
+        None
+    }
+}

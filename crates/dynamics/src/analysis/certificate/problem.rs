@@ -1,0 +1,100 @@
+//! Parts of a proof at a pose.
+
+use super::load::Load;
+use super::loops::{Closed, Closing, Loops};
+use super::plan::{self, Plan};
+use super::records::NoCertificate;
+use crate::analysis::pose::Pose;
+use crate::kinematics::contact::Contact;
+use crate::model::Model;
+use percuss_mechanism::JointKind;
+use percuss_spatial::Interval;
+
+/// Parts of a proof at a pose.
+pub(super) struct Problem<'a> {
+    pub model: &'a Model,
+    pub plan: Plan<Interval>,
+    pub load: Load<Interval>,
+    pub loops: Loops,
+    /// Position of each coordinate with one.
+    pub position_of: Vec<Option<usize>>,
+    /// Coordinates with given positions.
+    pub free: Vec<bool>,
+    pub rank: usize,
+    /// Positions of all joints as written; 0 for a spherical joint, relative to its rotation.
+    pub q: Vec<Interval>,
+}
+
+impl<'a> Problem<'a> {
+    pub fn new(pose: &'a Pose, contact: &Contact, mass_tolerance: f64) -> Result<Self, NoCertificate> {
+        pose.locate(contact)?;
+        let model = pose.assembly.model();
+        if model.coordinates.is_empty() {
+            return Err(NoCertificate::Immovable);
+        }
+        let mut q = pose.positions().to_vec();
+        let (plan, links, bodies) = Plan::of(model, &q, mass_tolerance);
+        let load = Load::of(contact, &links, pose.base());
+        let loops = Loops::of(model, &plan, &links, &bodies).ok_or(NoCertificate::Unsupported)?;
+        if !loops.is_empty() && !pose.assembly.has_single_model() {
+            return Err(NoCertificate::Unsupported);
+        }
+        let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
+        let (mut position_of, mut free) = (Vec::new(), Vec::new());
+        let grouped: Vec<usize> = model.groups.iter().flat_map(|group| group.coordinates.clone()).collect();
+        for (index, coordinate) in model.coordinates.iter().enumerate() {
+            let start = coordinate.joint.map(|joint| model.joint_q[joint.index()].start);
+            position_of.push(match coordinate.joint.map(|joint| model.mechanism.joint(joint).kind()) {
+                Some(JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic) => start,
+                Some(JointKind::Planar | JointKind::Spherical) => {
+                    start.map(|start| start + coordinate.component)
+                }
+                _ => None,
+            });
+            let given = coordinate.joint.is_none_or(|joint| drivers.contains(&joint));
+            free.push(given || !grouped.contains(&index));
+        }
+        for (joint, range) in model.mechanism.joints().iter().zip(&model.joint_q) {
+            if joint.kind() == JointKind::Spherical {
+                q[range.clone()].fill(0.0);
+            }
+        }
+        let rank = (0..model.groups.len()).map(|group| pose.assembly.expected_rank(group)).sum();
+        Ok(Self {
+            model,
+            plan,
+            load,
+            loops,
+            position_of,
+            free,
+            rank,
+            q: q.into_iter().map(plan::position).collect(),
+        })
+    }
+
+    pub fn closing(&self) -> Closing<'_> {
+        Closing { plan: &self.plan, loops: &self.loops, position_of: &self.position_of, free: &self.free }
+    }
+
+    /// Proved assembly near the positions `q`, of which the given ones may be intervals.
+    pub fn close(&self, q: &[Interval]) -> Result<Closed, NoCertificate> {
+        if self.loops.is_empty() {
+            return Ok(Closed { q: q.to_vec(), rows: Vec::new(), dependent: Vec::new() });
+        }
+        let closed = self.closing().close(q).ok_or(NoCertificate::NotClosed)?;
+        let dependents = self.free.iter().filter(|free| !**free).count();
+        if closed.rows.len() != self.rank || closed.dependent.len() != dependents {
+            return Err(NoCertificate::ChangePoint);
+        }
+        Ok(closed)
+    }
+
+    /// Omitted rows without a proof that they are implied, with their residuals; and the number of implied rows.
+    pub fn omitted(&self, closed: &Closed) -> (Vec<(String, f64)>, usize) {
+        let zero = self.loops.zero_rows(&self.plan, self.model.positions);
+        let residuals = self.loops.rows(&self.plan, &closed.q, &self.plan.placements(&closed.q)).residuals;
+        let omitted = (0..zero.len()).filter(|row| !zero[*row] && !closed.rows.contains(row));
+        let omitted = omitted.map(|row| (self.loops.names[row].clone(), residuals[row].magnitude()));
+        (omitted.collect(), zero.iter().filter(|zero| **zero).count())
+    }
+}

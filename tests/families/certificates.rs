@@ -1,0 +1,219 @@
+//! Proved bounds of m̄: they contain the values of percuss, at poses and over ranges, and are refused where m̄ has no bound.
+
+use percuss_dynamics::{
+    Conditions, Contact, Direction, EffectiveMass, Frame, NoCertificate, Pose, RangeProof, System,
+};
+use percuss_formats::load_file;
+use percuss_mechanism::{JointId, JointKind};
+use percuss_tests::subjects::{Subject, of_linkages, of_trees};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+
+const PROOF: RangeProof =
+    RangeProof { tolerance: 0.05, budget: 300, mass_tolerance: 0.0, only_largest: false };
+
+/// A shipped model with joints set, and a contact along a world normal.
+fn shipped(
+    file: &str,
+    set: &[(&str, f64)],
+    link: &str,
+    point: [f64; 3],
+    normal: [f64; 3],
+) -> (System, Pose, Contact) {
+    let path = format!("{}/../models/{file}", env!("CARGO_MANIFEST_DIR"));
+    let system = System::new(load_file(&path).unwrap().mechanism, &Conditions::new()).unwrap();
+    let mut configuration = system.configuration();
+    set.iter().for_each(|(joint, q)| {
+        configuration.set(joint, &[*q]).unwrap();
+    });
+    let pose = system.pose(&configuration).unwrap();
+    let link = system.mechanism().find_link(link).unwrap();
+    let contact = Contact::new(link, point, normal).normal(Direction::Along(normal.into(), Frame::World));
+    (system, pose, contact)
+}
+
+fn mass(pose: &Pose, contact: &Contact) -> f64 {
+    pose.respond(contact).unwrap().effective_mass.kilograms().unwrap()
+}
+
+/// Each certificate contains m̄ within its stated error, and is narrow. Immovable and massless contacts have none.
+fn check_poses(subjects: &[Subject]) -> (usize, usize) {
+    let (mut proved, mut refused) = (0, 0);
+    for Subject { name, pose, contact, .. } in subjects {
+        let response = pose.respond(contact).unwrap();
+        match (pose.certify(contact), response.effective_mass) {
+            (Ok(found), EffectiveMass::Finite(m)) => {
+                let error = response.effective_mass_error().unwrap_or(f64::INFINITY);
+                // Rows that are left out may be violated by rounding; m̄ is then that of nearby numbers.
+                let slack = error + 1e-12 * m;
+                assert!(found.lower <= m + slack && m - slack <= found.upper, "{name}: {m} {found:?}");
+                // The bounds grow with the condition of the mass matrix, as the stated error does.
+                assert!(found.upper / found.lower - 1.0 < 1e-5, "{name}: {m} {found:?}");
+                proved += 1;
+            }
+            (Ok(found), other) => panic!("{name}: {other:?}, but {found:?}"),
+            (Err(_), _) => refused += 1,
+        }
+    }
+    (proved, refused)
+}
+
+#[test]
+fn certificates_contain_the_masses_of_trees_and_linkages() {
+    let (proved, refused) = check_poses(&of_trees(7, 1, 60));
+    // Refused: massless and immovable contacts.
+    assert!(proved > 120, "trees: {proved} proved, {refused} refused");
+    let (proved, refused) = check_poses(&of_linkages(7, 3));
+    // Also refused: held points, locks in loops, change points.
+    assert!(proved > 12, "linkages: {proved} proved, {refused} refused");
+}
+
+#[test]
+fn shipped_linkages_have_sharp_certificates() {
+    let wishbone = [("wheel_centre", [0.0; 3], [0.0, 0.0, -1.0])];
+    for (file, contacts, implied) in [
+        ("double_wishbone.urdf", wishbone, 0),
+        ("four_bar.urdf", [("coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])], 3),
+    ] {
+        for (link, point, normal) in contacts {
+            let (_, pose, contact) = shipped(file, &[], link, point, normal);
+            let found = pose.certify(&contact).unwrap();
+            let m = mass(&pose, &contact);
+            assert!(
+                found.lower <= m && m <= found.upper && found.upper / found.lower - 1.0 < 1e-11,
+                "{file} {found:?}"
+            );
+            // A mass that is wrong by 1e-11 is outside.
+            assert!(found.upper < m * (1.0 + 1e-11) && m * (1.0 - 1e-11) < found.lower, "{file} {found:?}");
+            assert_eq!((found.implied, found.omitted.len()), (implied, 0), "{file}");
+            assert!(found.uniqueness.is_some_and(|radius| radius > 0.05), "{file} {found:?}");
+        }
+    }
+}
+
+#[test]
+fn change_points_immovable_and_massless_contacts_have_no_certificate() {
+    // A normal across the plane of the linkage.
+    let (_, pose, contact) = shipped("four_bar.urdf", &[], "coupler", [0.35, 0.1, 0.0], [0.0, 0.0, 1.0]);
+    assert_eq!(pose.certify(&contact), Err(NoCertificate::Immovable));
+    // All bars on one line.
+    let (_, pose, contact) = shipped("parallelogram.urdf", &[], "platform", [0.1, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let flat = pose.certify(&contact);
+    assert!(!pose.rank().singular || flat.is_err(), "{flat:?}");
+    let (_, pose, contact) =
+        shipped("antiparallelogram.urdf", &[], "coupler", [0.1, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let flat = pose.certify(&contact);
+    assert!(!pose.rank().singular || flat.is_err(), "{flat:?}");
+}
+
+/// Factor of the number of random points: `PERCUSS_ROWS=100000` gives ten thousand for each question of the nightly run.
+fn more() -> usize {
+    std::env::var("PERCUSS_ROWS")
+        .ok()
+        .and_then(|rows| rows.parse::<usize>().ok())
+        .map_or(1, |rows| 1 + rows / 100)
+}
+
+/// Random points and corners of ranges are inside the brackets; the number of checked points.
+fn check_range(
+    name: &str,
+    pose: &Pose,
+    contact: &Contact,
+    ranges: &[(JointId, f64, f64)],
+    system: &System,
+    points: usize,
+) -> usize {
+    let found = pose.certify_extremes(contact, ranges, PROOF).unwrap_or_else(|why| panic!("{name}: {why}"));
+    let (least, most) = (found.least.unwrap(), found.most);
+    let mut rng = StdRng::seed_from_u64(5);
+    let mechanism = system.mechanism();
+    for number in 0..points * more() {
+        let mut configuration = system.configuration();
+        for joint in mechanism.joint_ids().filter(|joint| mechanism.joint(*joint).mimic().is_none()) {
+            if pose.loops().is_none() && mechanism.joint(joint).kind().dofs() > 0 {
+                configuration.set(mechanism.joint(joint).name(), pose.joint(joint)).unwrap();
+            }
+        }
+        for (k, (joint, lower, upper)) in ranges.iter().enumerate() {
+            let part = if number < 16 {
+                f64::from(u8::from(number >> k & 1 == 1))
+            } else {
+                rng.random_range(0.0..1.0)
+            };
+            configuration.replace(mechanism.joint(*joint).name(), &[lower + part * (upper - lower)]).unwrap();
+        }
+        let there = system.pose_from(pose, &configuration).unwrap();
+        let m = match there.respond(contact).unwrap().effective_mass {
+            EffectiveMass::Finite(m) => m,
+            EffectiveMass::Immovable => f64::INFINITY,
+            EffectiveMass::Massless => 0.0,
+        };
+        assert!(
+            least.lower <= m * (1.0 + 1e-12) && m * (1.0 - 1e-12) <= most.upper,
+            "{name}: {m} outside {least:?} {most:?}"
+        );
+    }
+    assert!(least.lower <= least.upper && most.lower <= most.upper, "{name}");
+    points
+}
+
+#[test]
+fn random_points_and_corners_are_inside_the_brackets() {
+    let (mut checked, mut sharp) = (0, 0);
+    let mut rng = StdRng::seed_from_u64(11);
+    for subject in of_trees(3, 1, 10) {
+        let mechanism = subject.mechanism();
+        let drives = |joint: &JointId| {
+            let own = mechanism.joint(*joint);
+            own.kind().dofs() == 1 && own.mimic().is_none() && own.kind() != JointKind::Fixed
+        };
+        let ranges: Vec<_> = mechanism
+            .joint_ids()
+            .filter(drives)
+            .take(3)
+            .map(|joint| {
+                let (at, half) = (subject.pose.joint(joint)[0], rng.random_range(0.01..0.2));
+                (joint, at - half, at + half)
+            })
+            .collect();
+        if ranges.is_empty() || subject.pose.certify(&subject.contact).is_err() {
+            continue;
+        }
+        checked += check_range(&subject.name, &subject.pose, &subject.contact, &ranges, &subject.system, 60);
+        sharp += 1;
+    }
+    assert!(checked > 300 && sharp > 5, "{checked} points of {sharp} trees");
+}
+
+#[test]
+fn the_travel_of_a_wishbone_is_enclosed_on_one_branch() {
+    let (system, pose, contact) =
+        shipped("double_wishbone.urdf", &[], "wheel_centre", [0.0; 3], [0.0, 0.0, -1.0]);
+    let arm = system.mechanism().find_joint("lower_arm_hinge").unwrap();
+    let ranges = [(arm, -0.25, 0.25)];
+    let found = pose.certify_extremes(&contact, &ranges, RangeProof { budget: 3_000, ..PROOF }).unwrap();
+    assert!(found.branch.is_some_and(|branch| branch.is_one_branch) && found.most.is_proved);
+    check_range("wishbone", &pose, &contact, &ranges, &system, 80);
+    // Two drivers of the loops.
+    let spin = system.mechanism().find_joint("spin").unwrap();
+    let both = [(arm, -0.05, 0.05), (spin, -0.1, 0.1)];
+    check_range("wishbone with spin", &pose, &contact, &both, &system, 40);
+}
+
+#[test]
+fn an_arm_has_sharp_brackets_over_three_joints() {
+    let set = [("shoulder", -0.6), ("elbow", 1.0), ("wrist_pitch", 0.8)];
+    let (system, pose, contact) = shipped("six_r_arm.urdf", &set, "tool", [0.0; 3], [0.0, 0.0, -1.0]);
+    let ranges: Vec<_> = set
+        .iter()
+        .map(|(name, q)| (system.mechanism().find_joint(name).unwrap(), q - 0.15, q + 0.15))
+        .collect();
+    let found = pose.certify_extremes(&contact, &ranges, RangeProof { budget: 3_000, ..PROOF }).unwrap();
+    let least = found.least.clone().unwrap();
+    assert!(found.most.is_proved && least.is_proved, "{found:?}");
+    check_range("six_r_arm", &pose, &contact, &ranges, &system, 500);
+    // All masses by 2 %: the bounds are those of the extreme masses.
+    let heavier = pose
+        .certify_extremes(&contact, &ranges, RangeProof { mass_tolerance: 0.02, budget: 3_000, ..PROOF })
+        .unwrap();
+    assert!(heavier.most.upper >= 1.02 * found.most.lower && heavier.most.upper < 1.13 * found.most.upper);
+}
