@@ -35,6 +35,9 @@ pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, d
 pub use damper::response::{ComplexSeries, ModeRecord, ModeShareRecord, ResponseReport, response};
 pub use damper::restitution::{ReboundRecord, RestRecord, RestitutionReport, restitution, restitution_at};
 pub use damper::simulators::ExportRecord;
+pub use evaluation::certificate::{
+    BracketRecord, ExtremesCertificateRecord, MassCertificateRecord, OmittedRowRecord, TreeRecord,
+};
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::friction_thresholds::FrictionThresholdsRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
@@ -146,7 +149,9 @@ pub use reports::mass_report::{
     TravelRecord,
 };
 pub use reports::motion_ratio::MotionRatioRecord;
-pub use reports::safe_speed::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds};
+pub use reports::safe_speed::{
+    AlongRecord, ProvedSpeedRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds,
+};
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };

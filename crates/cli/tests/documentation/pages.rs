@@ -8,6 +8,7 @@ crate::pages! {
     readme_of_the_package "crates/cli/README.md",
     introduction "docs/INTRODUCTION.md",
     explanation_assembly_modes "docs/explanation/ASSEMBLY_MODES.md",
+    explanation_certificates "docs/explanation/CERTIFICATES.md",
     explanation_effective_mass "docs/explanation/EFFECTIVE_MASS.md",
     explanation_figure3 "docs/explanation/FIGURE3.md",
     howto_bushes "docs/howto/BUSHES.md",

@@ -87,6 +87,24 @@ class BodyShare(Record):
     """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
 
 
+class BracketRecord(Record):
+    """Proved bounds of an extreme."""
+
+    lower: float | None
+    """Proved lower bound of the extreme, in the unit of the report; None without a proof."""
+    upper: float | None
+    """Proved upper bound of the extreme, in the unit of the report; None without a proof."""
+    is_proved: bool
+    """True if the bounds agree within the tolerance."""
+    boxes: int
+    """Number of evaluated boxes."""
+    positions: list[float]
+    """Positions of the ranges with the best value, rad or m."""
+    divisions: list[int]
+    """Division of the ranges in preorder: −1 for a box with a sufficient bound, otherwise the index of the range that is
+    halved, then its lower half and its upper half. Empty for linkages."""
+
+
 class BushShareRecord(Record):
     """Share of a bush."""
 
@@ -878,6 +896,29 @@ class ExtremeRecord(Record):
     """True if the limit of work ended the search before all starts were searched: the value is the best one found."""
 
 
+class ExtremesCertificateRecord(Record):
+    """Proved bounds of the extremes of m̄ over ranges, for rigid links, ideal joints, and the numbers of the model as read."""
+
+    tolerance: float
+    """Wanted relative distance of the bounds."""
+    mass_tolerance: float
+    """Relative tolerance of all masses and moments of inertia."""
+    least: BracketRecord | None
+    """Smallest m̄; None without a proof."""
+    most: BracketRecord | None
+    """Largest m̄; None without a proof."""
+    peak_force: float | None
+    """Upper bound of the peak force v √(k m̄) of a linear spring without damping, N; None without stiffness and speed."""
+    pieces: int | None
+    """Number of boxes with a proved assembly; None for a tree."""
+    omitted: list[OmittedRowRecord]
+    """Rows of loops that are left out without a proof."""
+    reason: str | None
+    """Reason for no proof; None with a proof."""
+    tree: TreeRecord | None
+    """Numbers for an independent check; None for linkages, and for contacts or joints that the checker does not know."""
+
+
 class ExtremesReport(Record):
     """Report of "percuss extremes", as JSON."""
 
@@ -909,6 +950,8 @@ class ExtremesReport(Record):
     """Smallest value of the quantity."""
     most: ExtremeRecord
     """Largest value of the quantity."""
+    certificate: ExtremesCertificateRecord | None
+    """Proved bounds of the extremes; None without "certify"."""
     diagnostics: list[DiagnosticRecord]
     """Findings about the ranges, or about the rows of the path."""
 
@@ -1457,6 +1500,26 @@ class MapRecord(Record):
     """Warnings and notes."""
 
 
+class MassCertificateRecord(Record):
+    """Proved bounds of m̄ at a pose, for rigid links, ideal joints, and the numbers of the model as read."""
+
+    lower: float | None
+    """Proved lower bound of m̄ in the unit of the report; None without a proof."""
+    upper: float | None
+    """Proved upper bound of m̄ in the unit of the report; None without a proof."""
+    uniqueness: float | None
+    """Distance of each dependent position, rad or m, within which no other assembly exists; None for a tree."""
+    rows: int
+    """Number of rows of the loops."""
+    implied: int
+    """Number of rows that are proved to be zero at all positions."""
+    omitted: list[OmittedRowRecord]
+    """Rows that are left out without a proof. "upper" then assumes that the loops have the mobility of the pose; "lower" holds
+    without it."""
+    reason: str | None
+    """Reason for no proof; None with a proof."""
+
+
 class MassChange(Record):
     """Change of mass that lowers m̄; the opposite change raises m̄."""
 
@@ -1554,6 +1617,8 @@ class MassReport(Record):
     """Coefficients of friction for sticking, jamming and wedging, if requested; None without a single finite effective mass."""
     explanation: Explanation | None
     """Sensitivities of m̄, if requested."""
+    certificate: MassCertificateRecord | None
+    """Proved bounds of m̄, if requested."""
     tolerance: ToleranceReport | None
     """Variation of m̄ within tolerances, if given."""
     damper: DampingReport | None
@@ -1742,6 +1807,15 @@ class OmittedLink(Record):
     """Reason."""
 
 
+class OmittedRowRecord(Record):
+    """Rows of a constraint that the proof leaves out, without a proof that the other rows imply them."""
+
+    constraint: str
+    """Name of the closure or coupling."""
+    residual: float
+    """Largest error of the row at the proved assembly, m or rad."""
+
+
 class OrientationRecord(Record):
     """Orientation of mesh triangles, so that the normals point outward."""
 
@@ -1928,6 +2002,18 @@ class PointSpringRecord(Record):
     """Force at the touch, N, positive in compression; 0 if only the change of the force acts."""
     force_at_end: float
     """Force at the end of the contact, N."""
+
+
+class ProvedSpeedRecord(Record):
+    """Speed that holds for all positions in ranges of joints, for rigid links, ideal joints, and the numbers of the model as
+    read."""
+
+    speed: SpeedRecord | None
+    """Speed for the upper bound of m̄; None without a bound."""
+    is_sharp: bool
+    """True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary."""
+    certificate: ExtremesCertificateRecord
+    """Proved bounds of the largest m̄ over the ranges."""
 
 
 class RatesAfterRecord(Record):
@@ -2278,6 +2364,8 @@ class SafeSpeedReport(Record):
     """M: mass of all links that can move, kg."""
     load: float
     """m_L: load, kg."""
+    proved: ProvedSpeedRecord | None
+    """Speed that is proved for all positions in the ranges; None without a proof."""
     along: AlongRecord | None
     """Slowest row, if there are rows of positions."""
     diagnostics: list[DiagnosticRecord]
@@ -2583,6 +2671,22 @@ class TravelRecord(Record):
     """Direction, world axes."""
     distance: float
     """Displacement, m."""
+
+
+class TreeRecord(Record):
+    """Bodies, contact and ranges of a proof, as enclosures: pairs of a lower and an upper bound."""
+
+    bodies: list[list[float]]
+    """One row per body, parents first: parent (−1: ground), motion (0 fixed, 1 hinge about z, 2 slider along z), index of the
+    position, coordinate (−1: none), then pairs: factor and offset of the position, factor and armature of the rate, rotation
+    (9, by rows) and translation (3) of the joint frame in the parent, mass, first moment (3), moments of inertia (9) in the
+    body's frame."""
+    contact: list[float]
+    """Body, 1 for a moment, 1 for a normal fixed in the root link; then pairs: point (3), normal (3)."""
+    positions: list[list[float]]
+    """Positions of all joints."""
+    ranges: list[list[float | int]]
+    """Index of the position, lower and upper end of each range, rad or m."""
 
 
 class TyreRecord(Record):

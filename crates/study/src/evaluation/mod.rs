@@ -1,8 +1,10 @@
 //! Evaluation of one contact at one pose.
 
+pub(crate) mod certificate;
 pub(crate) mod contact_point;
 pub(crate) mod estimate;
 pub(crate) mod friction_thresholds;
+pub(crate) mod joint_ranges;
 pub(crate) mod named_contact;
 pub(crate) mod passed_stops;
 pub(crate) mod prepared_question;

@@ -5,6 +5,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::compliance::{compliance, has_elastic_joints};
 use crate::damper::damped_contact::damping_report;
 use crate::damper::simulators::ExportRecord;
+use crate::evaluation::certificate::mass_certificate;
 use crate::evaluation::friction_thresholds::thresholds_of;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
@@ -150,6 +151,9 @@ fn requested_report(
         _ => build_mass_report(evaluated)?,
     };
     report = with_compliance(report, evaluated, damping)?;
+    if requested.certify {
+        report.certificate = Some(mass_certificate(evaluated));
+    }
     if requested.explain {
         report.explanation = explain_parts(evaluated, question, true)?;
     }

@@ -2,6 +2,7 @@
 
 use crate::damper::compliance::ComplianceRecord;
 use crate::damper::damping::DampingReport;
+use crate::evaluation::certificate::MassCertificateRecord;
 use crate::evaluation::estimate::EstimateRecord;
 use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
@@ -250,6 +251,8 @@ pub struct MassReport {
     pub friction_thresholds: Option<FrictionThresholdsRecord>,
     /// Sensitivities of m̄, if requested.
     pub explanation: Option<Explanation>,
+    /// Proved bounds of m̄, if requested.
+    pub certificate: Option<MassCertificateRecord>,
     /// Variation of m̄ within tolerances, if given.
     pub tolerance: Option<ToleranceReport>,
     /// Damper for a restitution, if requested.
@@ -360,6 +363,7 @@ impl MassReport {
             motion_ratios: Vec::new(),
             friction_thresholds: None,
             explanation: None,
+            certificate: None,
             tolerance: None,
             damper: None,
             diagnostics: model.diagnostics.iter().cloned().chain(of_answer).collect(),

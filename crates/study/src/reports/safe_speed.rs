@@ -2,6 +2,8 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::evaluation::certificate::ExtremesCertificateRecord;
+use crate::evaluation::joint_ranges::prove;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -10,6 +12,7 @@ use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;
+use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::safe_speed::{Limit, SafeSpeedQuestion};
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
@@ -75,10 +78,23 @@ pub struct SafeSpeedReport {
     pub moving_mass: f64,
     /// m_L: load, kg.
     pub load: f64,
+    /// Speed that is proved for all positions in the ranges; null without a proof.
+    pub proved: Option<ProvedSpeedRecord>,
     /// Slowest row, if there are rows of positions.
     pub along: Option<AlongRecord>,
     /// Findings.
     pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Speed that holds for all positions in ranges of joints, for rigid links, ideal joints, and the numbers of the model as read.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ProvedSpeedRecord {
+    /// Speed for the upper bound of m̄; null without a bound.
+    pub speed: Option<SpeedRecord>,
+    /// True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary.
+    pub is_sharp: bool,
+    /// Proved bounds of the largest m̄ over the ranges.
+    pub certificate: ExtremesCertificateRecord,
 }
 
 /// Greatest closing speed within the rate limits of the joints.
@@ -176,8 +192,29 @@ fn safe_speed(
         normal_world: evaluated.result.response.contact.normal_world.into(),
         moving_mass,
         load: asked.load(),
+        proved: asked.certify.map(|_| proved_speed(&evaluated, asked, &speed)).transpose()?,
         along: None,
         diagnostics,
+    })
+}
+
+/// Speed for the upper bound of the largest m̄ over the ranges.
+fn proved_speed(
+    evaluated: &EvaluatedQuestion,
+    asked: &SafeSpeedQuestion,
+    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
+) -> Result<ProvedSpeedRecord, StudyError> {
+    let ranges = ExtremesQuestion {
+        range: asked.range.clone(),
+        certify: asked.certify,
+        ..ExtremesQuestion::default()
+    };
+    let certificate = prove(&evaluated.prepared, &evaluated.pose, &evaluated.contact, &ranges, true)?;
+    let upper = certificate.most.as_ref().and_then(|most| most.upper);
+    Ok(ProvedSpeedRecord {
+        speed: upper.map(|mass| speed(Some(mass)).map(|(speed, _)| speed)).transpose()?,
+        is_sharp: certificate.most.as_ref().is_some_and(|most| most.is_proved),
+        certificate,
     })
 }
 

@@ -1,13 +1,17 @@
 //! Command `percuss extremes`.
 
 use crate::args::{CheckFormat, ExtremesArgs};
+use crate::commands::mass::certificate;
 use crate::document::{self, Document};
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
 use crate::terminal::number::{number, triple};
 use crate::terminal::report::{with_findings, write_diagnostics};
 use crate::terminal::units::{ContactUnits, varied_name};
-use percuss_study::{ExtremeRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status, extremes};
+use percuss_study::{
+    ExtremeRecord, ExtremesCertificateRecord, ExtremesReport, KeptRecord, PathPlace, RowSource, Status,
+    extremes,
+};
 use percuss_suspension::LengthUnit;
 
 /// Gap, m, up to which a stop counts as closed: far below any clearance.
@@ -36,7 +40,48 @@ pub fn document(report: &ExtremesReport) -> Document<'_> {
     let mut out = Document::default();
     out.facts(facts(report));
     out.paragraph(note(report));
+    if let Some(certificate) = &report.certificate {
+        out.section("Proof");
+        out.facts(proof(certificate, report.unit));
+        out.note(certificate::MEANING);
+    }
     out
+}
+
+/// Proved bounds.
+fn proof(certificate: &ExtremesCertificateRecord, unit: &str) -> Vec<(&'static str, String)> {
+    if let Some(reason) = &certificate.reason {
+        return vec![("no certificate", reason.clone())];
+    }
+    let mut facts = Vec::new();
+    for (name, bracket) in [("smallest", &certificate.least), ("largest", &certificate.most)] {
+        let Some(bracket) = bracket else { continue };
+        let bounds = certificate::bounds(bracket.lower, bracket.upper, unit);
+        let state = match bracket.is_proved {
+            true => format!("proved with {} boxes", bracket.boxes),
+            false => format!(
+                "the best bounds after {} boxes, not within {} %: more boxes (--boxes), or smaller ranges",
+                bracket.boxes,
+                number(100.0 * certificate.tolerance)
+            ),
+        };
+        facts.push((name, format!("{bounds}   ({state})")));
+    }
+    if certificate.mass_tolerance > 0.0 {
+        facts.push(("masses", format!("each link within ±{} %", number(100.0 * certificate.mass_tolerance))));
+    }
+    if let Some(force) = certificate.peak_force {
+        let unit = if unit == "kg" { "N" } else { "N·m" };
+        facts.push((
+            "peak force",
+            format!("at most {} {unit}, of a linear spring without damping", number(force)),
+        ));
+    }
+    if let Some(pieces) = certificate.pieces {
+        facts.push(("assembly", format!("proved on {pieces} boxes, which are one branch")));
+    }
+    facts.extend(certificate::assumption(&certificate.omitted));
+    facts
 }
 
 /// Limits of the search.

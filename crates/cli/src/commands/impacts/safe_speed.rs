@@ -106,6 +106,20 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     if let Some(along) = &report.along {
         fact("slowest of the rows", speed(&along.slowest, &format!("row {} of {}", along.row, along.rows)));
     }
+    if let Some(proved) = &report.proved {
+        let ranges = match (&proved.speed, &proved.certificate.reason) {
+            (Some(record), _) => {
+                let sharp =
+                    if proved.is_sharp { "" } else { "; not sharp: smaller ranges give a higher speed" };
+                format!("{}{sharp}", speed(record, "upper bound for all positions in the ranges"))
+            }
+            (None, Some(reason)) => format!("no certificate: {reason}"),
+            (None, None) => {
+                "no certificate: no upper bound of the effective mass; use smaller ranges".to_owned()
+            }
+        };
+        fact("proved speed", ranges);
+    }
     if let Some(reachable) = &report.reachable {
         let compared =
             if reachable.speed <= report.reflected.speed { ", not above the greatest speed" } else { "" };

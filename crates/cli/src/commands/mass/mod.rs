@@ -1,5 +1,6 @@
 //! Command `percuss mass`.
 
+pub(crate) mod certificate;
 pub(crate) mod compliance;
 pub(crate) mod conditions;
 pub(crate) mod contact_list;
@@ -58,6 +59,7 @@ fn show_all_contacts(
 ) -> Result<(), Failure> {
     let single = [
         ("--expect", args.requests.expect.is_some()),
+        ("--certify", args.requests.certify),
         ("--explain", args.requests.explain),
         ("--friction-thresholds", args.requests.friction_thresholds),
         ("--tolerance", !args.requests.tolerance.is_empty()),
@@ -117,6 +119,9 @@ pub fn write(
             if report.damper.is_some() {
                 note("CSV does not contain the damper; use --format text or json");
             }
+            if report.certificate.is_some() {
+                note("CSV does not contain the proved bounds; use --format text or json");
+            }
             write_out(&csv::mass_row(report, &report.assumptions.set))?;
         }
         MassFormat::Text => write_text(&text(report, requested, hints))?,
@@ -161,6 +166,7 @@ fn text(report: &MassReport, requested: &MassOptions, hints: &str) -> String {
     let thresholds = report.friction_thresholds.as_ref();
     let thresholds = thresholds.map(|found| ("friction", conditions::thresholds_text(found)));
     out.facts(expected.into_iter().chain(together).chain(thresholds));
+    out.facts(certificate::facts(report));
     out.facts(conditions::other_base(report));
     out.facts(compliance::facts(report));
     contributions(report, usize::MAX).into_iter().for_each(|table| out.table(table));
@@ -213,6 +219,7 @@ pub fn document(report: &MassReport) -> Document<'_> {
         Some(contact) => out.facts(conditions::facts_in_sheet(report, contact)),
         None => out.facts(conditions::conditions(report).into_iter().chain([conditions::method(report)])),
     }
+    out.facts(certificate::facts(report));
     out.facts(conditions::other_base(report));
     if report.compliance.is_some() {
         out.section("Bushes");

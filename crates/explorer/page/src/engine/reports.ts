@@ -28,6 +28,10 @@ export interface BodyShare {
   link: string; mass: number; share: number | null;
 }
 
+export interface BracketRecord {
+  lower: number | null; upper: number | null; is_proved: boolean; boxes: number; positions: number[]; divisions: number[];
+}
+
 export interface BushShareRecord {
   bush: string; direction: string; share: number;
 }
@@ -128,6 +132,11 @@ export interface ExportRecord {
   missing: string[]; assumptions: string[]; cannot: string[]; sources: string[]; error: string | null;
 }
 
+export interface ExtremesCertificateRecord {
+  tolerance: number; mass_tolerance: number; least: BracketRecord | null; most: BracketRecord | null; peak_force: number | null;
+  pieces: number | null; omitted: OmittedRowRecord[]; reason: string | null; tree: TreeRecord | null;
+}
+
 export interface ForceCurveRecord {
   stop: string | null; deflections: number[]; forces: number[]; coefficients: number[]; exponents: number[];
 }
@@ -220,6 +229,11 @@ export interface ListedContact {
   name: string; kind: string; report: MassReport | null; problem: string | null; remaining_gap: number | null;
 }
 
+export interface MassCertificateRecord {
+  lower: number | null; upper: number | null; uniqueness: number | null; rows: number; implied: number; omitted: OmittedRowRecord[];
+  reason: string | null;
+}
+
 export interface MassChange {
   link: string; lowers_by: number;
 }
@@ -234,7 +248,8 @@ export interface MassReport {
   other_base: OtherBaseRecord | null; drivers: string[]; assembly_modes: number[]; redundant_loops: string[][];
   branch_limits: (number | null)[]; compliance: ComplianceRecord | null; estimate: EstimateRecord | null;
   motion_ratios: MotionRatioRecord[]; friction_thresholds: FrictionThresholdsRecord | null; explanation: Explanation | null;
-  tolerance: ToleranceReport | null; damper: DampingReport | null; diagnostics: DiagnosticRecord[];
+  certificate: MassCertificateRecord | null; tolerance: ToleranceReport | null; damper: DampingReport | null;
+  diagnostics: DiagnosticRecord[];
 }
 
 export interface MassStateRecord {
@@ -266,6 +281,10 @@ export interface MotionRatioRecord {
 export interface NamedContactRecord {
   name: string; kind: string; on: string; element: string | null; gap_as_drawn: number | null; gap: number | null;
   brought_to_touch: boolean; touching: string[]; effective_mass_together: number | null; wheel_travel: WheelTravelRecord[];
+}
+
+export interface OmittedRowRecord {
+  constraint: string; residual: number;
 }
 
 export interface OtherBaseRecord {
@@ -317,6 +336,10 @@ export interface PosedMass {
   report: MassReport; frames: number[]; velocities: (Triple | null)[];
 }
 
+export interface ProvedSpeedRecord {
+  speed: SpeedRecord | null; is_sharp: boolean; certificate: ExtremesCertificateRecord;
+}
+
 export interface RatesAfterRecord {
   joint: string; after: number[];
 }
@@ -357,7 +380,7 @@ export interface SafeSpeedReport {
   schema: 'percuss.safe-speed/2'; percuss: string; inputs: Input[]; region: string | null; region_mass: number | null;
   region_stiffness: number | null; region_note: string | null; limited_by: string; force: number | null; energy: number;
   standard: SpeedRecord; reflected: SpeedRecord; reachable: ReachableSpeedRecord | null; normal_world: Triple;
-  moving_mass: number; load: number; along: AlongRecord | null; diagnostics: DiagnosticRecord[];
+  moving_mass: number; load: number; proved: ProvedSpeedRecord | null; along: AlongRecord | null; diagnostics: DiagnosticRecord[];
 }
 
 export interface SampleRecord {
@@ -460,6 +483,10 @@ export interface TouchingRecord {
 
 export interface TravelRecord {
   motion: string; link: string | null; point: Triple | null; direction: Triple | null; distance: number;
+}
+
+export interface TreeRecord {
+  bodies: number[][]; contact: number[]; positions: ([number, number])[]; ranges: (Triple)[];
 }
 
 export interface TyreRecord {

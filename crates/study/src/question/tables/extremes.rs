@@ -22,6 +22,11 @@ pub(crate) const DEFAULT_STARTS: usize = 32;
 /// Largest number of starts.
 pub(crate) const MOST_STARTS: usize = 2_000;
 
+/// Number of boxes of a proof without a given one.
+pub(crate) const DEFAULT_BOXES: u32 = 200_000;
+/// Largest number of boxes of a proof.
+const MOST_BOXES: u32 = 100_000_000;
+
 /// Path of positions: a file, or a range of a joint or a travel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPath(pub RowSource);
@@ -265,6 +270,21 @@ pub struct ExtremesQuestion {
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub normals: Option<GivenNormals>,
+    /// Prove bounds of the extremes of m̄ within a relative tolerance, such as 2%.
+    ///
+    /// Branch and bound over the ranges with interval arithmetic: trees, and loops along one or two ranges. The report gives the best
+    /// proved bounds if the number of boxes is not sufficient. With stiffness and speed also a bound of the peak force v √(k m̄).
+    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, help_heading = ANSWER))]
+    pub certify: Option<Ratio>,
+    /// Largest number of boxes of each proof; default 200000.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "N", requires = "certify", help_heading = ANSWER))]
+    pub boxes: Option<u32>,
+    /// Relative tolerance of all masses and moments of inertia in the proof, such as 1%.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "certify", help_heading = ANSWER)
+    )]
+    pub mass_tolerance: Option<Ratio>,
     /// Number of starts of the search; default 32.
     #[cfg_attr(
         feature = "flags",
@@ -312,7 +332,8 @@ impl ExtremesQuestion {
         if !(1..=MOST_STARTS).contains(&self.starts.map_or(DEFAULT_STARTS, usize::from)) {
             return refuse("extremes.starts", "expected a number from 1 to 2000");
         }
-        if let Some(law) = self.contact_law() {
+        self.check_proof()?;
+        if let Some(law) = self.contact_law().filter(|_| self.certify.is_none()) {
             if !matches!(self.quantity, Some(GivenQuantity::Peak(_))) {
                 return refuse(
                     "extremes.quantity",
@@ -328,6 +349,46 @@ impl ExtremesQuestion {
             law.check_law().map_err(|error| InvalidKey::new("extremes.law", error.to_string()))?;
         }
         Ok(Self { path, ..self.clone() })
+    }
+
+    /// Checks the keys of the proof.
+    fn check_proof(&self) -> Result<(), InvalidKey> {
+        let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
+        let Some(Ratio(tolerance)) = self.certify else {
+            return match (self.boxes, self.mass_tolerance) {
+                (Some(_), _) => refuse("extremes.boxes", "it limits a proof; give `certify`, such as 2%"),
+                (_, Some(_)) => {
+                    refuse("extremes.mass_tolerance", "it belongs to a proof; give `certify`, such as 2%")
+                }
+                _ => Ok(()),
+            };
+        };
+        if !(1e-9..=1.0).contains(&tolerance) {
+            return refuse("extremes.certify", "expected a relative tolerance from 1e-9 to 1, such as 2%");
+        }
+        if !(0.0..=0.5).contains(&self.mass_tolerance.map_or(0.0, |Ratio(masses)| masses)) {
+            return refuse("extremes.mass_tolerance", "expected a relative tolerance from 0 to 50%");
+        }
+        if !(1..=MOST_BOXES).contains(&self.boxes.unwrap_or(DEFAULT_BOXES)) {
+            return refuse("extremes.boxes", "expected a number from 1 to 100000000");
+        }
+        let is_mass = self.quantity() == &GivenQuantity::Mass;
+        let is_given = self.normals.unwrap_or_default().0 == NormalRange::Given;
+        if !is_mass || !is_given || self.path.is_some() || !self.keep.is_empty() {
+            return refuse(
+                "extremes.certify",
+                "the proof covers m̄ over ranges of joints, with the normal of the contact; expected neither another quantity, `normals`, \
+                 `path` nor `keep`",
+            );
+        }
+        let law = self.restitution.is_some() || self.exponent.is_some() || self.law.is_some();
+        if law || self.stiffness.is_some() != self.speed.is_some() {
+            return refuse(
+                "extremes.stiffness",
+                "the proved peak force is that of a linear spring; expected `stiffness` and `speed`, and no other part of a contact law",
+            );
+        }
+        Ok(())
     }
 
     /// Refuses ignored columns without a file.

@@ -149,6 +149,12 @@ pub struct MassOptions {
         arg(long, value_name = "NUMBER", requires = "samples", help_heading = ADDITIONAL)
     )]
     pub seed: Option<u64>,
+    /// Prove bounds of the effective mass with interval arithmetic.
+    ///
+    /// The bounds hold for rigid links and ideal joints, for the numbers of the model as read. For loops the assembly is proved, and that
+    /// there is no other one near it.
+    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    pub certify: bool,
     /// Show sensitivities, and the most effective changes.
     ///
     /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each

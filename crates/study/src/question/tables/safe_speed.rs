@@ -1,10 +1,11 @@
 //! Question about the safe speed of a robot that may hit a person.
 
+use super::extremes::GivenRange;
 #[cfg(feature = "flags")]
 use super::headings::{LIMIT, WHICH};
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
-use crate::values::quantities::{Area, Energy, Force, Mass, Momentum, Pressure, Vector};
+use crate::values::quantities::{Area, Energy, Force, Mass, Momentum, Pressure, Ratio, Vector};
 use crate::values::value::{self, Words};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use schemars::JsonSchema;
@@ -88,6 +89,22 @@ pub struct SafeSpeedQuestion {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
+    /// Range of a joint for a proof, JOINT=FROM:TO.
+    ///
+    /// With certify: a speed that holds for all positions in the ranges, at the contact point and the normal of the question.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, requires = "certify", conflicts_with = "input", help_heading = WHICH)
+    )]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub range: Vec<GivenRange>,
+    /// Prove a speed for all positions in the ranges, within a relative tolerance of the mass, such as 2%.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "range", help_heading = WHICH)
+    )]
+    pub certify: Option<Ratio>,
     /// Load that is missing in the model (kg); default 0.
     ///
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
@@ -124,6 +141,15 @@ impl SafeSpeedQuestion {
         self.only_limit()?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it removes columns of `input`; give that file");
+        }
+        if self.range.is_empty() != self.certify.is_none() {
+            return refuse("safe_speed.certify", "a proof needs both `range` and `certify`, such as 2%");
+        }
+        if self.rows().is_some() && self.certify.is_some() {
+            return refuse("safe_speed.certify", "the proof covers ranges; expected no `input`");
+        }
+        if !(1e-9..=1.0).contains(&self.certify.map_or(1.0, |Ratio(tolerance)| tolerance)) {
+            return refuse("safe_speed.certify", "expected a relative tolerance from 1e-9 to 1, such as 2%");
         }
         if self.rows().is_some() && self.has_directions() {
             return refuse("safe_speed", "give either `input` or directions");

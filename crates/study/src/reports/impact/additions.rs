@@ -1,6 +1,7 @@
 //! Additional results about an impact: centres of percussion, greatest closing speed.
 
 use crate::damper::damping::damper;
+use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
@@ -58,19 +59,6 @@ pub struct GreatestSpeedRecord {
 
 /// Name of the ground under the root link as a bearing.
 const GROUND: &str = "ground";
-
-/// Joint by name.
-pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
-    mechanism.find_joint(name).map_err(|error| {
-        if mechanism.closures().iter().any(|closure| closure.name() == name) {
-            let why = format!(
-                "\"{name}\" is the closure of a loop; expected a joint of the tree. The reactions of `percuss impact` include this closure"
-            );
-            return StudyError::input(field, why);
-        }
-        StudyError::input(field, error)
-    })
-}
 
 /// Finds a bearing by the name of a joint or of a closure. `ground` and the name of the root link give the ground under the root link.
 pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> Result<Bearing, StudyError> {

@@ -4,29 +4,27 @@ use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::many_turns_finding;
 use crate::damper::damping::damper;
+use crate::evaluation::certificate::ExtremesCertificateRecord;
+use crate::evaluation::joint_ranges::{find_joint, prove, ranges, search_error};
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
-use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::tables::damping::DampingQuestion;
-use crate::question::tables::extremes::{
-    DEFAULT_STARTS, ExtremesQuestion, GivenQuantity, GivenRange, Keep, MOST_STARTS,
-};
+use crate::question::tables::extremes::{DEFAULT_STARTS, ExtremesQuestion, GivenQuantity, Keep, MOST_STARTS};
 use crate::question::travel::varied_values::PathPlace;
-use crate::reports::impact::additions::{find_bearing, find_joint};
+use crate::reports::impact::additions::find_bearing;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, ExtremesError, JointRange, KeptPoint, PeakForceLaw,
-    ReactionMap, SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path,
-    extreme_quantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, PeakForceLaw, ReactionMap,
+    SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
-use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -132,6 +130,8 @@ pub struct ExtremesReport {
     pub least: ExtremeRecord,
     /// Largest value of the quantity.
     pub most: ExtremeRecord,
+    /// Proved bounds of the extremes; null without `certify`.
+    pub certificate: Option<ExtremesCertificateRecord>,
     /// Findings about the ranges, or about the rows of the path.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
@@ -185,7 +185,7 @@ pub fn extremes(
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let is_moment = contact.normal.is_moment();
-    let law = extremes.contact_law();
+    let law = extremes.contact_law().filter(|_| extremes.certify.is_none());
     if let Some(law) = &law {
         law.check_dimensions(Field::ExtremesStiffness, Field::ExtremesSpeed, is_moment)?;
     }
@@ -260,6 +260,10 @@ pub fn extremes(
         starts: found.starts.unwrap_or(least.0.starts.max(most.0.starts)),
         least: record(least),
         most: record(most),
+        certificate: extremes
+            .certify
+            .map(|_| prove(&prepared, &pose, &contact, extremes, false))
+            .transpose()?,
         path: found.path,
         diagnostics: found.diagnostics.into_iter().chain(open_components).collect(),
     })
@@ -456,18 +460,6 @@ impl ExtremesSearch<'_> {
     }
 }
 
-/// Converts the error of a search. `field`: field of the question that gives the positions.
-fn search_error(error: ExtremesError, field: Field) -> StudyError {
-    match error {
-        ExtremesError::Assembly(error) => StudyError::from(error),
-        ExtremesError::Contact(error) => StudyError::from(error),
-        ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => {
-            StudyError::input(Field::Keep, error)
-        }
-        error => StudyError::input(field, error),
-    }
-}
-
 /// Link or point that stays in place, as a record.
 fn kept_record(keep: &Keep) -> KeptRecord {
     KeptRecord { link: keep.link.clone(), point: keep.point, normal: keep.normal }
@@ -506,54 +498,6 @@ fn range_findings<'a>(
         );
         Some(Finding::new(FindingKind::OutsideLimits, FindingSubject::Joint(range.joint), message))
     })
-}
-
-/// Ranges in SI units. Without given ranges: the limits of all driving joints with limits, except those with a given position. With kept
-/// points, joints with a given position vary too.
-fn ranges(
-    prepared: &PreparedQuestion,
-    pose: &Pose,
-    question: &ExtremesQuestion,
-) -> Result<Vec<JointRange>, StudyError> {
-    let mechanism = &prepared.model.mechanism;
-    // With kept links or points, the given positions only define where these stay.
-    let is_set =
-        |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
-    if question.range.is_empty() {
-        let mut drivers = driving_joints(pose);
-        drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));
-        let limited = drivers.into_iter().filter_map(|joint| {
-            let limits = mechanism.joint(joint).limits()?;
-            let is_single = mechanism.joint(joint).kind().dofs() == 1;
-            (is_single && limits.lower < limits.upper).then_some(JointRange {
-                joint,
-                lower: limits.lower,
-                upper: limits.upper,
-            })
-        });
-        return Ok(limited.collect());
-    }
-    let range = |given: &GivenRange| {
-        let joint = find_joint(mechanism, Field::Range, &given.joint)?;
-        if is_set(&given.joint) {
-            let joint = &given.joint;
-            let why = format!("joint \"{joint}\" has a range and a given position; expected one of the two");
-            return Err(StudyError::input(Field::Range, why));
-        }
-        let dimension = match mechanism.joint(joint).kind() {
-            JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
-            JointKind::Prismatic => Dimension::Length,
-            _ => {
-                return Err(StudyError::input(Field::Range, Fault::NoMotion { joint: given.joint.clone() }));
-            }
-        };
-        let end = |end: Quantity| {
-            end.in_dimension(dimension, &end.to_string())
-                .map_err(|error| StudyError::input(Field::Range, error))
-        };
-        Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
-    };
-    question.range.iter().map(range).collect()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::collect_pose_findings;
+use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::evaluation::status::Status;
 use crate::model::loading::{Input, Model};
@@ -14,7 +15,6 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::pose_file::GivenPose;
 use crate::question::travel::vary::Vary;
-use crate::reports::impact::additions::find_joint;
 use crate::reports::mass_report::ConditionsRecord;
 use percuss_dynamics::{Configuration, EffectiveMass, Pose, System};
 use percuss_impact::{

@@ -3,11 +3,11 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{ElementForce, SheetElement, sheet_bars, sheet_elements, sheet_tyres};
+use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::tables::impact::{ImpactQuestion, SheetSprings};
-use crate::reports::impact::additions::find_joint;
 use crate::values::drives::GivenSpring;
 use crate::values::point_force::{Ends, GivenDrive};
 use crate::values::rates::rate_dimension;

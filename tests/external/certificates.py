@@ -1,0 +1,96 @@
+"""Proofs of `percuss extremes --certify`, checked by docs/explanation/check_certificate.py, which does not use percuss; altered proofs must
+be rejected. Sines and cosines of the checker are compared with mpmath, if it is installed.
+
+    certificates.py PERCUSS"""
+import copy, importlib.util, json, os, random, subprocess, sys, tempfile
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..')
+CHECKER = os.path.join(ROOT, 'docs', 'explanation', 'check_certificate.py')
+QUESTIONS = [
+    ['six_r_arm.urdf', '--link', 'tool', '--point', '0,0,0', '--normal', '0,0,-1', '--normal-frame', 'world', '--range', 'shoulder=-40deg:-20deg',
+     '--range', 'elbow=50deg:70deg', '--range', 'wrist_pitch=30deg:60deg', '--mass-tolerance', '1%'],
+    ['planar_2r.urdf', '--link', 'outer', '--point', '0.4,0,0', '--normal', '0,1,0', '--range', 'elbow=30deg:150deg'],
+    ['double_pendulum.urdf', '--link', 'lower', '--about-axis', '0,1,0', '--range', 'elbow=20deg:70deg'],
+]
+
+
+def narrower(report, side, end, factor):
+    report['certificate'][side][end] *= factor
+
+
+def heavier(report, factor):
+    """Mass and moments of all bodies."""
+    for row in report['certificate']['tree']['bodies']:
+        row[36:] = [x * factor for x in row[36:]]
+
+
+def wider(report):
+    report['certificate']['tree']['ranges'][0][2] += 0.5
+
+
+def uncovered(report):
+    """Omits the last box of the divisions."""
+    report['certificate']['most']['divisions'].pop()
+
+
+ALTERATIONS = {
+    'a smaller upper bound of the largest m̄': lambda report: narrower(report, 'most', 'upper', 0.97),
+    'a larger lower bound of the largest m̄': lambda report: narrower(report, 'most', 'lower', 1.03),
+    'a larger lower bound of the smallest m̄': lambda report: narrower(report, 'least', 'lower', 1.03),
+    'a smaller upper bound of the smallest m̄': lambda report: narrower(report, 'least', 'upper', 0.97),
+    'heavier bodies': lambda report: heavier(report, 1.05),
+    'lighter bodies': lambda report: heavier(report, 0.95),
+    'a wider range': wider,
+    'a missing box': uncovered,
+}
+
+
+def check(report, folder):
+    path = os.path.join(folder, 'report.json')
+    with open(path, 'w') as file:
+        json.dump(report, file)
+    done = subprocess.run([sys.executable, CHECKER, path], capture_output=True, text=True, timeout=600)
+    return done.returncode, done.stdout + done.stderr
+
+
+def sines(count):
+    """Number of sines and cosines of the checker that were compared with 60 digits."""
+    try:
+        import mpmath
+    except ImportError:
+        return 0
+    spec = importlib.util.spec_from_file_location('check_certificate', CHECKER)
+    checker = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(checker)
+    mpmath.mp.dps = 60
+    generator = random.Random(3)
+    for _ in range(count):
+        x = generator.uniform(-1, 1) * 10 ** generator.uniform(-8, 3)
+        for found, exact in zip(checker.sin_cos_at(x), (mpmath.sin(x), mpmath.cos(x))):
+            assert found.lo <= exact <= found.hi and found.hi - found.lo < 4e-16, x
+    return count
+
+
+def main():
+    percuss, failures = sys.argv[1], []
+    with tempfile.TemporaryDirectory() as folder:
+        for question in QUESTIONS:
+            model = os.path.join(ROOT, 'models', question[0])
+            command = [percuss, 'extremes', model, *question[1:], '--certify', '2%', '--starts', '4', '--format', 'json']
+            report = json.loads(subprocess.run(command, capture_output=True, text=True, check=True, timeout=600).stdout)
+            code, said = check(report, folder)
+            print(question[0], said.strip())
+            if code != 0:
+                failures.append(f'{question[0]}: {said}')
+            for name, alter in ALTERATIONS.items():
+                altered = copy.deepcopy(report)
+                alter(altered)
+                if altered != report and check(altered, folder)[0] == 0:
+                    failures.append(f'{question[0]}: {name} is accepted')
+    print(f'{sines(20_000)} sines and cosines agree with mpmath')
+    print('\n'.join(failures) or 'all proofs are checked, all alterations are rejected')
+    sys.exit(bool(failures))
+
+
+if __name__ == '__main__':
+    main()
