@@ -13,7 +13,6 @@
 //! A rigid impact is instantaneous: gravity, springs and dampers have no effect. [`impact_in_time`] integrates the motion with a given
 //! contact force, with gravity, springs and dampers. This crate reads no files and contains no laws of compliant contacts.
 
-mod compliant;
 mod error;
 mod friction;
 mod group_rows;
@@ -28,10 +27,6 @@ mod several;
 mod time;
 mod tolerances;
 
-pub use compliant::impact::{
-    CompliantEnergy, CompliantImpact, CompliantLaw, CompliantSample, ContactEnd, ElementPeak, SecondHit,
-    compliant_impact, compliant_impact_of,
-};
 pub use error::ImpactError;
 pub use friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
 pub use friction::impulse::{Friction, FrictionLaw, FrictionalCompression, LawResult};
@@ -76,6 +71,10 @@ pub use several::laws::{
 };
 pub use several::state_impact::{ContactsLaw, StateImpact, state_impact};
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
+pub use time::compliant::impact::{
+    CompliantEnergy, CompliantImpact, CompliantLaw, CompliantSample, ContactEnd, ElementPeak, SecondHit,
+    compliant_impact, compliant_impact_of,
+};
 pub use time::conditions::TimeConditions;
 pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 pub use time::impact_in_time::impact_in_time;

@@ -3,7 +3,6 @@
 mod bearings_and_locks;
 mod cases;
 mod closed_forms;
-mod compliant;
 mod friction;
 mod in_time;
 mod kept_points_and_paths;

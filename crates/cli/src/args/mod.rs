@@ -71,9 +71,8 @@ impl Cli {
             _ => argument,
         };
         let of_impact = |argument: clap::Arg| match argument.get_id().as_str() {
-            "estimate" | "ratio_at" | "tools" | "lock" | "hold" | "armature" | "base" | "against_mass" => {
-                argument.hide(true)
-            }
+            "estimate" | "ratio_at" | "tools" | "lock" | "hold" | "armature" | "gear_stiffness" | "base"
+            | "against_mass" => argument.hide(true),
             _ => argument,
         };
         Self::command()

@@ -1,5 +1,6 @@
 //! Impact in time: closed forms, one freedom by its own equation, conserved energy, orders of convergence.
 
+mod compliant;
 mod forces;
 
 use crate::cases::all;

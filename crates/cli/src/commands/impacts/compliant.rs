@@ -1,5 +1,6 @@
 //! Impact in time with elastic bushes and gears: facts, table of the elements, figure and CSV.
 
+use crate::document::Document;
 use crate::files::contents::Cells;
 use crate::files::csv::Cell;
 use crate::terminal::limits::MODES_SHOWN;
@@ -34,11 +35,11 @@ pub fn facts(report: &ImpactReport, rigid: &ImpactTimeRecord) -> Vec<(&'static s
         }
     };
     let peak = load(found.peak_force, force);
-    let mut facts = vec![("with bushes", format!("peak {peak} ({change} %), {end}"))];
+    let mut facts = vec![("compliant", format!("peak {peak} ({change} %), {end}"))];
     facts.push((
         "impulse",
         format!(
-            "{} with bushes: that of a free mass of {} (m_imp)",
+            "{} of the compliant mechanism: that of a free mass of {} (m_imp)",
             with_unit(found.impulse, impulse),
             with_unit(found.impulse_mass, mass)
         ),
@@ -79,8 +80,18 @@ fn name(element: &ElementForceRecord) -> String {
     }
 }
 
+/// Adds the table of the elements, below a heading; nothing unless requested. `all`: as for [`elements`].
+pub fn add(report: &ImpactReport, heading: Option<&str>, all: bool, out: &mut Document) {
+    if let Some(found) = report.in_time.as_ref().and_then(|found| found.compliant.as_ref()) {
+        heading.into_iter().for_each(|heading| out.heading(heading));
+        let (table, note) = elements(found, all);
+        out.table(table);
+        out.note(note);
+    }
+}
+
 /// Elements by their largest force, forces before moments, and the note below. `all`: elements of any force and all components.
-pub fn elements(found: &CompliantImpactRecord, all: bool) -> (Table, String) {
+fn elements(found: &CompliantImpactRecord, all: bool) -> (Table, String) {
     let is_component =
         |element: &&ElementForceRecord| matches!(element.direction, Some("radial x" | "radial y" | "axial"));
     let largest = |unit: &str| {
@@ -140,7 +151,7 @@ pub fn panel(rigid: &ImpactTimeRecord, found: &CompliantImpactRecord, label: &st
         points: times.iter().zip(values).map(|(t, value)| (1e3 * t, Some(*value))).collect(),
     };
     let mut all = vec![
-        series("contact, with bushes", Style::Line, &found.times, &found.force),
+        series("contact, compliant", Style::Line, &found.times, &found.force),
         series("contact, rigid", Style::Dashed, &rigid.times, &rigid.force),
     ];
     let mut drawn: Vec<&ElementForceRecord> =

@@ -99,7 +99,7 @@ fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
         out.table(reaction_table(report));
         out.note(legend(report));
     }
-    add_compliant(report, view.all, &mut out);
+    compliant::add(report, None, view.all, &mut out);
     out.table(gear_table(report));
     add_joint_constraints(report, &mut out);
     if details_are_shown() {
@@ -108,15 +108,6 @@ fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
     }
     out.remark(validity(report));
     out
-}
-
-/// Adds the forces of elastic bushes and gears.
-fn add_compliant(report: &ImpactReport, all: bool, out: &mut Document) {
-    if let Some(found) = report.in_time.as_ref().and_then(|found| found.compliant.as_ref()) {
-        let (table, note) = compliant::elements(found, all);
-        out.table(table);
-        out.note(note);
-    }
 }
 
 /// Adds the impulses of locks, mimics and couplings.
@@ -169,10 +160,7 @@ pub fn document<'a>(report: &'a ImpactReport, mechanism: &'a DrawnMechanism) -> 
         out.table(reaction_table(report));
         out.note(legend(report));
     }
-    if report.in_time.as_ref().is_some_and(|found| found.compliant.is_some()) {
-        out.heading("Bushes and gears");
-        add_compliant(report, false, &mut out);
-    }
+    compliant::add(report, Some("Bushes and gears"), false, &mut out);
     out.table(gear_table(report));
     add_joint_constraints(report, &mut out);
     if !report.mass_states.is_empty() {
