@@ -158,8 +158,7 @@ fn coordinates(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
     let given = |(key, (at, _)): (&&str, &(Vector3<f64>, Spot))| {
         let is_mirrored = sheet.points_side == Side::Right && !sheet.template.is_central(key);
         let at = Vector3::new(at.x, if is_mirrored { 0.0 - at.y } else { at.y }, at.z);
-        // The conversion of the axes is its own inverse.
-        ((*key).to_owned(), sheet.frame.axes.to_iso(at).into())
+        ((*key).to_owned(), sheet.frame.axes.from_iso(at).into())
     };
     sheet.design.points.iter().map(given).collect()
 }
@@ -344,6 +343,7 @@ fn build_mechanism(
         }
         // Frames and crosses are massless by design. The spindle's moments are checked before the axle is added.
         let known = matches!(problem, Problem::Massless)
+            || options.masses_optional && matches!(problem, Problem::NoMovingMass)
             || is_triangle_inequality && name.starts_with("spindle")
             || is_explained(&problem, name, in_grams, findings);
         if !known {

@@ -57,6 +57,8 @@ pub struct ImportOptions {
     pub template: Option<String>,
     /// Worksheet of a workbook; `None`: the worksheet named in the sheet, or the first one.
     pub worksheet: Option<String>,
+    /// File of the names of a table's points, `lower_ball = "LBJ"`, besides those of the sheet.
+    pub names: Option<String>,
     /// Moved hardpoints of a sheet: name and displacement, m, in the axes of the sheet.
     pub moves: Vec<(String, [f64; 3])>,
     /// True if a rod without mass becomes a massless link on a universal joint instead of a distance closure: its joints can

@@ -1,7 +1,7 @@
 //! Keys of sheets: unknown ones, and the link that a part is on.
 
 use super::sheet_refusals::{errors, refused, with};
-use super::sheets::{Car, sheet};
+use super::sheets::{Car, at_seat, sheet};
 use percuss_formats::Source;
 use percuss_suspension::{ImportOptions, import, template_names};
 
@@ -153,14 +153,13 @@ fn a_section_without_points_is_a_warning() {
 #[test]
 fn unknown_names_of_points_are_one_error() {
     let names = [
-        ("lower_front", "lower_wishbone_inboard_front", "lower_front?"),
-        ("lower_back", "LCA rear pivot", "lower_back?"),
-        ("lower_ball", "LBJ", "lower_ball?"),
-        ("upper_front", "upper control arm, front", "upper_front?"),
-        ("upper_back", "upper_wishbone_inboard_rear", "upper_back?"),
-        ("upper_ball", "upper_wishbone_outboard", "upper_ball?"),
-        ("tie_rod_inner", "track_rod_inboard", "tie_rod_inner?"),
-        ("wheel_centre", "wheel center", "wheel_centre?"),
+        ("lower_front", "lower_wishbone_inbord_front", "lower_front?"),
+        ("lower_back", "LCA rear pivott", "lower_back?"),
+        ("upper_front", "upper control arm strut, front", "upper_front?"),
+        ("upper_back", "upper_wishbone_inbord_rear", "upper_back?"),
+        ("upper_ball", "upper_wishbone_outboard_ears", "upper_ball?"),
+        ("tie_rod_inner", "track_rod_inboard_eye", "tie_rod_inner?"),
+        ("wheel_centre", "wheel center point of hub x", "wheel_centre?"),
         ("tie_rod_outer", "Q7", "\"Q7\""),
     ];
     let mut text = sheet("double-wishbone");
@@ -194,4 +193,34 @@ fn missing_masses_are_listed_if_they_are_optional() {
     assert!(
         errors("my.toml", &cut.join("\n"), &ImportOptions::default()).iter().all(|d| d.code == "missing-key")
     );
+}
+
+/// Half of the mass of a spring and of a damper moves with the moving seat.
+#[test]
+fn springs_and_dampers_have_masses() {
+    let text = sheet("double-wishbone");
+    let read = |text: &str| {
+        import(&Source::from_text("my.toml", text), &ImportOptions::default())
+            .unwrap_or_else(|error| panic!("{error}"))
+    };
+    let given = text.replacen("[spring]\n", "[spring]\nmass = \"2.4 kg\"\n", 1).replacen(
+        "[damper]\n",
+        "[damper]\nmass = 1.6\n",
+        1,
+    );
+    let [without, with] = [read(&text), read(&given)];
+    let seat = |name: &str| {
+        let link = with.mechanism.find_link(name).expect(name);
+        with.mechanism.link(link).inertial().copied().expect("a mass")
+    };
+    assert_eq!((seat("spring_seat").mass, seat("damper_seat").mass), (1.2, 0.8));
+    let added = with.understood.total_mass - without.understood.total_mass;
+    assert!((added - 2.0).abs() < 1e-12, "{added}");
+    // At the seat of the spring: m̄ with the masses is at least that without, and the point mass is part of it.
+    let seats = ["spring_seat", "spring_chassis_seat"];
+    let [own, more] = [&without, &with].map(|imported| at_seat(&imported.mechanism, seats, ""));
+    assert!(more - own > 1.2, "{own} {more}");
+    let error =
+        import(&Source::from_text("my.toml", given.replace("1.6", "-1.6")), &ImportOptions::default());
+    assert!(error.is_err_and(|error| error.diagnostics.iter().any(|d| d.code == "bad-mass")));
 }

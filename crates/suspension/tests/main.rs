@@ -6,6 +6,7 @@ mod implausible;
 mod keys;
 mod mechanics;
 mod models;
+mod names;
 mod refusals;
 mod sheet_refusals;
 mod sheets;

@@ -40,7 +40,7 @@ fn units_and_axes_are_said_or_refused() {
         "wrong-unit",
         &["760 m", "write unit = \"mm\" in the sheet"],
     );
-    refused(&with("axes = \"iso\"", "axes = \"sae\""), "unknown-word", &["sae", "adams"]);
+    refused(&with("axes = \"iso\"", "axes = \"din\""), "unknown-word", &["din", "adams", "-x y -z"]);
     // The y axis of Adams points to the right: the left side has negative y.
     let found = with("axes = \"iso\"", "axes = \"adams\"");
     refused(&found, "wrong-side", &["y = 760 mm", "on the right", "write axes = \"iso\" (x forward"]);
@@ -52,7 +52,7 @@ fn units_and_axes_are_said_or_refused() {
     let no_unit = with("unit = \"mm\"", "");
     let flags = ImportOptions { unit: Some(LengthUnit::Millimetre), ..ImportOptions::default() };
     assert!(import(&Source::from_text("my.toml", no_unit), &flags).is_ok(), "by flag");
-    let other = ImportOptions { axes: Some(VehicleAxes::Adams), ..ImportOptions::default() };
+    let other = ImportOptions { axes: Some(VehicleAxes::ADAMS), ..ImportOptions::default() };
     let found = errors("my.toml", &sheet("double-wishbone"), &other);
     assert!(found.iter().any(|d| d.code == "conflict"), "{found:?}");
 }
@@ -198,7 +198,7 @@ fn a_workbook_is_read_and_a_broken_one_refused() {
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} and {expected}");
     let options = ImportOptions {
         template: Some("double-wishbone".into()),
-        axes: Some(VehicleAxes::Iso),
+        axes: Some(VehicleAxes::ISO),
         ..ImportOptions::default()
     };
     let read = |bytes: Vec<u8>| import(&Source::new("my.xlsx", bytes), &options);
@@ -378,7 +378,7 @@ fn a_sheet_in_another_unit_is_reported() {
         );
     }
     for unit in [LengthUnit::Centimetre, LengthUnit::Inch] {
-        let options = percuss_suspension::TemplateOptions { unit, axes: VehicleAxes::Iso };
+        let options = percuss_suspension::TemplateOptions { unit, axes: VehicleAxes::ISO };
         let text = percuss_suspension::template_sheet("double-wishbone", &options).unwrap();
         let text = text.replace(&format!("unit = \"{}\"", unit.name()), "unit = \"mm\"");
         match import(&Source::from_text("my.toml", text), &ImportOptions::default()) {

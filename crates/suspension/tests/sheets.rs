@@ -111,11 +111,11 @@ impl Car {
 
     /// Keys and values in the given notation.
     fn keys(&self, spelling: Spelling) -> Vec<(String, Vec<f64>)> {
-        let turn = if spelling.axes == VehicleAxes::Adams { -1.0 } else { 1.0 };
         let side = |name: &str| if spelling.right && !self.is_central(name) { -1.0 } else { 1.0 };
         let length = |x: f64| spelling.unit.of_metres(x / 1e3);
         let place = |name: &str, [x, y, z]: [f64; 3]| {
-            vec![length(turn * x), length(turn * side(name) * y), length(z)]
+            let at = spelling.axes.from_iso(Vector3::new(x, side(name) * y, z));
+            at.iter().map(|x| length(*x)).collect()
         };
         let mut keys = Vec::new();
         for (name, at) in &self.points {
@@ -128,9 +128,14 @@ impl Car {
             }
             if let [xx, yy, zz, xy, xz, yz] = inertia[..] {
                 let s = side(name);
-                keys.push((format!("{name}.inertia"), vec![xx, yy, zz, s * xy, turn * xz, turn * s * yz]));
-            } else if !inertia.is_empty() {
-                keys.push((format!("{name}.inertia"), inertia.clone()));
+                let inertia = Matrix3::new(xx, s * xy, xz, s * xy, yy, s * yz, xz, s * yz, zz);
+                // The spindle has the axes of the wheel.
+                let i = if name == "spindle" { inertia } else { spelling.axes.inertia_from_iso(inertia) };
+                keys.push((format!("{name}.inertia"), [0, 4, 8, 1, 2, 5].map(|at| i[at]).to_vec()));
+            } else if let [xx, yy, zz] = inertia[..] {
+                let i = Matrix3::from_diagonal(&Vector3::new(xx, yy, zz));
+                let i = if name == "spindle" { i } else { spelling.axes.inertia_from_iso(i) };
+                keys.push((format!("{name}.inertia"), [0, 4, 8].map(|at| i[at]).to_vec()));
             }
         }
         keys.push(("wheel.mass".into(), vec![18.5]));
@@ -185,7 +190,7 @@ impl Car {
 
     pub fn text(&self) -> String {
         let unit = LengthUnit::Millimetre;
-        self.spelled(Spelling { unit, axes: VehicleAxes::Iso, right: false, table: None })
+        self.spelled(Spelling { unit, axes: VehicleAxes::ISO, right: false, table: None })
             .replace("wheel.camber = \"-1.5 deg\"\nwheel.toe = \"0.01 rad\"\n", "")
     }
 
@@ -233,7 +238,10 @@ fn every_template_imports_as_it_stands_without_a_word() {
                 let text = template_sheet(name, &TemplateOptions { unit, axes }).unwrap();
                 let imported = built(&text, &ImportOptions::default());
                 let codes: Vec<&str> = imported.diagnostics.iter().map(|d| d.code).collect();
-                let expected: &[&str] = if ASSUMED_PINS.contains(&name) { &["assumed-pins"] } else { &[] };
+                let is_noted = ![VehicleAxes::ISO, VehicleAxes::ADAMS].contains(&axes);
+                let expected = [(is_noted, "axes"), (ASSUMED_PINS.contains(&name), "assumed-pins")];
+                let expected: Vec<&str> =
+                    expected.into_iter().filter(|(is_found, _)| *is_found).map(|(_, code)| code).collect();
                 assert_eq!(codes, expected, "{name}, {}, {}", unit.name(), axes.name());
                 // The exported URDF loads without a warning too.
                 let urdf = write_urdf_with(&imported.mechanism, &imported.comments);
@@ -285,8 +293,9 @@ fn one_car_has_one_mass_however_it_is_said() {
                     // An axle is always built with both sides, a motorcycle with one; a request for other sides gives a
                     // note, as does a third spring with one side.
                     let codes = imported.diagnostics.iter().map(|d| d.code);
-                    let codes: Vec<&str> =
-                        codes.filter(|code| !["assumed-pins", "assumed-body"].contains(code)).collect();
+                    let codes: Vec<&str> = codes
+                        .filter(|code| !["assumed-pins", "assumed-body", "axes"].contains(code))
+                        .collect();
                     let silent = codes.is_empty()
                         || (of_axle || of_middle) && codes == ["one-axle"]
                         || name.ends_with("third-spring") && side != Side::Both && codes == ["one-side"];
@@ -480,7 +489,7 @@ fn a_moved_hardpoint_is_moved_in_the_sheets_own_axes() {
         at_seat(&built(text, &options).mechanism, BUMP, "")
     };
     let found = moved(&car.text(), [0.0, 0.002, 0.005]);
-    let axes = VehicleAxes::Adams;
+    let axes = VehicleAxes::ADAMS;
     let spelling = Spelling { unit: LengthUnit::Millimetre, axes, right: true, table: None };
     let other = car.spelled(spelling).replace("-1.5 deg", "0 deg").replace("0.01 rad", "0 rad");
     // Right side and y to the right: outward is +y.

@@ -3,12 +3,13 @@
 use super::mechanics::{place, respond};
 use super::models::{all, changed, file, hmmwv};
 use super::{import_text, imported, on};
+use nalgebra::Vector3;
 use percuss_formats::{LoadOptions, Source, load, write_urdf_with};
 use percuss_mechanism::Severity;
 use percuss_suspension::{ImportOptions, LengthUnit, Side, VehicleAxes};
 
 /// Multiplies every coordinate of a file by a factor, and reverses x and y if `turned`.
-fn restated(template: &str, keys: &[(&str, &str)], factor: f64, turned: bool) -> String {
+fn restated(template: &str, keys: &[(&str, &str)], factor: f64, axes: VehicleAxes) -> String {
     let text = file(template, keys);
     let mut out = String::new();
     for line in text.lines() {
@@ -20,13 +21,9 @@ fn restated(template: &str, keys: &[(&str, &str)], factor: f64, turned: bool) ->
             continue;
         };
         let (numbers, tail) = rest.split_once(']').unwrap();
-        let turn = if turned { -1.0 } else { 1.0 };
-        let by = [turn, turn, 1.0].map(|t| if point { t * factor } else { t });
-        let numbers: Vec<String> = numbers
-            .split(',')
-            .zip(by)
-            .map(|(x, by)| format!("{:?}", x.trim().parse::<f64>().unwrap() * by))
-            .collect();
+        let numbers: Vec<f64> = numbers.split(',').map(|x| x.trim().parse().unwrap()).collect();
+        let at = axes.from_iso(Vector3::from_row_slice(&numbers)) * if point { factor } else { 1.0 };
+        let numbers: Vec<String> = at.iter().map(|x| format!("{x:?}")).collect();
         out += &format!("{head}[{}]{tail}\n", numbers.join(", "));
     }
     out
@@ -50,8 +47,8 @@ fn a_file_in_other_units_or_axes_is_refused_or_read() {
         };
         let expected = mass(&file(template, &keys), &on(Side::Left));
         for (unit, factor) in [(LengthUnit::Millimetre, 1e3), (LengthUnit::Centimetre, 100.0)] {
-            for axes in VehicleAxes::ALL {
-                let text = restated(template, &keys, factor, axes == VehicleAxes::Adams);
+            for axes in VehicleAxes::ALL.into_iter().filter(|axes| axes.is_in_order()) {
+                let text = restated(template, &keys, factor, axes);
                 let error =
                     import_text(&text, &on(Side::Left)).expect_err("a vehicle of some hundred metres");
                 assert!(error.to_string().contains("--unit"), "{template}: {error}");

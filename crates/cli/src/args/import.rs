@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::OUTPUT;
 use percuss_study::{Point, point_shift};
+use percuss_suspension::VehicleAxes;
 
 /// Side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -31,13 +32,9 @@ pub enum UnitArg {
     In,
 }
 
-/// Vehicle axes of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AxesArg {
-    /// ISO 8855: x forward, y left, z up.
-    Iso,
-    /// As in Adams/Car: x backward, y right, z up.
-    Adams,
+/// Vehicle axes of a flag.
+fn vehicle_axes(text: &str) -> Result<VehicleAxes, String> {
+    VehicleAxes::from_name(text).ok_or_else(|| format!("{} is expected", VehicleAxes::CHOICES))
 }
 
 /// Headings in the help.
@@ -67,16 +64,21 @@ pub struct ImportArgs {
     /// Not for a sheet, which contains its unit. Default of a JSON: m.
     #[arg(long, value_name = "UNIT", value_enum, help_heading = FILE)]
     pub unit: Option<UnitArg>,
-    /// Vehicle axes of the file: iso, adams.
+    /// Vehicle axes of the file: iso, adams, sae, rfactor, or such as "-z x y".
     ///
-    /// Not for a sheet, which contains its axes. Default of a JSON: ISO 8855.
-    #[arg(long, value_name = "AXES", value_enum, help_heading = FILE)]
-    pub axes: Option<AxesArg>,
+    /// Three axes of the file with their signs: those that point forward, left and up. Not for a sheet, which contains its axes. Default of a JSON: ISO 8855.
+    #[arg(long, value_name = "AXES", value_parser = vehicle_axes, allow_hyphen_values = true, help_heading = FILE)]
+    pub axes: Option<VehicleAxes>,
     /// Template of a table.
     ///
     /// Required if the table does not name its template (percuss template --list).
     #[arg(long, value_name = "NAME", help_heading = FILE)]
     pub template: Option<String>,
+    /// Names of the points in the table: TOML with lines such as lower_ball = "LBJ".
+    ///
+    /// Usual names are read without it. A sheet may contain them in a section [names].
+    #[arg(long, value_name = "FILE.toml", help_heading = FILE)]
+    pub names: Option<String>,
     /// Worksheet of a workbook; default: the first one.
     ///
     /// A workbook that a sheet names as its table of points is meant too.
@@ -134,9 +136,9 @@ pub struct TemplateArgs {
     /// Unit of lengths in the sheet: m, cm, mm, in.
     #[arg(long, value_name = "UNIT", value_enum, default_value_t = UnitArg::Mm)]
     pub unit: UnitArg,
-    /// Vehicle axes of the sheet: iso, adams.
-    #[arg(long, value_name = "AXES", value_enum, default_value_t = AxesArg::Iso)]
-    pub axes: AxesArg,
+    /// Vehicle axes of the sheet: iso, adams, sae, rfactor, or such as "-z x y".
+    #[arg(long, value_name = "AXES", value_parser = vehicle_axes, allow_hyphen_values = true, default_value = "iso")]
+    pub axes: VehicleAxes,
     /// Sheet to write; default: stdout.
     ///
     /// An existing file is not replaced without --force.

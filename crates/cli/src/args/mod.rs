@@ -22,7 +22,7 @@ pub use exports::{ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs};
 pub use help::short_help::{requested_command, short_help};
 pub use help::usage_error::usage_error;
 pub use impact::{ExtremesArgs, ImpactArgs};
-pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
+pub use import::{ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use kinematics::KinematicsArgs;
 pub use map::MapArgs;
 pub use model::ModelArgs;

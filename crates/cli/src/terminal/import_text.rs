@@ -24,7 +24,7 @@ pub fn import_summary(of: &Understood, output: &str) -> String {
         fact("track", with_unit(of.unit, track));
     }
     for wheel in &of.wheels {
-        let at: [f64; 3] = of.axes.to_iso(wheel.centre.into()).into();
+        let at: [f64; 3] = of.axes.from_iso(wheel.centre.into()).into();
         let [x, y, z] = at.map(|x| length_text(of.unit, x, 0));
         fact("wheel centre", format!("({x}, {y}, {z}) {}, axes {}", of.unit.name(), of.axes.name()));
     }

@@ -298,8 +298,11 @@ class Model:
         link_com: Mapping[str, Sequence[float]] = ...,
         link_inertia: Mapping[str, Sequence[float]] = ...,
         move: Mapping[str, Sequence[float]] = ...,
+        shape_density: float | None = None,
+        total_mass: float | None = None,
     ) -> Model:
-        """Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
+        """Copy of the model with changes, added to earlier changes. shape_density: kg/m³ of the shapes of the links, from which masses and
+        inertias are computed first, with a warning. total_mass: kg of all links, to which all masses are scaled last. link_mass: link to mass in kg; the moments about the
         centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
         about the centre of mass are unchanged. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²,
         about the axes of the link's frame; the products of inertia are unchanged. move: hardpoint of a sheet to displacement,
@@ -918,13 +921,16 @@ def load_suspension(
     move: Mapping[str, Sequence[float]] | None = None,
     allow_outside: bool = False,
     worksheet: str | None = None,
+    names: str | None = None,
 ) -> Model:
     """Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
 
-    side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
+    side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams", "sae", "rfactor", or such as
+    "-z x y" (the axes that point forward, left and up); template: values that the file
     does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
     sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
-    the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
+    the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first. names: file of
+    the names of a table's points, lower_ball = "LBJ".
     Warnings and errors as for load.
 
         >>> percuss.suspension.load("models/suspensions/double-wishbone.toml").contacts"""

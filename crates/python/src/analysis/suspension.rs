@@ -21,11 +21,8 @@ fn unit(name: &str) -> PyResult<LengthUnit> {
 
 /// Parses the name of vehicle axes.
 fn axes(name: &str) -> PyResult<VehicleAxes> {
-    match name {
-        "iso" => Ok(VehicleAxes::Iso),
-        "adams" => Ok(VehicleAxes::Adams),
-        _ => Err(input(format_args!("axes is \"{name}\"; expected \"iso\" or \"adams\""))),
-    }
+    let error = || input(format_args!("axes is \"{name}\"; expected {}", VehicleAxes::CHOICES));
+    VehicleAxes::from_name(name).ok_or_else(error)
 }
 
 /// Parses the name of a side.
@@ -40,15 +37,15 @@ fn side(name: &str) -> PyResult<Side> {
 
 /// Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
 ///
-/// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
+/// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams", "sae", "rfactor", or such as "-z x y" (the axes that point forward, left and up); template: values that the file
 /// does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
 /// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
 /// the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
-/// Warnings and errors as for load.
+/// names: file of the names of a table's points, lower_ball = "LBJ". Warnings and errors as for load.
 ///
 ///     >>> percuss.suspension.load("models/suspensions/double-wishbone.toml").contacts
 #[pyfunction]
-#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false, worksheet=None))]
+#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false, worksheet=None, names=None))]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
 pub fn load_suspension(
     py: Python<'_>,
@@ -62,6 +59,7 @@ pub fn load_suspension(
     r#move: Option<std::collections::BTreeMap<String, [f64; 3]>>,
     allow_outside: bool,
     worksheet: Option<String>,
+    names: Option<String>,
 ) -> PyResult<Model> {
     let options = ImportOptions {
         unit: unit.map(self::unit).transpose()?,
@@ -73,6 +71,7 @@ pub fn load_suspension(
         rack: rack_mass.map(|mass| Rack::Sliding { mass }),
         allow_outside,
         worksheet,
+        names,
         ..ImportOptions::default()
     };
     let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;

@@ -106,14 +106,14 @@ impl Model {
     /// A point of the world (m) in the unit and the axes of the model's suspension sheet; `None` for a URDF.
     pub fn point_in_sheet(&self, point_world: &[f64; 3]) -> Option<SheetPoint> {
         let Understood { unit, axes, .. } = self.origin.sheet.as_deref()?.understood;
-        let point = axes.to_iso(Vector3::from(*point_world)).map(|x| unit.of_metres(x));
+        let point = axes.from_iso(Vector3::from(*point_world)).map(|x| unit.of_metres(x));
         Some(SheetPoint { point: point.into(), normal: None, unit, axes })
     }
 
     /// A direction of the world in the axes of the model's suspension sheet; `None` for a URDF.
     pub fn direction_in_sheet(&self, direction_world: &[f64; 3]) -> Option<[f64; 3]> {
         let axes = self.origin.sheet.as_deref()?.understood.axes;
-        Some(axes.to_iso(Vector3::from(*direction_world)).into())
+        Some(axes.from_iso(Vector3::from(*direction_world)).into())
     }
 
     /// A point of the world (m) and a direction in the unit and the axes of the model's suspension sheet.

@@ -62,7 +62,7 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
             findings.error("conflict", on, message);
             continue;
         }
-        left.add_seats([seat, chassis_seat], link, [at, above]);
+        left.add_seats([seat, chassis_seat], link, [at, above], design.part_masses.get(section).copied());
         left.set_spot(seat, spot);
         let (kind, normal, gap) = match section {
             "bump_stop" | "rebound_stop" => {

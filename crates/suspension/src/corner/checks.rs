@@ -142,10 +142,10 @@ impl Corner {
             let distance = distance_from_box(&centre, &joints);
             let message = format!(
                 "the centre of the wheel gives a track of {} and is {} away from the joints of its carrier: check the size and the \
-                 sign of its coordinates (y = {})",
+                 sign of its coordinates ({})",
                 places.length(track),
                 places.length(distance),
-                places.length(places.coordinates(centre).y)
+                places.coordinate(1, centre)
             );
             let spot = self.drawing.hardpoint_at(centre).map(|(_, spot)| spot);
             findings.warning("astray-wheel", &spot.cloned().unwrap_or_default(), message);

@@ -100,6 +100,8 @@ pub(crate) struct Design {
     pub first_pins: FirstPins,
     /// Links with spring, damper or bar mounts, by section.
     pub on: BTreeMap<&'static str, (String, Spot)>,
+    /// Masses of springs and dampers by section, kg.
+    pub part_masses: BTreeMap<&'static str, f64>,
     /// Gap and direction of stops, as given in the file, by section.
     pub stops: BTreeMap<&'static str, Stop>,
     /// Contacts that the file names itself.
@@ -232,6 +234,32 @@ pub(crate) const SEATS: [(&str, [&str; 2]); 5] = [
 ];
 
 impl Part {
+    /// Points of this step that are on a link.
+    pub fn points_on(&self, link: &str) -> Vec<&str> {
+        let wheel = "wheel_centre";
+        let ends: Vec<[&str; 2]> = match self {
+            Part::Hinge { link: own, points: [a, b], .. } | Part::Slide { link: own, line: [a, b], .. } => {
+                vec![[own, a], [own, b]]
+            }
+            Part::Swivel { link: own, parent, at, .. } | Part::Ball { link: own, parent, at, .. } => {
+                vec![[own, at], [parent, at]]
+            }
+            Part::Fixed { link: own, on, at } => vec![[own, at], [on, at]],
+            Part::Free { link: own, at, .. } => vec![[own, at]],
+            Part::GuidedAxle { at } => vec![["axle", at]],
+            Part::Rod { link: own, ends: [(first, a), (second, b)], .. } => {
+                vec![[own, a], [own, b], [first, a], [second, b]]
+            }
+            Part::Strut { link: own, on, line: [bottom, top], .. } => {
+                vec![[own, bottom], [own, top], [on, bottom]]
+            }
+            Part::Close { links: [first, second], at, .. } => vec![[first, at], [second, at]],
+            Part::Wheel { on } => vec![[on, wheel]],
+            Part::Axle => vec![["axle", wheel]],
+        };
+        ends.into_iter().filter(|[own, _]| *own == link).map(|[_, point]| point).collect()
+    }
+
     /// Link on a universal joint, and the two points of its line; `None` for any other part.
     pub fn universal_link(&self) -> Option<(&str, [&str; 2])> {
         match self {

@@ -131,10 +131,11 @@ impl Drawing {
             if is_across(point) {
                 let CheckedPoint { name, at, spot, .. } = point;
                 let message = format!(
-                    "{name}: y = {} is on the other side of the vehicle than the wheel (y = {}): change the sign of \
-                     its y, or correct the point. {}",
-                    places.length(places.coordinates(*at).y),
-                    places.length(places.coordinates(wheel.centre.into()).y),
+                    "{name}: {} is on the other side of the vehicle than the wheel ({}): change the sign of \
+                     its {}, or correct the point. {}",
+                    places.coordinate(1, *at),
+                    places.coordinate(1, wheel.centre.into()),
+                    places.frame.axes.letter(1),
                     self.lengths_text(places)
                 );
                 findings.warning("mirrored-point", spot, message);

@@ -27,6 +27,9 @@ pub(crate) const RACK: &str = "rack";
 /// Links between both wheels.
 const AXLES: [&str; 3] = ["axle", "axle_tube", "beam"];
 
+/// Part of the mass of a spring or damper that moves with its moving seat.
+const SHARE_OF_SEAT: f64 = 0.5;
+
 /// Name of the ground as the other side of a contact.
 pub(crate) const GROUND: &str = "world";
 
@@ -183,14 +186,19 @@ impl Corner {
         self.comments.links.insert(name.to_owned(), comment.into());
     }
 
-    /// Adds the two seats of a spring or damper: on the moving link and on the chassis.
+    /// Adds the two seats of a spring or damper: on the moving link and on the chassis. Of its mass (kg), half is a point mass at the moving
+    /// seat.
     pub fn add_seats(
         &mut self,
         [seat, chassis_seat]: [&'static str; 2],
         on: &str,
         [at, at_chassis]: [Vector3<f64>; 2],
+        mass: Option<f64>,
     ) {
         self.add_frame(seat, on, at, String::new());
+        if let (Some(mass), Some(link)) = (mass.filter(|mass| *mass > 0.0), self.links.last_mut()) {
+            link.inertial = Some(Inertial::point(SHARE_OF_SEAT * mass, [0.0; 3]));
+        }
         self.add_frame(chassis_seat, CHASSIS, at_chassis, String::new());
         self.seat_pairs.push([seat, chassis_seat]);
         let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");

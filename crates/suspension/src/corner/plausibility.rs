@@ -193,8 +193,7 @@ impl<'c> MirroredMass<'c> {
 
     /// Coordinates with the wrong sign, in the unit and the axes of the file.
     fn stated(&self, places: FilePlaces) -> String {
-        let at = places.coordinates(self.com);
-        let of_axis = |axis: &usize| format!("{} = {}", ["x", "y", "z"][*axis], places.length(at[*axis]));
+        let of_axis = |axis: &usize| places.coordinate(*axis, self.com);
         self.axes.iter().map(of_axis).collect::<Vec<_>>().join(", ")
     }
 }

@@ -73,10 +73,8 @@ pub(super) fn read(
         findings.error("missing-key", &spot, "the section has no hardpoint".to_owned());
     }
     for (name, at, spot) in rows {
-        // Both conventions differ by the signs of x and y.
-        let sign = if axes == VehicleAxes::Adams { 1.0 } else { -1.0 };
-        let [x, y, z] = [sign * at[0] + 0.0, sign * at[1] + 0.0, at[2]];
-        let cells = [x, y, z].map(|x| Cell::Text(format!("{x} {}", unit.name()))).to_vec();
+        let at: [f64; 3] = axes.from_iso(VehicleAxes::ADAMS.to_iso(at.into())).into();
+        let cells = at.map(|x| Cell::Text(format!("{x} {}", unit.name()))).to_vec();
         entries.add(findings, format!("points.{name}"), cells, spot);
     }
 }

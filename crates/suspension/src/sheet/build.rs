@@ -120,10 +120,8 @@ fn warn_reversed_x(sheet: &Sheet, findings: &mut Findings) {
     }
     let Some(FrontPoint { front, back, at: [front_x, back_x] }) = behind.first() else { return };
     let axes = sheet.frame.axes;
-    let of_file = |x: &f64| {
-        let sign = if axes == VehicleAxes::Iso { 1.0 } else { -1.0 };
-        short(sign * sheet.frame.unit.of_metres(*x) + 0.0)
-    };
+    let of_file = |x: &f64| short(axes.coordinate(0, sheet.frame.unit.of_metres(*x)) + 0.0);
+    let letter = axes.letter(0);
     let side = match sheet.points_side {
         Side::Both => String::new(),
         _ if sheet.template.middle => String::new(),
@@ -131,8 +129,8 @@ fn warn_reversed_x(sheet: &Sheet, findings: &mut Findings) {
         Side::Right => " and side = \"left\"".to_owned(),
     };
     let message = format!(
-        "{front} (x = {}) lies behind {back} (x = {}) in the axes \"{}\" ({}), and so do {} of {} such points: angles and anti-dive would \
-         have the wrong sign. Write {}{side}, or change the sign of every x",
+        "{front} ({letter} = {}) lies behind {back} ({letter} = {}) in the axes \"{}\" ({}), and so do {} of {} such points: angles and anti-dive would \
+         have the wrong sign. Write {}{side}, or change the sign of every {letter}",
         of_file(front_x),
         of_file(back_x),
         axes.name(),
@@ -174,12 +172,10 @@ fn front_points(sheet: &Sheet) -> Vec<FrontPoint> {
     sheet.design.points.keys().filter_map(pair).collect()
 }
 
-/// Conventions of axes other than `axes`, as keys of a sheet.
+/// Axes turned by 180° about the vertical, as the key of a sheet.
 fn other_axes(axes: VehicleAxes) -> String {
-    let others = VehicleAxes::ALL.into_iter().filter(|known| *known != axes);
-    let list: Vec<String> =
-        others.map(|known| format!("axes = \"{}\" ({})", known.name(), known.words())).collect();
-    list.join(" or ")
+    let turned = axes.turned();
+    format!("axes = \"{}\" ({})", turned.name(), turned.words())
 }
 
 /// Message for a wheel at `y` ≤ 0 (m) on the side that the points describe, with the key to change: `axes` if the front points
@@ -188,11 +184,11 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
     let (unit, axes) = (sheet.frame.unit, sheet.frame.axes);
     let is_left = sheet.points_side == Side::Left;
     let (stated, other) = if is_left { ("left", "right") } else { ("right", "left") };
-    let sign = if is_left == (axes == VehicleAxes::Iso) { 1.0 } else { -1.0 };
-    let given = short(sign * unit.of_metres(y));
+    let (letter, y_of_side) = (axes.letter(1), if is_left { y } else { -y });
+    let given = short(axes.coordinate(1, unit.of_metres(y_of_side)));
     if y == 0.0 {
         return format!(
-            "y = 0: the wheel's centre is in the middle plane of the vehicle; enter half of the track, in {}",
+            "{letter} = 0: the wheel's centre is in the middle plane of the vehicle; enter half of the track, in {}",
             unit.name()
         );
     }
@@ -202,10 +198,10 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
     let pairs = front_points(sheet);
     let reversed = pairs.iter().filter(|pair| pair.is_behind()).count();
     let remedy = if 2 * across < lateral().count() {
-        format!("only this point is on that side: change the sign of its y to {}", -given)
+        format!("only this point is on that side: change the sign of its {letter} to {}", -given)
     } else if pairs.is_empty() {
         format!(
-            "the other points are on that side too: write side = \"{other}\", or, if x and y point the other way, {}",
+            "the other points are on that side too: write side = \"{other}\", or, if the axes along and across the vehicle point the other way, {}",
             other_axes(axes)
         )
     } else if 2 * reversed > pairs.len() {
@@ -217,7 +213,7 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
         format!("the other points are on that side too: write side = \"{other}\"")
     };
     format!(
-        "y = {given} {} is on the {other} side of the vehicle in the axes \"{}\" ({}), and the points describe the {stated} \
+        "{letter} = {given} {} is on the {other} side of the vehicle in the axes \"{}\" ({}), and the points describe the {stated} \
          side (key side); {remedy}",
         unit.name(),
         axes.name(),

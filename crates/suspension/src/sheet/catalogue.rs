@@ -1,6 +1,7 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
+use super::names::vocabulary;
 use super::template::{Keys, Template};
 use crate::corner;
 use crate::corner::design::{Part, SEATS, STOPS, is_central};
@@ -101,8 +102,36 @@ impl Template {
 }
 
 /// Keys of the head; any other key without a section is a point.
-pub(super) const HEAD: [&str; 9] =
-    ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
+pub(super) const HEAD: [&str; 11] = [
+    "template",
+    "name",
+    "unit",
+    "inertia_unit",
+    "axes",
+    "side",
+    "build",
+    "points",
+    "worksheet",
+    "names",
+    "masses",
+];
+
+/// Sections of springs and dampers that may have a mass.
+pub(super) const MASSIVE_PARTS: [&str; 2] = ["spring", DAMPER];
+
+/// Keys of the wheel.
+const WHEEL_KEYS: [&str; 10] = [
+    "mass",
+    "inertia",
+    "radius",
+    "tyre",
+    "camber",
+    "toe",
+    "half_track",
+    "longitudinal_offset",
+    "lateral_offset",
+    "vertical_offset",
+];
 
 /// Section of the damper.
 pub(super) const DAMPER: &str = "damper";
@@ -130,7 +159,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     }
     keys.extend(universal_links(template).map(|link| format!("{link}.pin")));
     keys.push("spindle.axle_inertia".to_owned());
-    keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
+    keys.extend(WHEEL_KEYS.map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
     keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
     for section in force_sections(template) {
@@ -141,6 +170,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
         };
         keys.extend(own.iter().map(|key| format!("{section}.{key}")));
     }
+    keys.extend(MASSIVE_PARTS.map(|section| format!("{section}.mass")));
     keys.extend(["vertical", "damping", "load"].map(|key| format!("tyre.{key}")));
     if template.bodies.iter().any(|(body, _)| body == "anti_roll_bar") {
         keys.push("anti_roll_bar.stiffness".to_owned());
@@ -152,31 +182,6 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     keys
 }
 
-/// Point of a template with a meaning like that of a name of another program: at least two words in common, and more than any other.
-pub(super) fn near_meaning<'k>(name: &str, points: impl Iterator<Item = &'k str>) -> Option<&'k str> {
-    let words = |text: &str| -> Vec<String> {
-        let lower = text.to_lowercase();
-        let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
-        let with_meaning =
-            |word: &str| keys().words.get(word).cloned().unwrap_or_else(|| vec![word.to_owned()]);
-        words.flat_map(with_meaning).collect()
-    };
-    let of_name = words(name);
-    let score = |key: &str| {
-        let of_key = words(key);
-        let all = [of_key.clone(), words(description_of(&keys().points, key))].concat();
-        let common = of_name.iter().filter(|word| all.contains(word)).count();
-        let unmatched = of_key.iter().filter(|word| !of_name.contains(word)).count();
-        (common, std::cmp::Reverse(unmatched))
-    };
-    let mut ranked: Vec<_> = points.map(|key| (score(key), key)).collect();
-    ranked.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    match ranked[..] {
-        [(first, key), (second, _), ..] if first.0 >= 2 && first > second => Some(key),
-        _ => None,
-    }
-}
-
 /// Message about an unknown key: the nearest key, and the known keys of its section, or the sections if the section is unknown; the
 /// nearest come first.
 pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
@@ -186,7 +191,7 @@ pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
         // A point is similar to points only, unless it is a key of another section.
         near.retain(|other| split(other).0 == section || split(other).1 == last);
         let points = known.iter().filter_map(|other| other.strip_prefix("points."));
-        near.splice(..0, near_meaning(last, points).map(|point| format!("points.{point}")));
+        near.splice(..0, vocabulary::near_meaning(last, points).map(|point| format!("points.{point}")));
     }
     let rank = |of: &str, near: &[&str]| near.iter().position(|other| *other == of).unwrap_or(near.len());
     let of_section = known.iter().map(|other| split(other)).filter(|(other, _)| *other == section);

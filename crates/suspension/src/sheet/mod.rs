@@ -5,10 +5,10 @@
 //! documentation.
 
 mod adams;
-mod aliases;
 mod build;
 mod catalogue;
 mod entries;
+mod names;
 mod point_table;
 mod read;
 mod sections;

@@ -3,7 +3,8 @@
 //! A sheet may come from somebody else, and messages quote the table: no other folder is read unless the user allows it.
 
 use super::entries::{Cell, Entries};
-use super::{adams, catalogue, table};
+use super::names::NAMES;
+use super::{adams, catalogue, table, toml_text};
 use crate::corner::design::SEATS;
 use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
@@ -16,6 +17,71 @@ use std::path::Path;
 /// Files of one import: names and texts.
 pub(in super::super) type Files = Vec<(String, String)>;
 
+/// File that a sheet names, in the folder of the sheet; `None` after an error. `what`: kind of file, for messages.
+fn read_beside(
+    source: &Source,
+    (path, spot): (&str, &Spot),
+    what: &str,
+    options: &ImportOptions,
+    findings: &mut Findings,
+) -> Option<(String, Source)> {
+    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
+    let file = folder.join(path);
+    let path = file.to_string_lossy().into_owned();
+    let kind = source.files.kind(&file);
+    // Reading a pipe or a device could block or never end.
+    if kind.as_ref().is_ok_and(|kind| *kind != FileKind::File) {
+        findings.error("no-table", spot, format!("{what} {} is no file", quoted(&path)));
+        return None;
+    }
+    if kind.is_ok() && !options.allow_outside && !is_inside(&*source.files, folder, &file) {
+        let message = format!(
+            "{what} {} is outside the sheet's folder; move it there, or import the sheet with --allow-outside \
+             (allow_outside=True in Python)",
+            quoted(&path)
+        );
+        findings.error("outside-folder", spot, message);
+        return None;
+    }
+    match Source::read_from(&source.files, &path, DEFAULT_MAX_SIZE) {
+        Ok(read) => Some((path, read)),
+        Err(error) => {
+            let why = error.diagnostics.first().map_or(String::new(), |d| d.message.clone());
+            findings.error("no-table", spot, format!("{what} {}: {why}", quoted(&path)));
+            None
+        }
+    }
+}
+
+/// Reads the names of points from the file that the sheet or the option names, as entries of the section `names`.
+pub(super) fn read_names(
+    source: &Source,
+    options: &ImportOptions,
+    entries: &mut Entries,
+    findings: &mut Findings,
+    files: &mut Files,
+) {
+    let of_sheet = entries
+        .text(findings, NAMES, "the name of a file of names")
+        .and_then(|(path, spot)| read_beside(source, (&path, &spot), "the file of names", options, findings));
+    let of_flag = options.names.as_ref().and_then(|path| {
+        let read = Source::read_from(&source.files, path, DEFAULT_MAX_SIZE);
+        read.map_err(|error| findings.error("no-table", &Spot::default(), format!("--names: {error}")))
+            .ok()
+            .map(|read| (path.clone(), read))
+    });
+    for (path, read) in [of_sheet, of_flag].into_iter().flatten() {
+        let text = encoding::decode(&read.bytes).text.into_owned();
+        let (mut own, file) = (Entries::default(), files.len());
+        toml_text::read(&text, file, &mut own, findings);
+        files.push((path, text));
+        for entry in own.unread() {
+            let key = entry.key.strip_prefix("names.").unwrap_or(&entry.key);
+            entries.add(findings, format!("{NAMES}.{key}"), entry.cells.clone(), entry.spot.clone());
+        }
+    }
+}
+
 /// Table of points named by the sheet.
 pub(super) fn read(
     source: &Source,
@@ -27,37 +93,15 @@ pub(super) fn read(
     let Some((path, spot)) = entries.text(findings, "points", "the name of a table of points") else {
         return;
     };
-    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
-    let table = folder.join(&path);
-    let path = table.to_string_lossy().into_owned();
-    let kind = source.files.kind(&table);
-    // Reading a pipe or a device could block or never end.
-    if kind.as_ref().is_ok_and(|kind| *kind != FileKind::File) {
-        findings.error("no-table", &spot, format!("the table {} is no file", quoted(&path)));
+    let Some((path, read)) = read_beside(source, (&path, &spot), "the table", options, findings) else {
         return;
-    }
-    if kind.is_ok() && !options.allow_outside && !is_inside(&*source.files, folder, &table) {
-        let message = format!(
-            "the table {} is outside the sheet's folder; move it there, or import the sheet with --allow-outside \
-             (allow_outside=True in Python)",
-            quoted(&path)
-        );
-        findings.error("outside-folder", &spot, message);
-        return;
-    }
-    let read = match Source::read_from(&source.files, &path, DEFAULT_MAX_SIZE) {
-        Ok(read) => read,
-        Err(error) => {
-            let why = error.diagnostics.first().map_or(String::new(), |d| d.message.clone());
-            findings.error("no-table", &spot, format!("the table {}: {why}", quoted(&path)));
-            return;
-        }
     };
+    let file = files.len();
     let worksheet = entries.text(findings, "worksheet", "the name of a worksheet");
     let worksheet = options.worksheet.clone().or(worksheet.map(|(name, _)| name));
     if table::is_workbook(&read.bytes) {
         files.push((path, String::new()));
-        table::read_workbook(&read.bytes, 1, worksheet.as_deref(), entries, findings);
+        table::read_workbook(&read.bytes, file, worksheet.as_deref(), entries, findings);
         return;
     }
     if let Some(worksheet) = worksheet {
@@ -76,13 +120,13 @@ pub(super) fn read(
     }
     let decoded = encoding::decode(&read.bytes);
     if let Some(note) = decoded.note {
-        findings.note("windows-1252", &Spot { file: 1, ..Spot::default() }, note);
+        findings.note("windows-1252", &Spot { file, ..Spot::default() }, note);
     }
     let text = decoded.text;
     if adams::is_subsystem(&text) {
-        read_subsystem(&text, options, entries, findings, &spot);
+        read_subsystem(&text, file, options, entries, findings, &spot);
     } else {
-        table::read_text(&text, 1, entries, findings);
+        table::read_text(&text, file, entries, findings);
     }
     files.push((path, text.into_owned()));
 }
@@ -90,6 +134,7 @@ pub(super) fn read(
 /// Reads the hardpoints of a subsystem of Adams/Car in the axes of the sheet.
 fn read_subsystem(
     text: &str,
+    file: usize,
     options: &ImportOptions,
     entries: &mut Entries,
     findings: &mut Findings,
@@ -107,11 +152,11 @@ fn read_subsystem(
         return;
     }
     let axes = options.axes.or_else(|| VehicleAxes::from_name(&word(entries, "axes")?)).unwrap_or_default();
-    if axes != VehicleAxes::Adams {
+    if axes != VehicleAxes::ADAMS {
         let message = "the axes of Adams/Car (x backward, y right, z up) are converted to those of the sheet";
-        findings.note("adams-axes", &Spot { file: 1, ..Spot::default() }, message.to_owned());
+        findings.note("adams-axes", &Spot { file, ..Spot::default() }, message.to_owned());
     }
-    adams::read(text, 1, axes, entries, findings);
+    adams::read(text, file, axes, entries, findings);
 }
 
 /// True if a file is in a folder or below it, links resolved.
@@ -147,6 +192,9 @@ pub(super) fn refuse_points_only(findings: &mut Findings, source: &Source, optio
 
 /// Warns about sections of parts that are not built because their points are missing: their masses and rates have no effect.
 pub(super) fn warn_unbuilt_parts(entries: &Entries, findings: &mut Findings) {
+    if findings.has_errors() {
+        return;
+    }
     let bar = (&["anti_roll_bar", "drop_link"][..], &catalogue::BAR_POINTS[..]);
     let seats = SEATS.iter().map(|(section, pair)| (std::slice::from_ref(section), &pair[..]));
     for (sections, points) in seats.chain([bar]) {

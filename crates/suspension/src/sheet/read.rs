@@ -1,13 +1,14 @@
 //! Reader of the entries of a sheet according to its template.
 
-use super::catalogue;
+use super::catalogue::{self, MASSIVE_PARTS};
 use super::entries::{Entries, Quantity};
 use super::point_table::{self, Files};
+use super::sections::estimates::Estimates;
 use super::sections::{bushes, contacts};
-use super::template::{Shape, Template, symmetric_matrix};
-use super::{adams, aliases, table, toml_text};
+use super::template::Template;
+use super::{adams, names, table, toml_text};
 use crate::corner;
-use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
+use crate::corner::design::{Design, FirstPins, STOPS, Stop};
 use crate::findings::{Findings, Spot};
 use crate::forces::ForceElements;
 use crate::limits::{MAX_CAMBER, MAX_TOE};
@@ -16,7 +17,7 @@ use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{cut, quoted};
-use percuss_spatial::{Matrix3, Vector3};
+use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
 use std::collections::BTreeMap;
 
@@ -65,7 +66,7 @@ pub(in super::super) fn read(
         table::read_text(text, 0, &mut entries, findings);
     } else {
         is_table = false;
-        if !toml_text::read(text, &mut entries, findings) {
+        if !toml_text::read(text, 0, &mut entries, findings) {
             return None;
         }
     }
@@ -79,12 +80,13 @@ pub(in super::super) fn read(
         point_table::refuse_points_only(findings, source, options);
         return None;
     }
+    point_table::read_names(source, options, &mut entries, findings, files);
     point_table::read(source, options, &mut entries, findings, files);
     if findings.has_errors() {
         return None;
     }
     entries.masses_optional = options.masses_optional;
-    let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
+    let sheet = SheetReader { entries: &mut entries, findings, options, estimates: None }.read_sheet();
     if let Some(sheet) = &sheet {
         let mut known = catalogue::keys_of(sheet.template);
         known.extend(contacts::contact_keys(&entries));
@@ -97,10 +99,12 @@ pub(in super::super) fn read(
 }
 
 /// Reads the entries of a sheet, with the options of the import.
-struct SheetReader<'s> {
-    entries: &'s mut Entries,
-    findings: &'s mut Findings,
-    options: &'s ImportOptions,
+pub(super) struct SheetReader<'s> {
+    pub entries: &'s mut Entries,
+    pub findings: &'s mut Findings,
+    pub options: &'s ImportOptions,
+    /// Estimates of missing masses, if the sheet requests them.
+    pub estimates: Option<Estimates>,
 }
 
 impl SheetReader<'_> {
@@ -114,22 +118,38 @@ impl SheetReader<'_> {
         let inertia_unit = self.inertia_unit();
         let (template, unit, axes, points_side) = (template?, unit?, axes?, points_side?);
         let frame = Frame { unit, axes };
+        self.note_axes(axes);
         self.entries.set_known_keys(catalogue::keys_of(template));
-        aliases::rename_points(template, self.entries, self.findings);
+        names::rename_points(template, points_side, self.entries, self.findings);
         let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
         let side = self.side(template, points_side);
-        let points = self.points(template, frame, points_side);
-        let bodies = self.bodies(template, frame, points_side, inertia_unit);
+        let camber = self.entries.wheel_angle(self.findings, "wheel.camber", MAX_CAMBER);
+        let mut points = self.points(template, frame, points_side);
+        let stated = points.get("wheel_centre").map(|(at, _)| *at);
+        points.extend(self.wheel_centre(frame, camber, stated).map(|centre| ("wheel_centre", centre)));
+        let masses_spot = self.masses();
+        let bodies = self.bodies(template, frame, (points_side, &points), inertia_unit);
         let chassis = self.chassis(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
-        let camber = self.entries.wheel_angle(self.findings, "wheel.camber", MAX_CAMBER);
         let toe = self.entries.wheel_angle(self.findings, "wheel.toe", MAX_TOE);
         let axle_inertia =
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
         let sections = catalogue::force_sections(template);
         let forces = self.entries.force_elements(self.findings, &sections, frame.unit);
+        let part_masses = MASSIVE_PARTS.into_iter().filter_map(|section| {
+            let (mass, spot) = self.scalar(&format!("{section}.mass"), Quantity::Mass)?;
+            if mass < 0.0 {
+                self.findings.error(
+                    "bad-mass",
+                    &spot,
+                    format!("{mass} kg; a mass of at least 0 is expected"),
+                );
+            }
+            Some((section, mass))
+        });
+        let part_masses = part_masses.collect();
         let rack = self.rack(template);
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
@@ -147,12 +167,17 @@ impl SheetReader<'_> {
             bodies,
             first_pins: self.first_pins(template, frame, points_side),
             on,
+            part_masses,
             stops,
             rods_are_links: self.options.movable,
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
         point_table::warn_unbuilt_parts(self.entries, self.findings);
+        let missing_masses = self.entries.report_missing_masses(self.findings);
+        if let Some(estimates) = &self.estimates {
+            estimates.warn(self.findings, &masses_spot);
+        }
         Some(Sheet {
             template,
             name,
@@ -168,8 +193,27 @@ impl SheetReader<'_> {
             points_side,
             chassis,
             forces,
-            missing_masses: std::mem::take(&mut self.entries.missing_masses),
+            missing_masses,
         })
+    }
+
+    /// Reads the key `masses`; the place of the key.
+    fn masses(&mut self) -> Spot {
+        match self.entries.text(self.findings, "masses", "\"estimate\"") {
+            Some((word, spot)) if word == "estimate" => {
+                self.estimates = Some(Estimates::default());
+                spot
+            }
+            Some((word, spot)) => {
+                let message = format!(
+                    "{} is not known; \"estimate\" is expected, for estimates of missing masses",
+                    quoted(&word)
+                );
+                self.findings.error("unknown-word", &spot, message);
+                spot
+            }
+            None => Spot::default(),
+        }
     }
 
     /// Template named in the sheet or by the option.
@@ -250,8 +294,31 @@ impl SheetReader<'_> {
     }
 
     fn axes(&mut self) -> Option<VehicleAxes> {
-        let choices = "iso (x forward, y left, z up) or adams (x backward, y right, z up)";
-        self.keyword("axes", self.options.axes, VehicleAxes::from_name, choices)
+        self.keyword("axes", self.options.axes, VehicleAxes::from_name, VehicleAxes::CHOICES)
+    }
+
+    /// Notes axes that are neither those of ISO 8855 nor those of Adams/Car.
+    fn note_axes(&mut self, axes: VehicleAxes) {
+        if [VehicleAxes::ISO, VehicleAxes::ADAMS].contains(&axes) {
+            return;
+        }
+        if let Some(spot) = self.entries.directions.clone().filter(|_| !axes.is_in_order()) {
+            let message = format!(
+                "the header names directions of the vehicle, and x, y, z of the axes \"{}\" are {}: name the columns x, y, z, or write \
+                 axes = \"iso\" with the signs of ISO 8855",
+                axes.name(),
+                axes.words()
+            );
+            self.findings.error("unknown-header", &spot, message);
+        }
+        let explorer = if axes.is_in_order() {
+            ""
+        } else {
+            "; the page of percuss explore shows points in the frames of their links"
+        };
+        let message = format!("axes \"{}\": {}{explorer}", axes.name(), axes.words());
+        let spot = Spot { path: Some("axes".to_owned()), ..self.entries.spot_in("axes").unwrap_or_default() };
+        self.findings.note("axes", &spot, message);
     }
 
     /// Side of the points in the file; default left; `None`, with an error, if invalid.
@@ -324,7 +391,7 @@ impl SheetReader<'_> {
             self.findings.error("missing-key", &spot, message);
             return points;
         }
-        let has_unknown = aliases::report_unknown_points(template, self.entries, self.findings);
+        let has_unknown = names::report_unknown_points(template, self.entries, self.findings);
         let (mut farthest, mut farthest_spot): (f64, Spot) = (0.0, Spot::default());
         for (key, _) in &template.points {
             let path = format!("points.{key}");
@@ -339,6 +406,14 @@ impl SheetReader<'_> {
                     points.insert(&**key, (at, spot));
                 }
                 None if has_unknown || self.entries.has(&path) => {}
+                None if key == "wheel_centre" && self.entries.has("wheel.half_track") => {}
+                None if key == "anti_roll_bar_inner" && points.contains_key("anti_roll_bar_outer") => {
+                    let (outer, spot) = points["anti_roll_bar_outer"].clone();
+                    let message = "the axis of the anti-roll bar is across the vehicle, through anti_roll_bar_outer: the sheet has no \
+                                   second point, anti_roll_bar_inner";
+                    self.findings.note("bar-axis", &spot, message.to_owned());
+                    points.insert(&**key, (Vector3::new(outer.x, 0.5 * outer.y, outer.z), spot));
+                }
                 None => {
                     let group = Template::optional_group(key);
                     let is_group_given = group.is_some_and(|group| {
@@ -361,160 +436,10 @@ impl SheetReader<'_> {
         points
     }
 
-    /// Reads the bodies that the template requires or the sheet contains.
-    fn bodies(
-        &mut self,
-        template: &'static Template,
-        frame: Frame,
-        points_side: Side,
-        inertia_unit: &'static Unit,
-    ) -> BTreeMap<&'static str, GivenBody> {
-        let mut bodies = BTreeMap::new();
-        for (key, body) in &template.bodies {
-            // The bodies of a bar are not required if the sheet has no bar.
-            let of_bar = ["anti_roll_bar", "drop_link"].contains(&&**key);
-            let absent = !self.entries.has_section(key);
-            if absent
-                && (body.shape != Shape::Any && body.shape != Shape::Spindle
-                    || of_bar && !self.entries.has("points.drop_link_bar"))
-            {
-                continue;
-            }
-            if let Some(given_body) = self.body(template, (key, body.shape), frame, points_side, inertia_unit)
-            {
-                bodies.insert(&**key, given_body);
-            }
-        }
-        bodies
-    }
-
-    /// Reads the body of the chassis, if the sheet has one.
-    fn chassis(
-        &mut self,
-        template: &Template,
-        frame: Frame,
-        points_side: Side,
-        inertia_unit: &'static Unit,
-    ) -> Option<corner::Body> {
-        if !self.entries.has_section(corner::CHASSIS) {
-            return None;
-        }
-        let key = (corner::CHASSIS, Shape::Optional);
-        match self.body(template, key, frame, points_side, inertia_unit)? {
-            GivenBody::Body(body) => Some(body),
-            GivenBody::Rod(..) => None,
-        }
-    }
-
-    /// Reads one body, mirrored to the left side; `None` if it is absent or invalid.
-    fn body(
-        &mut self,
-        template: &Template,
-        (key, shape): (&str, Shape),
-        frame: Frame,
-        points_side: Side,
-        inertia_unit: &'static Unit,
-    ) -> Option<GivenBody> {
-        let [mass_key, com_key, inertia_key] = ["mass", "com", "inertia"].map(|name| format!("{key}.{name}"));
-        let is_rod = shape == Shape::Rod;
-        let spot = |spot: Spot| Spot { path: Some(key.to_owned()), ..spot };
-        let Some((mass, at)) = self.scalar(&mass_key, Quantity::Mass) else {
-            if !self.entries.has(&mass_key) && (!is_rod || self.entries.has(&com_key)) {
-                let text = catalogue::description_of(&catalogue::keys().bodies, key);
-                self.entries.missing(
-                    self.findings,
-                    &mass_key,
-                    &format!("the mass of {text}, kg (0 is legal),"),
-                );
-                for key in [&com_key, &inertia_key] {
-                    self.entries.find(key);
-                }
-            }
-            return None;
-        };
-        let spot = spot(at);
-        let is_spindle = shape == Shape::Spindle;
-        if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
-            return Some(GivenBody::Rod(mass, spot));
-        }
-        let (com, com_spot) = match self.entries.point(self.findings, &com_key, frame) {
-            Some((com, at)) => (Some(com), at),
-            None if self.entries.has(&com_key) => return None,
-            None => (None, spot.clone()),
-        };
-        let is_mirrored = points_side == Side::Right && !template.is_central_body(key);
-        // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
-        let com = match com {
-            Some(com) => Vector3::new(com.x, if is_mirrored { 0.0 - com.y } else { com.y }, com.z),
-            None if is_spindle => Vector3::repeat(f64::NAN),
-            None if mass == 0.0 => Vector3::zeros(),
-            None => {
-                self.entries.missing(self.findings, &com_key, "the centre of mass, [x, y, z],");
-                return None;
-            }
-        };
-        let about_com = match self.entries.numbers(
-            self.findings,
-            &inertia_key,
-            Quantity::Inertia(inertia_unit),
-            // Along the wheel's axes the products of inertia are zero.
-            if is_spindle { &[3] } else { &[3, 6] },
-        ) {
-            Some((values, _)) => symmetric_matrix(&values),
-            None if self.entries.has(&inertia_key) => return None,
-            None if mass == 0.0 => Matrix3::zeros(),
-            None => {
-                let expected =
-                    "the inertia about the centre of mass, [xx, yy, zz] or [xx, yy, zz, xy, xz, yz],";
-                self.entries.missing(self.findings, &inertia_key, expected);
-                return None;
-            }
-        };
-        // The inertia of a spindle is along the wheel's axes, the inertia of other bodies along the vehicle's axes.
-        let mut about_com = if is_spindle { about_com } else { frame.axes.inertia_to_iso(about_com) };
-        if is_mirrored && !is_spindle {
-            for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
-                about_com[(row, column)] = 0.0 - about_com[(row, column)];
-            }
-        }
-        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot, com_spot }))
-    }
-
     /// Reads one number.
-    fn scalar(&mut self, key: &str, kind: Quantity) -> Option<(f64, Spot)> {
+    pub fn scalar(&mut self, key: &str, kind: Quantity) -> Option<(f64, Spot)> {
         let (values, spot) = self.entries.numbers(self.findings, key, kind, &[1])?;
         Some((values[0], spot))
-    }
-
-    /// Wheel of the options, or else of the sheet.
-    fn wheel(&mut self, frame: Frame, inertia_unit: &'static Unit) -> Option<Wheel> {
-        let mass = self.scalar("wheel.mass", Quantity::Mass);
-        let inertia =
-            self.entries.numbers(self.findings, "wheel.inertia", Quantity::Inertia(inertia_unit), &[3]);
-        let radius = self.scalar("wheel.radius", Quantity::Length(frame.unit));
-        if self.options.wheel.is_some() {
-            return self.options.wheel;
-        }
-        let mass = match mass {
-            Some((mass, _)) => mass,
-            // The radius alone defines the contact point.
-            None if self.options.masses_optional && radius.is_some() && !self.entries.has("wheel.mass") => {
-                self.entries.missing(self.findings, "wheel.mass", "the mass of the wheel, kg,");
-                0.0
-            }
-            None => return None,
-        };
-        let inertia = match inertia {
-            Some((values, _)) => [values[0], values[1], values[2]],
-            None => {
-                if mass != 0.0 && !self.entries.has("wheel.inertia") {
-                    let expected = "[xx, yy, zz] about the wheel's centre, y along the spin axis,";
-                    self.entries.missing(self.findings, "wheel.inertia", expected);
-                }
-                [0.0; 3]
-            }
-        };
-        Some(Wheel { mass, inertia, radius: radius.map(|(r, _)| r) })
     }
 
     /// Reads the links to which springs and similar parts are attached, by section.

@@ -64,8 +64,6 @@ pub(crate) struct Keys {
     /// Description of each body.
     #[serde(deserialize_with = "in_file_order")]
     pub bodies: Vec<(String, String)>,
-    /// Words of the keys and descriptions for words in names of other programs.
-    pub words: BTreeMap<String, Vec<String>>,
 }
 
 /// Body with example values.

@@ -10,17 +10,17 @@ use percuss_formats::reading::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads the text; false after a TOML error in the report.
-pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -> bool {
+/// Reads the text; false after a TOML error in the report. `file`: index of the file among the files of the import.
+pub(super) fn read(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) -> bool {
     if text.len() > MAX_SHEET_BYTES {
         let message = format!("a sheet of {} bytes; at most {MAX_SHEET_BYTES} are read", text.len());
-        findings.error("too-large-file", &Spot::default(), message);
+        findings.error("too-large-file", &Spot { file, ..Spot::default() }, message);
         return false;
     }
     let table = match DeTable::parse(text) {
         Ok(table) => table.into_inner(),
         Err(error) => {
-            let spot = Spot { at: error.span().map(|span| span.start), ..Spot::default() };
+            let spot = Spot { at: error.span().map(|span| span.start), file, ..Spot::default() };
             let message = format!("not TOML: {}", shortened(error.message()));
             findings.error("not-toml", &spot, message);
             return false;
@@ -31,7 +31,7 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
         let inner = value.get_ref().as_table().into_iter().flat_map(|section| section.keys());
         let longest = inner.map(|key| key.get_ref().len()).max().unwrap_or(0).max(key.get_ref().len());
         if longest > LONGEST_NAME {
-            let spot = Spot { at: Some(key.span().start), ..Spot::default() };
+            let spot = Spot { at: Some(key.span().start), file, ..Spot::default() };
             let message = format!("a key of {longest} bytes; at most {LONGEST_NAME} are expected");
             findings.error("too-complex", &spot, message);
             return false;
@@ -56,7 +56,7 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
     // Order of the file; the parser sorts keys alphabetically.
     found.sort_by_key(|(at, ..)| *at);
     for (at, key, value) in found {
-        let spot = Spot { path: Some(shortened(&key)), at: Some(at), file: 0 };
+        let spot = Spot { path: Some(shortened(&key)), at: Some(at), file };
         match cells(value.get_ref()) {
             Some(cells) => entries.add(findings, key, cells, spot),
             None => {

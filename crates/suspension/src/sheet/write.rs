@@ -22,7 +22,7 @@ pub struct TemplateOptions {
 
 impl Default for TemplateOptions {
     fn default() -> Self {
-        Self { unit: LengthUnit::Millimetre, axes: VehicleAxes::Iso }
+        Self { unit: LengthUnit::Millimetre, axes: VehicleAxes::ISO }
     }
 }
 
@@ -83,7 +83,7 @@ impl SheetWriter<'_> {
         self.write_key("name", &format!("\"{}\"", template.title), "yours");
         self.write_key("unit", &format!("\"{unit}\""), "unit of all lengths: m, cm, mm or in");
         self.write_key("inertia_unit", "\"kg m2\"", "or kg mm2, kg cm2, g mm2, t mm2");
-        let other = VehicleAxes::ALL.into_iter().find(|a| *a != axes).unwrap_or(axes);
+        let other = axes.turned();
         let words = format!("{}; or {}: {}", axes.words(), other.name(), other.words());
         self.write_key("axes", &format!("\"{}\"", axes.name()), &words);
         self.write_key("side", "\"left\"", "side of the points: left or right");
@@ -112,7 +112,7 @@ impl SheetWriter<'_> {
 
     /// Formats a point given in millimetres and the axes of ISO 8855, in the unit and axes of the sheet.
     fn point_text(&self, at: [f64; 3]) -> String {
-        let at = self.options.axes.to_iso(Vector3::from(at));
+        let at = self.options.axes.from_iso(Vector3::from(at));
         let [x, y, z] = [at.x, at.y, at.z].map(|x| self.length_text(x));
         format!("[{x}, {y}, {z}]")
     }
@@ -158,7 +158,7 @@ impl SheetWriter<'_> {
                 let com = self.point_text(body.com);
                 self.write_key("com", &com, "");
             }
-            let matrix = self.options.axes.inertia_to_iso(symmetric_matrix(&body.inertia));
+            let matrix = self.options.axes.inertia_from_iso(symmetric_matrix(&body.inertia));
             let all = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| matrix[at] + 0.0);
             let kept = if all[3..] == [0.0; 3] { &all[..3] } else { &all[..] };
             let list: Vec<String> = kept.iter().map(|x| number(*x)).collect();
@@ -257,11 +257,15 @@ pub fn template_keys() -> String {
         "name of the suspension; default: the name of the template",
         "unit of all lengths that have no unit of their own: m, cm, mm, in; required",
         "unit of all inertias that have no unit of their own: kg m2 (default), kg cm2, kg mm2, g mm2, t mm2, lb in2",
-        "`iso` (x forward, y left, z up) or `adams` (x backward, y right, z up); required",
+        "`iso` (x forward, y left, z up), `adams` (x backward, y right, z up), `sae` (x forward, y right, z down), `rfactor` (x left, y up, \
+         z backward), or the axes of the file that point forward, left and up: `\"-z x y\"`; required",
         "side of the points: left (default) or right",
         "side to build: left, right or both; default: the side of the points",
         "file of a table in place of the section `[points]`, relative to the folder of the sheet",
         "name of the worksheet if the table of points is a workbook; default: the first one",
+        "file of the names of the table's points, in place of a section `[names]`: `lower_ball = \"LBJ\"`",
+        "`\"estimate\"`: masses, centres of mass and inertias that are missing are those of the template's example, scaled to the size of each \
+         part; a warning lists them",
     ];
     for (key, meaning) in HEAD.iter().zip(head) {
         row(key, meaning, "all");
@@ -305,6 +309,17 @@ pub fn template_keys() -> String {
         "all",
     );
     row("wheel.radius", "with a radius, the lowest point of the wheel is named `contact_patch`", "all");
+    row(
+        "wheel.tyre",
+        "in place of the radius, that of the unloaded tyre: `\"205/55 R16\"`, `\"18.0x7.5-10\"`",
+        "all",
+    );
+    row(
+        "wheel.half_track`, `.longitudinal_offset`, `.lateral_offset`, `.vertical_offset",
+        "in place of the point `wheel_centre`: half of the track at the road z = 0; with the radius r and the camber γ, y = half track + \
+         r sin γ and z = r cos γ, each with its offset (default 0; longitudinal in the axes of the sheet)",
+        "all",
+    );
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
     for section in ["spring", "third_spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
         let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
@@ -329,6 +344,11 @@ pub fn template_keys() -> String {
     row(
         "spring.rate",
         "with a unit: `\"28 N/mm\"`; for `percuss kinematics`, and for impacts in time",
+        "all",
+    );
+    row(
+        "spring.mass`, `damper.mass",
+        "mass of the spring and of the damper: half of it moves with the moving seat as a point mass, the other half is on the chassis",
         "all",
     );
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");

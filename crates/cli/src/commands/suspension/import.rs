@@ -1,6 +1,6 @@
 //! `percuss import`.
 
-use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
+use crate::args::{ImportArgs, SideArg, UnitArg};
 use crate::files::contents::{PICTURES, picture_bytes};
 use crate::files::output::{check_writable, ending_of, record_input, write_file};
 use crate::files::own_files::append_hash;
@@ -11,7 +11,7 @@ use crate::terminal::number::true_minus;
 use crate::terminal::report::{note, write_diagnostics, write_text, write_unescaped};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
-use percuss_suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
+use percuss_suspension::{ImportOptions, LengthUnit, Rack, Side, Wheel, import};
 
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {
@@ -50,9 +50,10 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
 fn options(args: &ImportArgs) -> ImportOptions {
     ImportOptions {
         unit: args.unit.map(unit),
-        axes: args.axes.map(axes),
+        axes: args.axes,
         template: args.template.clone(),
         worksheet: args.worksheet.clone(),
+        names: args.names.clone(),
         moves: args.moves.iter().map(|(name, shift)| (name.clone(), shift.0)).collect(),
         side: args.side.map(|side| match side {
             SideArg::Left => Side::Left,
@@ -77,13 +78,5 @@ pub fn unit(unit: UnitArg) -> LengthUnit {
         UnitArg::Cm => LengthUnit::Centimetre,
         UnitArg::Mm => LengthUnit::Millimetre,
         UnitArg::In => LengthUnit::Inch,
-    }
-}
-
-/// Vehicle axes for a flag value.
-pub fn axes(axes: AxesArg) -> VehicleAxes {
-    match axes {
-        AxesArg::Iso => VehicleAxes::Iso,
-        AxesArg::Adams => VehicleAxes::Adams,
     }
 }

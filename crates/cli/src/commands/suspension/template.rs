@@ -1,7 +1,7 @@
 //! Command `percuss template`.
 
 use crate::args::TemplateArgs;
-use crate::commands::suspension::import::{axes, unit};
+use crate::commands::suspension::import::unit;
 use crate::files::output::{allow_replacement, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;
@@ -25,7 +25,7 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
         let rows = template_names().into_iter().map(row);
         return write_out(&rows.collect::<String>());
     };
-    let options = TemplateOptions { unit: unit(args.unit), axes: axes(args.axes) };
+    let options = TemplateOptions { unit: unit(args.unit), axes: args.axes };
     let Some(sheet) = template_sheet(name, &options) else {
         let names = template_names();
         let near = near_names(name, names.iter().map(|(name, _)| *name));

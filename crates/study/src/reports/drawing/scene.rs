@@ -140,7 +140,7 @@ pub struct SceneSheet {
     /// Length of the unit, m.
     pub unit_length: f64,
     /// Directions of the axes of the sheet, in words.
-    pub axes: &'static str,
+    pub axes: String,
     /// The points.
     pub hardpoints: Vec<SceneHardpoint>,
 }
@@ -358,9 +358,10 @@ fn wheel(mechanism: &Mechanism, pose: &Pose, centre: LinkId) -> Option<SceneWhee
     })
 }
 
-/// Hardpoints of the sheet of a model, each with a link that carries the point.
+/// Hardpoints of the sheet of a model, each with a link that carries the point; `None` if x, y, z of the sheet are not along the vehicle,
+/// across it and vertical, in this order.
 fn sheet(model: &Model, points: &[Vec<Vector3<f64>>], pose: &Pose) -> Option<SceneSheet> {
-    let origin = model.origin.sheet.as_deref()?;
+    let origin = model.origin.sheet.as_deref().filter(|origin| origin.understood.axes.is_in_order())?;
     let mechanism = &model.mechanism;
     let tolerance = TOUCH_TOLERANCE * mechanism.characteristic_length();
     // The links with their points of the design position: characteristic points and ends of drawn lines.

@@ -56,10 +56,12 @@ pub(super) struct Entries {
     list: Vec<Entry>,
     /// Keys of the template; empty before the template is known.
     known: Vec<String>,
+    /// Header of a table that names directions of the vehicle in place of x, y, z.
+    pub directions: Option<Spot>,
     /// True if masses, centres of mass and inertias may be missing.
     pub masses_optional: bool,
-    /// Keys of these that are missing.
-    pub missing_masses: Vec<String>,
+    /// Those that are missing: key, message, place.
+    pub missing_masses: Vec<(String, String, Spot)>,
 }
 
 /// Quantity of a number.
@@ -216,6 +218,11 @@ impl Entries {
             .map_or_else(String::new, |entry| cells_text(&entry.cells))
     }
 
+    /// Values of a key.
+    pub fn cells_of(&self, key: &str) -> Option<Vec<Cell>> {
+        self.list.iter().find(|e| e.key == key).map(|e| e.cells.clone())
+    }
+
     /// Values of a key; marks the key as read.
     pub fn find(&mut self, key: &str) -> Option<(Vec<Cell>, Spot)> {
         let entry = self.list.iter_mut().find(|e| e.key == key)?;
@@ -240,13 +247,9 @@ impl Entries {
         self.known = keys;
     }
 
-    /// Reports a missing key, with the most similar key of the sheet that the template does not have.
-    /// A mass that is optional is noted.
+    /// Reports a missing key, with the most similar key of the sheet that the template does not have. Missing masses, centres of mass and
+    /// inertias are collected.
     pub fn missing(&mut self, findings: &mut Findings, key: &str, expected: &str) {
-        if self.masses_optional && [".mass", ".com", ".inertia"].iter().any(|end| key.ends_with(end)) {
-            self.missing_masses.push(key.to_owned());
-            return;
-        }
         let mut message = format!("the key is missing; {expected} is expected");
         let unknown =
             self.unread().map(|e| e.key.as_str()).filter(|key| !self.known.iter().any(|k| k == key));
@@ -257,7 +260,40 @@ impl Entries {
         let section = key.rsplit_once('.').map(|(section, _)| format!("{section}."));
         let place = section.and_then(|section| self.spot_in(&section)).unwrap_or_default();
         let spot = Spot { path: Some(shortened(key)), ..place };
-        findings.error("missing-key", &spot, message);
+        if [".mass", ".com", ".inertia"].iter().any(|end| key.ends_with(end)) {
+            self.missing_masses.push((key.to_owned(), message, spot));
+        } else {
+            findings.error("missing-key", &spot, message);
+        }
+    }
+
+    /// Reports the missing masses unless they are optional: many of them in one error. Returns their keys.
+    pub fn report_missing_masses(&mut self, findings: &mut Findings) -> Vec<String> {
+        const MOST: usize = 2;
+        let missing = std::mem::take(&mut self.missing_masses);
+        let keys: Vec<String> = missing.iter().map(|(key, ..)| key.clone()).collect();
+        if self.masses_optional {
+            return keys;
+        }
+        match &missing[..] {
+            [(_, _, first), ..] if missing.len() > MOST => {
+                let message = format!(
+                    "{} masses of bodies are missing: {}. Give them (0 kg is legal), or write masses = \"estimate\" in the head for estimates \
+                     from the size of each part; percuss kinematics needs no masses",
+                    keys.len(),
+                    keys.join(", ")
+                );
+                findings.error(
+                    "missing-key",
+                    &Spot { path: Some("masses".to_owned()), ..first.clone() },
+                    message,
+                );
+            }
+            few => {
+                few.iter().for_each(|(_, message, spot)| findings.error("missing-key", spot, message.clone()))
+            }
+        }
+        keys
     }
 
     /// Reads a text; `None` if absent or, with an error, if of another type.

@@ -1,4 +1,7 @@
-//! Sections that a sheet names itself: contacts and bushes.
+//! Sections of bodies, and those that a sheet names itself: contacts and bushes.
 
+mod bodies;
 pub(super) mod bushes;
 pub(super) mod contacts;
+pub(super) mod estimates;
+mod wheel;

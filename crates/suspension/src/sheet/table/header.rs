@@ -51,6 +51,8 @@ struct Meaning {
     is_unit_column: bool,
     /// True for words without influence.
     has_others: bool,
+    /// True if a word names a direction of the vehicle: longitudinal, in place of x.
+    has_direction: bool,
 }
 
 impl Meaning {
@@ -84,6 +86,7 @@ impl Meaning {
         let is_in = |list: &[String]| list.iter().any(|known| known == word);
         if let Some(axis) = [&words.x, &words.y, &words.z].iter().position(|list| is_in(list)) {
             add_once(&mut self.axes, axis);
+            self.has_direction |= word != AXES[axis];
         } else if let Some(unit) = unit_of(word) {
             add_once(&mut self.units, unit);
         } else if is_in(&words.left) {
@@ -177,6 +180,10 @@ pub(super) struct Columns {
     pub units: Option<[LengthUnit; 3]>,
     /// Column of the units of the rows.
     pub unit: Option<usize>,
+    /// Columns x, y, z of the other side.
+    pub other_side: Option<[usize; 3]>,
+    /// True if a column is named by its direction in the vehicle: longitudinal, in place of x.
+    pub has_directions: bool,
     /// Number of columns before the first cell of the header.
     shift: usize,
     /// True for x, y, z in this order with these names, behind the name, without further columns.
@@ -189,6 +196,8 @@ pub(super) enum Row {
     /// Title, key or data.
     Other,
     Header(Columns),
+    /// Row above a header that names the sides of its columns.
+    Sides,
     /// Row of words that is no complete header, with the reason; `has_parts`: a cell names an axis, a unit or a side.
     Unclear {
         reason: String,
@@ -206,6 +215,29 @@ fn word(cell: &Cell) -> Option<&str> {
 
 fn is_number(text: &str) -> bool {
     parse_number(percuss_units::split(text).0).is_some()
+}
+
+/// Header below a row that names sides, such as "Left" above x, y, z and "Right" above x, y, z: each axis with the side that is next to
+/// the left of it. `None` for other rows.
+pub(super) fn with_sides(above: &[Cell], header: &[Cell]) -> Option<Vec<Cell>> {
+    let meaning = |cell: &Cell| word(cell).and_then(Meaning::of);
+    let side_at = |i: usize| {
+        let named = above.iter().take(i + 1).rev().filter_map(meaning);
+        named.map(|m| m.sides).find(|sides| !sides.is_empty()).map(|sides| sides[0])
+    };
+    let sides: Vec<Side> = above.iter().filter_map(meaning).flat_map(|m| m.sides).collect();
+    let has_axes = |row: &[Cell]| row.iter().filter_map(meaning).any(|m| !m.axes.is_empty());
+    let has_sides = |row: &[Cell]| row.iter().filter_map(meaning).any(|m| !m.sides.is_empty());
+    if sides.len() != 2 || sides[0] == sides[1] || has_axes(above) || !has_axes(header) || has_sides(header) {
+        return None;
+    }
+    let with_side = |(i, cell): (usize, &Cell)| match (meaning(cell), word(cell), side_at(i)) {
+        (Some(m), Some(text), Some(side)) if !m.axes.is_empty() => {
+            Cell::Text(format!("{text} {}", if side == Side::Right { "right" } else { "left" }))
+        }
+        _ => cell.clone(),
+    };
+    Some(header.iter().enumerate().map(with_side).collect())
 }
 
 /// Kind of a row; `side`: side of the points to read, for headers with both sides.
@@ -306,7 +338,21 @@ fn columns(
     let is_plain = xyz == [1, 2, 3] && xyz.into_iter().enumerate().all(is_letter) && !has_more;
     let is_unit_column = |m: &Option<Meaning>| m.as_ref().is_some_and(|m| m.is_unit_column);
     let unit = meanings.iter().position(is_unit_column);
-    Ok(Columns { name: 0, xyz, units, unit, shift: 0, is_plain })
+    let has_directions = xyz.iter().any(|i| meanings[*i].as_ref().is_some_and(|m| m.has_direction));
+    let other = if side == Side::Right { Side::Left } else { Side::Right };
+    let of_other = |axis: usize| {
+        let columns: Vec<usize> = with_axis
+            .iter()
+            .filter(|(i, m)| m.axes == [axis] && !xyz.contains(i) && (!has_sides || m.sides == [other]))
+            .map(|(i, _)| *i)
+            .collect();
+        if let [column] = columns[..] { Some(column) } else { None }
+    };
+    let other_side = match [0, 1, 2].map(of_other) {
+        [Some(x), Some(y), Some(z)] if has_sides => Some([x, y, z]),
+        _ => None,
+    };
+    Ok(Columns { name: 0, xyz, units, unit, other_side, has_directions, shift: 0, is_plain })
 }
 
 /// Unit of length that a title states: "Units; mm", "Hardpoints [in]"; `None` if a word is unknown.
@@ -321,7 +367,16 @@ pub(super) fn unit_of_title(cells: &[Cell]) -> Option<LengthUnit> {
 impl Columns {
     /// Columns name, x, y, z of a table without a header.
     pub fn without_header() -> Self {
-        Self { name: 0, xyz: [1, 2, 3], units: None, unit: None, shift: 0, is_plain: true }
+        Self {
+            name: 0,
+            xyz: [1, 2, 3],
+            units: None,
+            unit: None,
+            other_side: None,
+            has_directions: false,
+            shift: 0,
+            is_plain: true,
+        }
     }
 
     /// Finds the column of the names: text in all rows of points, by preference below a word such as "name". A header without a cell for
@@ -333,6 +388,7 @@ impl Columns {
             |i: usize| !points.is_empty() && points.iter().all(|row| row.get(i).and_then(word).is_some());
         if self.xyz.contains(&0) && has_names(0) {
             (self.xyz, self.unit, self.shift) = (self.xyz.map(|i| i + 1), self.unit.map(|i| i + 1), 1);
+            self.other_side = self.other_side.map(|xyz| xyz.map(|i| i + 1));
             return;
         }
         let is_named = |i: &usize| {

@@ -6,11 +6,13 @@
 //! key. Rows that begin with # are comments.
 
 mod header;
+mod settings;
 #[cfg(feature = "xlsx")]
 mod workbook;
 
 use super::catalogue::{self, HEAD};
 use super::entries::{Cell, Entries, TableRow, parse_number};
+use super::names::vocabulary;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
@@ -18,6 +20,8 @@ use crate::options::Side;
 pub(super) use header::unit_of;
 use header::{Columns, Row};
 use percuss_formats::reading::{quoted, shortened};
+use percuss_units::LengthUnit;
+use std::borrow::Cow;
 
 /// Largest number of title rows.
 const MAX_TITLE_ROWS: usize = 20;
@@ -58,6 +62,16 @@ fn separator_of(text: &str) -> char {
 /// Reads CSV; `file`: index of the file among the files of the import.
 pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) {
     let separator = separator_of(text);
+    // "#" as the name of the first column; other rows that begin with # are comments.
+    let numbered = format!("#{separator}");
+    let is_numbered = |line: &str| {
+        let cells = line.split(separator).map(|cell| Cell::Text(cell.trim().to_owned())).collect::<Vec<_>>();
+        line.starts_with(&numbered) && matches!(header::read(&cells, Side::Left), Row::Header(_))
+    };
+    let text = match text.lines().find(|line| is_numbered(line)) {
+        Some(line) => Cow::Owned(text.replacen(line, &format!("n{}", &line[1..]), 1)),
+        None => Cow::Borrowed(text),
+    };
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(separator as u8)
         .comment(Some(b'#'))
@@ -146,21 +160,35 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         !comment && !row.cells.iter().all(is_blank)
     });
     let mut rows: Vec<TableRow> = rows.collect();
-    let blank_columns =
-        rows.iter().map(|row| row.cells.iter().take_while(|cell| is_blank(cell)).count()).min();
-    rows.iter_mut().for_each(|row| drop(row.cells.drain(..blank_columns.unwrap_or_default())));
+    drop_columns(&mut rows);
     let side_of_rows =
         rows.iter().find(|row| matches!(row.cells.first(), Some(Cell::Text(key)) if key.trim() == "side"));
     let side =
         side_of_rows.and_then(|row| row.cells.get(1)).map_or_else(|| entries.given("side"), Cell::to_text);
     let side = if side.contains("right") { Side::Right } else { Side::Left };
-    let kinds: Vec<Row> = rows
-        .iter()
-        .map(|row| if is_key(&row.cells) { Row::Other } else { header::read(&row.cells, side) })
-        .collect();
+    let below_sides = |i: usize| header::with_sides(&rows.get(i)?.cells, &rows.get(i + 1)?.cells);
+    let kind = |i: usize| {
+        let cells = &rows[i].cells;
+        if below_sides(i).is_some() {
+            return Row::Sides;
+        }
+        match i.checked_sub(1).and_then(below_sides) {
+            Some(merged) => header::read(&merged, side),
+            None if is_key(cells) || is_setting(cells) => Row::Other,
+            None => header::read(cells, side),
+        }
+    };
+    let kinds: Vec<Row> = (0..rows.len()).map(kind).collect();
     let titles = title_rows(&rows, &kinds);
     let of_title = |row: &TableRow| Some((header::unit_of_title(&row.cells)?, row.spot.clone()));
-    let title_unit = rows[..titles].iter().rev().find_map(of_title);
+    let of_settings = rows.iter().find_map(|row| {
+        let cells: Vec<&Cell> = row.cells.iter().skip(1).collect();
+        match settings::read(word_of(row.cells.first()?)?, &cells)? {
+            ("unit", Cell::Text(unit)) => Some((unit_of(&unit)?, row.spot.clone())),
+            _ => None,
+        }
+    });
+    let title_unit = rows[..titles].iter().rev().find_map(of_title).or(of_settings);
     if let Some(last) = titles.checked_sub(1).and_then(|last| rows.get(last)) {
         let text = rows[0].cells.iter().find(|cell| !is_blank(cell)).map_or_else(String::new, Cell::to_text);
         let unit = title_unit.as_ref().map_or_else(String::new, |(unit, _)| {
@@ -181,6 +209,7 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
     // The first header as written, without the column of the names.
     let mut header: Option<Columns> = None;
     let (mut nameless, mut is_below_header, mut has_points) = (Vec::new(), false, false);
+    let mut others = OtherRows::default();
     for (i, (row, kind)) in rows.iter().zip(kinds).enumerate().skip(titles) {
         let spot = row.spot.clone();
         if let (true, Some(columns)) = (std::mem::take(&mut is_below_header), &mut columns) {
@@ -198,6 +227,7 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         }
         match kind {
             Row::Other => {}
+            Row::Sides => continue,
             Row::Header(mut found) => {
                 let defect = match &header {
                     Some(known) if *known != found => Some("a row above names other columns"),
@@ -220,6 +250,9 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
                         if found.units.is_some() {
                             table_unit = found.common_unit().map(|unit| (unit, spot));
                         }
+                        if found.has_directions {
+                            entries.directions = Some(row.spot.clone());
+                        }
                         is_below_header = true;
                         columns = Some(found);
                     }
@@ -236,6 +269,12 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
             Some(Cell::Text(text)) if !text.trim().is_empty() && parse_number(text).is_none() => {
                 text.trim().to_owned()
             }
+            _ if header.is_some() && !has_number(&row.cells, columns.as_ref()) => {
+                let first =
+                    row.cells.iter().find(|cell| !is_blank(cell)).map_or_else(String::new, Cell::to_text);
+                others.unused.push((first, spot));
+                continue;
+            }
             first => {
                 nameless.push((
                     first.filter(|cell| !is_blank(cell)).map_or_else(|| "nothing".to_owned(), Cell::to_text),
@@ -244,8 +283,33 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
                 continue;
             }
         };
-        let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
+        if !is_key(&row.cells[name..]) && !HEAD.contains(&&*key) && !has_numbers(&row.cells, columns.as_ref())
+        {
+            let is_used = others.read(
+                &key,
+                row,
+                columns.as_ref(),
+                table_unit.as_ref().map(|(unit, _)| *unit),
+                (entries, findings),
+            );
+            if is_used {
+                continue;
+            }
+            let is_name = has_number(&row.cells, columns.as_ref()) && vocabulary::has_known_words(&key);
+            if header.is_some() && !is_name && !key.contains('.') {
+                others.unused.push((quoted(&key), spot));
+                continue;
+            }
+        }
+        // A name such as "lwb.front" with three numbers.
+        let is_dotted_point =
+            || has_numbers(&row.cells, columns.as_ref()) && vocabulary::has_known_words(&key);
+        let is_point = !HEAD.contains(&&*key) && (!key.contains('.') || is_dotted_point());
+        let key = if is_point { format!("points.{key}") } else { key };
         has_points |= key.starts_with("points.");
+        if let Some(columns) = columns.as_ref().filter(|_| key.starts_with("points.")) {
+            others.compare_sides(&key, row, columns);
+        }
         let mut values: Vec<Cell> = match columns.as_ref().filter(|_| key.starts_with("points.")) {
             Some(columns) => columns.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)),
             None => row.cells.iter().skip(name + 1).cloned().collect(),
@@ -259,6 +323,7 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         };
         entries.add(findings, key, values, Spot { path: Some(path), ..spot });
     }
+    others.report(findings);
     if let Some((first, spot)) = nameless.first() {
         let more = if nameless.len() > 1 {
             format!(", and so do {} more rows", nameless.len() - 1)
@@ -274,6 +339,145 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
     if let Some((unit, spot)) = table_unit.filter(|_| !entries.has("unit")) {
         let spot = Spot { path: Some("unit".to_owned()), ..spot };
         entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit.name().to_owned())], spot);
+    }
+}
+
+/// Removes empty columns before the first one, and a column of section titles before the column of the names.
+fn drop_columns(rows: &mut Vec<TableRow>) {
+    let leading = |row: &TableRow| row.cells.iter().take_while(|cell| is_blank(cell)).count();
+    let blank_columns = rows.iter().map(leading).min().unwrap_or_default();
+    rows.iter_mut().for_each(|row| drop(row.cells.drain(..blank_columns)));
+    let points =
+        rows.iter().filter(|row| row.cells.iter().filter(|cell| number_of(cell).is_some()).count() >= 3);
+    let mut has_points = false;
+    let has_title_column = points.into_iter().all(|row| {
+        has_points = true;
+        is_blank(&row.cells[0]) && row.cells.get(1).and_then(word_of).is_some()
+    });
+    if has_points && has_title_column {
+        rows.retain(|row| row.cells.iter().skip(1).any(|cell| !is_blank(cell)));
+        rows.iter_mut().for_each(|row| drop(row.cells.drain(..1)));
+    }
+}
+
+/// Text of a cell that is no number and not empty.
+fn word_of(cell: &Cell) -> Option<&str> {
+    match cell {
+        Cell::Text(text) if !text.trim().is_empty() && number_of(cell).is_none() => Some(text.trim()),
+        _ => None,
+    }
+}
+
+/// Number of a cell, with or without a unit.
+fn number_of(cell: &Cell) -> Option<f64> {
+    match cell {
+        Cell::Number(x) => Some(*x),
+        Cell::Text(text) => parse_number(percuss_units::split(text).0),
+        Cell::Switch(_) | Cell::Unreadable(_) => None,
+    }
+}
+
+/// Cells of the coordinates of a row.
+fn coordinates<'r>(cells: &'r [Cell], columns: Option<&Columns>) -> impl Iterator<Item = &'r Cell> {
+    let xyz = columns.map_or([1, 2, 3], |columns| columns.xyz);
+    xyz.into_iter().filter_map(|i| cells.get(i))
+}
+
+/// True if all three coordinates are numbers.
+fn has_numbers(cells: &[Cell], columns: Option<&Columns>) -> bool {
+    coordinates(cells, columns).filter(|cell| number_of(cell).is_some()).count() == 3
+}
+
+/// True if a coordinate is a number, or a cell without a usable value.
+fn has_number(cells: &[Cell], columns: Option<&Columns>) -> bool {
+    coordinates(cells, columns).any(|cell| number_of(cell).is_some() || matches!(cell, Cell::Unreadable(_)))
+}
+
+/// True if the first word of a row is the label of a setting, and the row is no header.
+fn is_setting(cells: &[Cell]) -> bool {
+    cells.iter().find_map(word_of).is_some_and(settings::is_label)
+        && !matches!(header::read(cells, Side::Left), Row::Header(_))
+}
+
+/// Rows of a table that are no points, and points whose other side is not the mirror image.
+#[derive(Default)]
+struct OtherRows {
+    settings: Vec<(String, Spot)>,
+    unused: Vec<(String, Spot)>,
+    asymmetric: Vec<(String, Spot)>,
+}
+
+impl OtherRows {
+    /// Adds the key that a row states; true if the row is a setting. A key that the sheet has too is not replaced.
+    fn read(
+        &mut self,
+        label: &str,
+        row: &TableRow,
+        columns: Option<&Columns>,
+        unit: Option<LengthUnit>,
+        (entries, findings): (&mut Entries, &mut Findings),
+    ) -> bool {
+        let first = columns.map_or(1, |columns| columns.name + 1);
+        let side = columns.map_or(first, |columns| columns.xyz[0]).max(first);
+        let cells: Vec<&Cell> =
+            row.cells.iter().skip(side).chain(row.cells.iter().take(side).skip(first)).collect();
+        let Some((key, value)) = settings::read(label, &cells) else { return false };
+        let value = match (value, unit) {
+            (Cell::Number(x), Some(unit)) if key.starts_with("wheel.") => {
+                Cell::Text(format!("{x} {}", unit.name()))
+            }
+            (value, _) => value,
+        };
+        let spot = Spot { path: Some(key.to_owned()), ..row.spot.clone() };
+        if key == "unit" {
+            return true;
+        }
+        if entries.has(key) {
+            self.unused.push((format!("{} (the sheet has {key})", quoted(label)), spot));
+            return true;
+        }
+        self.settings.push((format!("{} → {key} = {}", quoted(label), value.to_text()), spot.clone()));
+        entries.add(findings, key.to_owned(), vec![value], spot);
+        true
+    }
+
+    /// Compares a point with the one of the other side.
+    fn compare_sides(&mut self, key: &str, row: &TableRow, columns: &Columns) {
+        let at = |xyz: [usize; 3]| {
+            let [x, y, z] = xyz.map(|i| row.cells.get(i).and_then(number_of));
+            Some([x?, y?, z?])
+        };
+        let (Some(own), Some(other)) = (at(columns.xyz), columns.other_side.and_then(at)) else { return };
+        let tolerance = 1e-4 * own.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let is_mirror = |k: usize| {
+            (0..3).all(|i| (own[i] - if i == k { -other[i] } else { other[i] }).abs() <= tolerance)
+        };
+        // Columns of the same point in two units are no mirror image.
+        if !(0..3).any(is_mirror) {
+            self.asymmetric.push((key.trim_start_matches("points.").to_owned(), row.spot.clone()));
+        }
+    }
+
+    /// Reports the rows, each kind in one finding.
+    fn report(&self, findings: &mut Findings) {
+        let list = |rows: &[(String, Spot)]| {
+            let names: Vec<&str> = rows.iter().take(MAX_TITLE_ROWS).map(|(text, _)| &**text).collect();
+            format!("{}{}", names.join(", "), if rows.len() > MAX_TITLE_ROWS { ", …" } else { "" })
+        };
+        if let Some((_, spot)) = self.settings.first() {
+            findings.note("settings", spot, format!("rows of the table: {}", list(&self.settings)));
+        }
+        if let Some((_, spot)) = self.unused.first() {
+            let message = format!("rows without coordinates, which are not used: {}", list(&self.unused));
+            findings.warning("unused-rows", spot, message);
+        }
+        if let Some((_, spot)) = self.asymmetric.first() {
+            let message = format!(
+                "the columns of the other side are no mirror image at {}; only one side is read, and the other is built as its mirror image",
+                list(&self.asymmetric)
+            );
+            findings.warning("unequal-sides", spot, message);
+        }
     }
 }
 
@@ -308,12 +512,12 @@ fn title_rows(rows: &[TableRow], kinds: &[Row]) -> usize {
         let is_value = |cell: &Cell| !matches!(cell, Cell::Text(text) if parse_number(text).is_none());
         let is_of_head = || {
             let first = row.cells.iter().find(|cell| !is_blank(cell));
-            matches!(first, Some(Cell::Text(first)) if HEAD.contains(&first.trim()))
+            matches!(first, Some(Cell::Text(first)) if HEAD.contains(&first.trim()) || settings::is_label(first))
         };
         // Words above a header are a title unless they name an axis, a unit or a side.
         let is_words = match kind {
             Row::Other => true,
-            Row::Header(_) => false,
+            Row::Header(_) | Row::Sides => false,
             Row::Unclear { has_parts, .. } => !has_parts && header.is_some_and(|header| *i < header),
         };
         is_words && !is_key(&row.cells) && !is_of_head() && !row.cells.iter().any(is_value)
