@@ -41,6 +41,7 @@ mod parts;
 mod qpos;
 mod sdf;
 mod shape;
+mod shape_inertia;
 mod urdf;
 mod writing;
 #[cfg(feature = "urdf-rs")]
@@ -58,6 +59,7 @@ pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;
 pub use sdf::write::{SdfError, write_sdf};
 pub use shape::{Purpose, Shape, Solid};
+pub use shape_inertia::inertia_of_shapes;
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, NamedPose};
 pub use urdf::write::{Comments, write_urdf, write_urdf_model, write_urdf_with};
 pub use writing::changes::{Change, Effect, ModelText, lost_pose};

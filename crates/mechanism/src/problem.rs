@@ -527,8 +527,8 @@ impl fmt::Display for Problem {
                  correct it or the shapes; it is in the link frame, in m"
             ),
             Problem::NoMovingMass => f.write_str(
-                "no moving link has a mass: a file for display has no effective mass. Give masses (--link-mass LINK=KG, then --link-inertia), \
-                 or an <inertial> to every link, computed from its shape and density",
+                "no moving link has a mass: a file for display has no effective mass. Compute masses from the shapes (--masses \
+                 shapes), give them (--link-mass LINK=KG, then --link-inertia), or give an <inertial> to every link",
             ),
             Problem::EqualInertias { links, bodies, mass } => write!(
                 f,

@@ -90,8 +90,38 @@ fn number_and_unit(text: &str, dimensions: &[Dimension]) -> Option<(f64, Option<
     if let Ok(number) = text.trim().parse() {
         return Some((number, None));
     }
-    let (number, name) = split(text);
-    Some((number.parse().ok()?, Some(Unit::named(name, dimensions)?)))
+    let (number, name) = product(text)?;
+    Some((number, if name.is_empty() { None } else { Some(Unit::named(name, dimensions)?) }))
+}
+
+/// Value of a product at the beginning of a text, and the rest: `1e-5*100^2 kg m2` is 0.1 and `kg m2`. The signs are *, / and ^; a sign before
+/// a unit, as in `5 N/m`, belongs to the unit.
+fn product(text: &str) -> Option<(f64, &str)> {
+    let begins_number = |text: &str| text.trim_start().starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let power = |text| {
+        let (base, rest) = split(text);
+        let base: f64 = base.parse().ok()?;
+        match rest.strip_prefix('^').filter(|exponent| begins_number(exponent)) {
+            // The sign of −2² is ambiguous.
+            Some(_) if base.is_sign_negative() => None,
+            Some(exponent) => {
+                let (exponent, rest) = split(exponent);
+                Some((base.powf(exponent.parse().ok()?), rest))
+            }
+            None => Some((base, rest)),
+        }
+    };
+    let (mut value, mut rest) = power(text)?;
+    while let Some(factor) = rest.strip_prefix(['*', '×', '/']).filter(|factor| begins_number(factor)) {
+        let (other, after) = power(factor)?;
+        if rest.starts_with('/') {
+            value /= other;
+        } else {
+            value *= other;
+        }
+        rest = after;
+    }
+    Some((value, rest))
 }
 
 /// Value in SI units with the unit.
@@ -226,6 +256,21 @@ mod tests {
         assert_eq!(value("1in"), 0.0254);
         assert_eq!(value("1.5t"), 1500.0);
         assert_eq!(value(" -1e-3 "), -1e-3);
+    }
+
+    #[test]
+    fn products_are_computed() {
+        for (text, value) in
+            [("1e-5*100^2", 0.1), ("1/4", 0.25), ("2 * 3 ^ 2 / 9", 2.0), ("-2*3", -6.0), ("0.5×4", 2.0)]
+        {
+            assert!((Dimension::Plain.parse(text).unwrap().value - value).abs() < 1e-15, "{text}");
+        }
+        assert!((Dimension::Inertia.parse("1e-5*100^2 kg m2").unwrap().value - 0.1).abs() < 1e-15);
+        assert_eq!(Dimension::Stiffness.parse("5 N/m").unwrap().value, 5.0);
+        assert_eq!(Quantity::parse("2*12mm").unwrap().value, 0.024);
+        for text in ["2*", "*2", "2^", "-2^2", "2//3", "2*3*", "1/0", "2**3"] {
+            assert!(Quantity::parse(text).is_err(), "{text}");
+        }
     }
 
     #[test]

@@ -81,6 +81,7 @@ static UNITS: &[Unit] = &[
     unit("cm", Dimension::Length, 1.0, 100.0),
     unit("mm", Dimension::Length, 1.0, 1e3),
     unit("in", Dimension::Length, 254.0, 1e4),
+    unit("ft", Dimension::Length, 3048.0, 1e4),
     unit("rad", Dimension::Angle, 1.0, 1.0),
     unit("deg", Dimension::Angle, PI / 180.0, 1.0),
     unit("°", Dimension::Angle, PI / 180.0, 1.0),
@@ -88,12 +89,16 @@ static UNITS: &[Unit] = &[
     unit("g", Dimension::Mass, 1.0, 1e3),
     unit("t", Dimension::Mass, 1e3, 1.0),
     unit("lb", Dimension::Mass, POUND, 1.0),
+    unit("slug", Dimension::Mass, POUND_FORCE * 1e4, 3048.0),
     unit("kg m2", Dimension::Inertia, 1.0, 1.0),
     unit("kg cm2", Dimension::Inertia, 1.0, 1e4),
     unit("kg mm2", Dimension::Inertia, 1.0, 1e6),
     unit("g mm2", Dimension::Inertia, 1.0, 1e9),
+    unit("g cm2", Dimension::Inertia, 1.0, 1e7),
     unit("t mm2", Dimension::Inertia, 1.0, 1e3),
     unit("lb in2", Dimension::Inertia, POUND * 254.0 * 254.0, 1e8),
+    unit("lb ft2", Dimension::Inertia, POUND * 3048.0 * 3048.0, 1e8),
+    unit("slug ft2", Dimension::Inertia, POUND_FORCE * 3048.0, 1e4),
     unit("N/m", Dimension::Stiffness, 1.0, 1.0),
     unit("MN/m", Dimension::Stiffness, 1e6, 1.0),
     unit("kN/mm", Dimension::Stiffness, 1e6, 1.0),
@@ -101,22 +106,20 @@ static UNITS: &[Unit] = &[
     unit("N/mm", Dimension::Stiffness, 1e3, 1.0),
     unit("lbf/in", Dimension::Stiffness, POUND_FORCE * 1e4, 254.0),
     unit("lb/in", Dimension::Stiffness, POUND_FORCE * 1e4, 254.0),
+    unit("lbf/ft", Dimension::Stiffness, POUND_FORCE * 1e4, 3048.0),
     unit("N·m/rad", Dimension::RotationalStiffness, 1.0, 1.0),
-    unit("Nm/rad", Dimension::RotationalStiffness, 1.0, 1.0),
     unit("N·m/deg", Dimension::RotationalStiffness, 180.0, PI),
-    unit("Nm/deg", Dimension::RotationalStiffness, 180.0, PI),
     unit("N·s/m", Dimension::Damping, 1.0, 1.0),
-    unit("Ns/m", Dimension::Damping, 1.0, 1.0),
     unit("N·s/mm", Dimension::Damping, 1e3, 1.0),
-    unit("Ns/mm", Dimension::Damping, 1e3, 1.0),
     unit("N·m·s/rad", Dimension::RotationalDamping, 1.0, 1.0),
-    unit("Nms/rad", Dimension::RotationalDamping, 1.0, 1.0),
     unit("N·m·s/deg", Dimension::RotationalDamping, 180.0, PI),
-    unit("Nms/deg", Dimension::RotationalDamping, 180.0, PI),
     unit("m/s", Dimension::Speed, 1.0, 1.0),
     unit("mm/s", Dimension::Speed, 1.0, 1e3),
     unit("cm/s", Dimension::Speed, 1.0, 100.0),
     unit("km/h", Dimension::Speed, 1.0, 3.6),
+    unit("ft/s", Dimension::Speed, 3048.0, 1e4),
+    unit("in/s", Dimension::Speed, 254.0, 1e4),
+    unit("mph", Dimension::Speed, 44704.0, 1e5),
     unit("m/s2", Dimension::Acceleration, 1.0, 1.0),
     unit("mm/s2", Dimension::Acceleration, 1.0, 1e3),
     unit("g", Dimension::Acceleration, 9.80665, 1.0),
@@ -127,9 +130,7 @@ static UNITS: &[Unit] = &[
     unit("kN", Dimension::Force, 1e3, 1.0),
     unit("lbf", Dimension::Force, POUND_FORCE, 1.0),
     unit("N·m", Dimension::Moment, 1.0, 1.0),
-    unit("Nm", Dimension::Moment, 1.0, 1.0),
     unit("kN·m", Dimension::Moment, 1e3, 1.0),
-    unit("kNm", Dimension::Moment, 1e3, 1.0),
     unit("N/cm2", Dimension::Pressure, 1e4, 1.0),
     unit("N/mm2", Dimension::Pressure, 1e6, 1.0),
     unit("MPa", Dimension::Pressure, 1e6, 1.0),
@@ -142,10 +143,8 @@ static UNITS: &[Unit] = &[
     unit("mJ", Dimension::Energy, 1.0, 1e3),
     unit("kJ", Dimension::Energy, 1e3, 1.0),
     unit("N·s", Dimension::Momentum, 1.0, 1.0),
-    unit("Ns", Dimension::Momentum, 1.0, 1.0),
     unit("kg·m/s", Dimension::Momentum, 1.0, 1.0),
     unit("N·m·s", Dimension::AngularMomentum, 1.0, 1.0),
-    unit("Nms", Dimension::AngularMomentum, 1.0, 1.0),
     unit("kg·m²/s", Dimension::AngularMomentum, 1.0, 1.0),
     unit("s", Dimension::Time, 1.0, 1.0),
     unit("ms", Dimension::Time, 1.0, 1e3),
@@ -155,12 +154,12 @@ static UNITS: &[Unit] = &[
 
 /// Name in a form without alternatives: `kg·mm²`, `kg*mm^2` and `kg mm2` are one unit.
 fn canonical(name: &str) -> String {
-    let plain = name.replace(['·', '*'], " ").replace('²', "2").replace('^', "");
-    plain.split_whitespace().collect::<Vec<_>>().join(" ")
+    let is_kept = |c: &char| !c.is_whitespace() && !['·', '*', '^'].contains(c);
+    name.replace('²', "2").chars().filter(is_kept).collect()
 }
 
 impl Unit {
-    /// Unit of one of the dimensions with this name. `·`, `*` and a blank are the same, as are `²`, `^2` and `2`.
+    /// Unit of one of the dimensions with this name. `·`, `*`, a blank and nothing are the same, as are `²`, `^2` and `2`.
     pub fn named(name: &str, dimensions: &[Dimension]) -> Option<&'static Self> {
         let wanted = canonical(name);
         let has_name = |unit: &Unit| unit.name == name || canonical(unit.name) == wanted;
@@ -277,7 +276,7 @@ mod tests {
 
     #[test]
     fn names_have_several_forms() {
-        for name in ["kg mm2", "kg·mm²", "kg*mm^2", " kg  mm2 "] {
+        for name in ["kg mm2", "kg·mm²", "kg*mm^2", " kg  mm2 ", "kgmm2"] {
             assert_eq!(
                 Unit::named(name, &[Dimension::Inertia]).map(|unit| unit.to_si(5e4)),
                 Some(0.05),

@@ -177,6 +177,8 @@ impl Session {
     /// Session without a model.
     pub const fn new() -> Self {
         let shown = Changes {
+            shape_density: None,
+            total_mass: None,
             link_mass: Vec::new(),
             link_com: Vec::new(),
             link_inertia: Vec::new(),

@@ -138,12 +138,14 @@ impl Model {
         self.read.hardpoints().to_vec()
     }
 
-    /// Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
+    /// Copy of the model with changes, added to earlier changes. shape_density: kg/m³ of the shapes of the links, from which masses and
+    /// inertias are computed first, with a warning. total_mass: kg of all links, to which all masses are scaled last. link_mass: link to mass in kg; the moments about the
     /// centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
     /// about the centre of mass are unchanged. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²,
     /// about the axes of the link's frame; the products of inertia are unchanged. move: hardpoint of a sheet to displacement,
     /// (3,) m, sheet's axes.
-    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), link_inertia=BTreeMap::new(), r#move=BTreeMap::new()))]
+    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), link_inertia=BTreeMap::new(), r#move=BTreeMap::new(), shape_density=None, total_mass=None))]
+    #[allow(clippy::too_many_arguments, reason = "one for each kind of change")]
     fn changed(
         &self,
         py: Python<'_>,
@@ -151,8 +153,12 @@ impl Model {
         link_com: BTreeMap<String, [f64; 3]>,
         link_inertia: BTreeMap<String, [f64; 3]>,
         r#move: BTreeMap<String, [f64; 3]>,
+        shape_density: Option<f64>,
+        total_mass: Option<f64>,
     ) -> PyResult<Self> {
         let changes = Changes {
+            shape_density,
+            total_mass,
             link_mass: link_mass.into_iter().collect(),
             link_com: link_com.into_iter().collect(),
             link_inertia: link_inertia.into_iter().collect(),

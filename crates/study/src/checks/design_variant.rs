@@ -6,13 +6,16 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
-use percuss_formats::LoadError;
+use percuss_formats::{LoadError, inertia_of_shapes};
 use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Tolerance for the rounding of moments of inertia in files, relative: six digits are usual.
 const MOMENT_ROUNDING: f64 = 1e-5;
+
+/// Bytes of meshes that are read for masses.
+const MESHES_OF_MASSES: u64 = 256 << 20;
 
 /// Error of a design variant.
 #[derive(Debug, thiserror::Error)]
@@ -47,11 +50,14 @@ impl Model {
             }
         };
         if to_do.changes_inertia() {
-            let changed = with_changed_inertia(&model.mechanism, to_do)?;
+            let (of_shapes, told) = with_masses_of_shapes(&model, to_do)?;
+            let changed = with_changed_inertia(&of_shapes, to_do)?;
+            let changed = with_total_mass(changed, to_do)?;
+            model.diagnostics.extend(told);
             model.diagnostics.extend(implausible_masses(&model.mechanism, &changed));
             let is_settled = |code| match code {
                 "no-moving-mass" => changed.has_moving_mass(),
-                "equal-inertias" => !to_do.link_mass.is_empty(),
+                "equal-inertias" => !to_do.link_mass.is_empty() || to_do.shape_density.is_some(),
                 _ => false,
             };
             model.diagnostics.retain(|record| !is_settled(record.code));
@@ -128,6 +134,94 @@ fn implausible_masses(before: &Mechanism, after: &Mechanism) -> Vec<DiagnosticRe
     grown.collect()
 }
 
+/// Mechanism whose masses and inertias are those of the shapes of its links, with a warning; links without shapes keep theirs.
+fn with_masses_of_shapes(
+    model: &Model,
+    changes: &Changes,
+) -> Result<(Arc<Mechanism>, Option<DiagnosticRecord>), StudyError> {
+    let mechanism = &model.mechanism;
+    let Some(density) = changes.shape_density else { return Ok((Arc::clone(mechanism), None)) };
+    if !(density.is_finite() && density > 0.0) {
+        let why = format!(
+            "the density is {density} kg/m³; a finite number above 0 is expected, such as shapes:2700"
+        );
+        return Err(StudyError::input(Field::Masses, why));
+    }
+    let (folders, mut max_size) = (model.mesh_folders(Vec::new()), MESHES_OF_MASSES);
+    let (mut inertials, mut without) = (BTreeMap::new(), Vec::new());
+    for (link, shapes) in mechanism.links().iter().zip(model.shapes.iter()) {
+        let found = inertia_of_shapes(shapes, density, &folders, &mut max_size).map_err(|error| {
+            StudyError::input(Field::Masses, format!("link \"{}\": {error}", link.name()))
+        })?;
+        match found {
+            Some(inertial) => drop(inertials.insert(link.name().to_owned(), inertial)),
+            None => without.push(link.name()),
+        }
+    }
+    if inertials.is_empty() {
+        let why = "no link of the model has a shape with a volume; give the masses by --link-mass";
+        return Err(StudyError::input(Field::Masses, why.to_owned()));
+    }
+    let kept = match &without[..] {
+        [] => String::new(),
+        names => format!(
+            "; links without a shape keep theirs: {}",
+            names.iter().take(12).copied().collect::<Vec<_>>().join(", ")
+        ),
+    };
+    let message = format!(
+        "estimates, not data: the masses and inertias of {} links are those of their shapes at {density} kg/m³ (collision shapes, or visual \
+         ones; of a mesh its convex hull){kept}",
+        inertials.len()
+    );
+    let record = DiagnosticRecord {
+        severity: Severity::Warning,
+        code: "estimated-masses",
+        path: None,
+        line: None,
+        column: None,
+        element: None,
+        message,
+    };
+    Ok((Arc::new(with_inertials(mechanism, &inertials, Field::Masses)?), Some(record)))
+}
+
+/// Mechanism with all masses and inertias scaled to a total mass.
+fn with_total_mass(mechanism: Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
+    let Some(total) = changes.total_mass else { return Ok(mechanism) };
+    let own = mechanism.total_mass();
+    if !(total.is_finite() && total > 0.0) || own <= 0.0 {
+        let why = if own > 0.0 {
+            format!("{total} kg; a finite mass above 0 is expected")
+        } else {
+            "no link has a mass that can be scaled; compute masses first by --masses shapes".to_owned()
+        };
+        return Err(StudyError::input(Field::TotalMass, why));
+    }
+    let scaled = mechanism.links().iter().filter_map(|link| {
+        let inertial = *link.inertial()?;
+        let factor = total / own;
+        let (mass, about_com) = (inertial.mass * factor, inertial.about_com * factor);
+        Some((link.name().to_owned(), Inertial { mass, about_com, ..inertial }))
+    });
+    with_inertials(&mechanism, &scaled.collect(), Field::TotalMass)
+}
+
+/// Mechanism with other inertias, by link.
+fn with_inertials(
+    mechanism: &Mechanism,
+    inertials: &BTreeMap<String, Inertial>,
+    field: Field,
+) -> Result<Mechanism, StudyError> {
+    let builder = mechanism.to_builder().map_links(|mut link: LinkDescription| {
+        if let Some(inertial) = inertials.get(&link.name) {
+            link.inertial = Some(*inertial);
+        }
+        link
+    });
+    Ok(builder.build().map_err(build_error_as_fault(field))?.mechanism)
+}
+
 /// Mechanism with changed masses, centres of mass and moments of inertia.
 fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
     let mut inertials = BTreeMap::new();
@@ -175,15 +269,7 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
         inertial.about_com.set_diagonal(&(*moments).into());
         inertials.insert(name.clone(), inertial);
     }
-    let mut builder = mechanism.to_builder();
-    builder = builder.map_links(|mut link: LinkDescription| {
-        if let Some(inertial) = inertials.get(&link.name) {
-            link.inertial = Some(*inertial);
-        }
-        link
-    });
-    let built = builder.build().map_err(build_error_as_fault(Field::LinkMass))?;
-    Ok(built.mechanism)
+    with_inertials(mechanism, &inertials, Field::LinkMass)
 }
 
 /// True if a body can have these moments of inertia about three perpendicular axes: each is at most the sum of the other two. For a thin

@@ -357,6 +357,9 @@ impl<'a> EvaluatedQuestion<'a> {
     }
 }
 
+/// Name of all joints in `lock`, unless a joint has this name.
+const EVERY_JOINT: &str = "all";
+
 /// Compiles the mechanism with the conditions of the question, except the held contact number `skipped`.
 pub(crate) fn compile(
     mechanism: &Arc<Mechanism>,
@@ -369,6 +372,14 @@ pub(crate) fn compile(
     let base = if floats_already(mechanism) { Base::Fixed } else { question.base };
     let mut conditions = Conditions::new().base(base);
     for name in &question.lock {
+        if name == EVERY_JOINT && mechanism.find_joint(name).is_err() {
+            let moving = mechanism
+                .joints()
+                .iter()
+                .filter(|joint| joint.kind() != JointKind::Fixed && joint.mimic().is_none());
+            conditions = moving.fold(conditions, |conditions, joint| conditions.lock(joint.name()));
+            continue;
+        }
         joint(Field::Lock, name)?;
         conditions = conditions.lock(name);
     }

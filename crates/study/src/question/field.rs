@@ -96,6 +96,10 @@ fields! {
     Pose = "--pose", "pose.file";
     /// Model file.
     Model = "MODEL", "model.path";
+    /// Masses from the shapes.
+    Masses = "--masses", "model.masses";
+    /// Mass of all links.
+    TotalMass = "--total-mass", "model.total_mass";
     /// Mass of a link.
     LinkMass = "--link-mass", "model.link_mass";
     /// Centre of mass of a link.

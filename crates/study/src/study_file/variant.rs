@@ -114,6 +114,8 @@ impl VariantText {
             }
         };
         let model = other.with_changes(&Changes {
+            shape_density: None,
+            total_mass: None,
             link_mass: masses(&self.link_mass),
             link_com: points(&self.link_com),
             link_inertia: moments(&self.link_inertia),

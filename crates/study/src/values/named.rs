@@ -4,7 +4,7 @@ use crate::values::drives::{GivenGearLimits, GivenSpring};
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{Mass, Moments, Point};
 use crate::values::rates::GivenRates;
-use percuss_units::Dimension;
+use crate::values::value::reflected_inertias;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -29,11 +29,11 @@ pub fn joint_rates(text: &str) -> Result<(String, GivenRates), String> {
     named(text, "JOINT=RATE, such as crank=2rad/s")
 }
 
-/// `JOINT=VALUES` of a flag: reflected inertias separated by commas.
+/// `JOINT=VALUES` of a flag: reflected inertias.
 pub fn joint_armature(text: &str) -> Result<(String, Vec<f64>), String> {
-    let (joint, values): (String, String) = named(text, "JOINT=VALUE, such as elbow=0.3")?;
-    let values = percuss_units::parse_list(&values, |_| Dimension::Plain).map_err(|e| e.to_string())?;
-    Ok((joint, values))
+    let (joint, values): (String, String) =
+        named(text, "JOINT=VALUE, such as elbow=0.3 or elbow=100:1e-5kg·m²")?;
+    Ok((joint, reflected_inertias(&values)?))
 }
 
 /// `JOINT=LIMIT` of a flag: limits of a gear, with optional units.

@@ -162,8 +162,63 @@ pub(crate) fn by_name_texts<S: Serializer, T: Display>(
     map.end()
 }
 
-/// Reads armatures by joint: one value, or one value per velocity.
+/// Reflected inertias separated by commas (kg·m² or kg, optional units), each a value or RATIO:ROTOR, the ratio of a gear and the inertia of
+/// the rotor about its own axis: ratio² · inertia.
+pub(crate) fn reflected_inertias(text: &str) -> Result<Vec<f64>, String> {
+    let inertia = |text: &str| {
+        Quantity::parse_as(text, &[Dimension::Inertia, Dimension::Mass]).map(|inertia| inertia.value)
+    };
+    let one = |part: &str| match part.split_once(':') {
+        Some((ratio, rotor)) => {
+            let ratio = Dimension::Plain.parse(ratio)?.value;
+            Ok(ratio * ratio * inertia(rotor)?)
+        }
+        None => inertia(part),
+    };
+    text.split(',').map(|part| one(part).map_err(|error: QuantityError| error.to_string())).collect()
+}
+
+/// `shapes` or `shapes:DENSITY`: density of the shapes, kg/m³.
+pub(crate) fn density_of_shapes(text: &str) -> Result<f64, String> {
+    let density = match text.split_once(':') {
+        Some(("shapes", density)) => {
+            density.trim().trim_end_matches("kg/m3").trim_end_matches("kg/m³").trim().parse().ok()
+        }
+        None if text == "shapes" => Some(1e3),
+        _ => None,
+    };
+    let valid = density.filter(|density: &f64| density.is_finite() && *density > 0.0);
+    valid.ok_or_else(|| {
+        format!(
+            "\"{text}\"; shapes is expected, or shapes:DENSITY with a density in kg/m³, such as shapes:2700"
+        )
+    })
+}
+
+/// Reads the density of the shapes, as on the command line.
+pub(crate) fn shape_density<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    let text = String::deserialize(from)?;
+    density_of_shapes(&text).map(Some).map_err(D::Error::custom)
+}
+
+/// Writes the density of the shapes.
+pub(crate) fn shape_density_text<S: Serializer>(
+    density: &Option<f64>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("shapes:{}", density.unwrap_or(1e3)))
+}
+
+/// Reads armatures by joint: one value, or one value per velocity, or text as on the command line.
 pub(crate) fn armatures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(String, Vec<f64>)>, D::Error> {
-    let lists = by_name::<D, OneOrMany<f64>>(from)?.into_iter();
-    Ok(lists.map(|(joint, values)| (joint, values.list())).collect())
+    let given = |(joint, values): (String, PositionText)| {
+        let values = match values {
+            PositionText::Text(text) => reflected_inertias(&text)
+                .map_err(|error| D::Error::custom(format!("joint \"{joint}\": {error}")))?,
+            PositionText::One(x) => vec![x],
+            PositionText::Many(xs) => xs,
+        };
+        Ok((joint, values))
+    };
+    by_name::<D, PositionText>(from)?.into_iter().map(given).collect()
 }

@@ -22,7 +22,6 @@ const EXPLAINED: [(&str, &[&str]); 24] = [
             "against",
             "set",
             "wheel_travel",
-            "link_mass",
             "restitution",
             "stiffness",
             "speed",

@@ -350,7 +350,7 @@ fn inline_triangles(
 }
 
 /// Triangles of the convex hull of the corners of triangles.
-fn hull_of(triangles: &Triangles, work: &mut usize) -> Result<Triangles, String> {
+pub(crate) fn hull_of(triangles: &Triangles, work: &mut usize) -> Result<Triangles, String> {
     let mut known = std::collections::HashSet::new();
     // Bits of the coordinates: corners of neighbouring triangles are equal.
     let corners = triangles.iter().flatten().filter(|p| known.insert(p.map(f64::to_bits)));

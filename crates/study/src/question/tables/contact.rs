@@ -266,21 +266,24 @@ pub struct PoseTable {
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct ConditionsTable {
-    /// Lock a joint at its position.
+    /// Lock a joint at its position; all locks every joint.
     #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", help_heading = CONDITIONS))]
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lock: Vec<String>,
-    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one value per velocity, separated by commas.
+    /// Rotor inertia reflected to a joint (kg·m² or kg): a value, or RATIO:ROTOR.
+    ///
+    /// One value, or one per velocity, separated by commas. RATIO:ROTOR, such as 100:1e-5kg·m², is the ratio of the gear and the inertia of the
+    /// rotor about its own axis: ratio² · inertia is added. --gear is the same flag.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, help_heading = CONDITIONS)
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear", help_heading = CONDITIONS)
     )]
     #[serde(
         deserialize_with = "value::armatures",
         serialize_with = "value::by_name_entries",
         skip_serializing_if = "Vec::is_empty"
     )]
-    #[schemars(with = "BTreeMap<String, OneOrMany<f64>>")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
     pub armature: Vec<(String, Vec<f64>)>,
     /// Stiffness, and damping if given, of the gear between the rotor of a joint and the joint: K or K,D.
     ///

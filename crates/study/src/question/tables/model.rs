@@ -46,6 +46,26 @@ pub struct ModelTable {
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = READING))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worksheet: Option<String>,
+    /// Masses and inertias from the shapes of the links: shapes, or shapes:DENSITY (kg/m³).
+    ///
+    /// Collision shapes, or visual ones of a link without; a mesh is its convex hull. Default density: 1000 kg/m³. Links without a shape keep
+    /// their masses. A warning marks the results as estimates.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "shapes[:DENSITY]", value_parser = value::density_of_shapes, help_heading = CHANGES)
+    )]
+    #[serde(
+        default,
+        deserialize_with = "value::shape_density",
+        serialize_with = "value::shape_density_text",
+        skip_serializing_if = "Option::is_none"
+    )]
+    #[schemars(with = "Option<String>")]
+    pub masses: Option<f64>,
+    /// Scale the masses and inertias of all links to this total (kg), after all other changes.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", help_heading = CHANGES))]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub total_mass: Option<Mass>,
     /// Change the mass of a link (kg).
     ///
     /// The moments of inertia about the centre of mass are scaled by the same factor.
@@ -164,6 +184,8 @@ impl ModelTable {
     /// Changes to the model.
     pub fn changes(&self) -> Changes {
         Changes {
+            shape_density: self.masses,
+            total_mass: self.total_mass.map(|mass| mass.0),
             link_mass: masses(&self.link_mass),
             link_com: points(&self.link_com),
             link_inertia: moments(&self.link_inertia),
