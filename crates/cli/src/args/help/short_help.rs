@@ -22,6 +22,7 @@ const EXPLAINED: [(&str, &[&str]); 24] = [
             "against",
             "set",
             "wheel_travel",
+            "link_mass",
             "restitution",
             "stiffness",
             "speed",
@@ -135,7 +136,7 @@ const EXPLAINED: [(&str, &[&str]); 24] = [
             "set",
         ],
     ),
-    ("identify", &["mass_from", "speed", "drop", "exponent", "damper", "filter", "output", "at"]),
+    ("identify", &["mass_from", "speed", "drop", "exponent", "damper", "output", "at"]),
     ("response", &["frequency", "output", "at", "link", "set"]),
     (
         "safe-speed",

@@ -52,7 +52,7 @@ pub struct ModelTable {
     /// their masses. A warning marks the results as estimates.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "shapes[:DENSITY]", value_parser = value::density_of_shapes, help_heading = CHANGES)
+        arg(long, value_name = "shapes[:DENSITY]", value_parser = value::density_of_shapes, help_heading = READING)
     )]
     #[serde(
         default,
@@ -63,7 +63,7 @@ pub struct ModelTable {
     #[schemars(with = "Option<String>")]
     pub masses: Option<f64>,
     /// Scale the masses and inertias of all links to this total (kg), after all other changes.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", help_heading = CHANGES))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", help_heading = READING))]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total_mass: Option<Mass>,
     /// Change the mass of a link (kg).
