@@ -34,7 +34,7 @@ export interface ContactTable {
   [key: string]: unknown;
 }
 export interface PoseTable { set?: Record<string, string>; guess?: Record<string, string>; travel?: string[]; file?: string }
-export interface ConditionsTable { base?: string; lock?: string[]; armature?: Record<string, number[]> }
+export interface ConditionsTable { base?: string; lock?: string[]; armature?: Record<string, number[]>; gear_stiffness?: Record<string, number | string | (number | string)[]> }
 export interface Study {
   model: ModelTable; contact: ContactTable; pose: PoseTable; conditions: ConditionsTable; hold?: Record<string, unknown>[];
 }

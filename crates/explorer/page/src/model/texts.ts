@@ -55,6 +55,7 @@ function poseFlags({ pose, conditions, hold }: Study): Flag[] {
   }
   for (const joint of conditions.lock ?? []) one('--lock', joint);
   for (const [joint, values] of Object.entries(conditions.armature ?? {})) one('--armature', `${joint}=${[values].flat().map(plain).join(',')}`);
+  for (const [joint, values] of Object.entries(conditions.gear_stiffness ?? {})) one('--gear-stiffness', `${joint}=${[values].flat().map((x) => typeof x === 'number' ? plain(x) : x).join(',')}`);
   one('--base', conditions.base);
   for (const h of (hold ?? []) as { link: string; point: number[]; normal?: number[] }[]) {
     one('--hold', `${h.link}:${triple(h.point)}${h.normal ? `:${triple(h.normal)}` : ''}`);
