@@ -222,7 +222,8 @@ impl Session {
                 let unknown = unknown.parse().map_err(|error: String| Refusal::of_message(error))?;
                 let target = KinematicTarget::from_str(&format!("effective_mass={mass}kg"));
                 let targets = vec![target.map_err(Refusal::of_message)?];
-                let search = TargetSearch { unknowns: vec![unknown], targets, within, mass: Some(question) };
+                let unknowns = vec![unknown];
+                let search = TargetSearch { unknowns, targets, within, mass: Some(question), impact: None };
                 let found = search_targets(model, &KinematicsQuestion::default(), &search);
                 Ok(Reply::Found(Box::new(found.map_err(|error| Refusal::of_message(error.to_string()))?)))
             }

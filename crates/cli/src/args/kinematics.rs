@@ -6,8 +6,8 @@ use crate::terminal::failure::Failure;
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT, POSE};
 use percuss_study::{
-    KinematicTarget, KinematicVariable, KinematicsQuestion, Length, SearchUnknown, TargetSearch, VehicleData,
-    WheelMotion,
+    DampingQuestion, KinematicTarget, KinematicVariable, KinematicsQuestion, Length, Ratio, SearchUnknown,
+    Speed, Stiffness, TargetSearch, VehicleData, WheelMotion,
 };
 
 /// Heading of the search for coordinates.
@@ -45,6 +45,17 @@ pub struct KinematicsArgs {
     /// motion_ratio_bump_stop. bump_stop.mass is the effective mass at the touch of the stop, and so for every named contact.
     #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
+    /// Closing speed of the contact, for --for bump_stop.peak_force=4kN and bump_stop.compression=25mm.
+    ///
+    /// The impact is that of `percuss damp` on the force curve of the stop in the sheet, or with --stiffness.
+    #[arg(long, value_name = "V", requires = "solve", help_heading = SEARCH)]
+    pub speed: Option<Speed>,
+    /// Restitution at this speed; default: 1, no damping.
+    #[arg(long, value_name = "E", requires = "speed", help_heading = SEARCH)]
+    pub restitution: Option<Ratio>,
+    /// Stiffness of the contact in place of the curve of the sheet.
+    #[arg(long, value_name = "K", requires = "speed", help_heading = SEARCH)]
+    pub stiffness: Option<Stiffness>,
     /// Largest change of each coordinate.
     #[arg(long, value_name = "LENGTH", default_value = "20mm", help_heading = SEARCH)]
     pub within: Length,
@@ -100,7 +111,16 @@ impl KinematicsArgs {
             return Err(Failure::bad_input(format!("--within is {within} m; more than 0 is expected")));
         }
         let (unknowns, targets) = (self.solve.clone(), self.required.clone());
-        let search = TargetSearch { unknowns, targets, within, mass: None };
+        let impact = self.speed.map(|speed| DampingQuestion {
+            speed: Some(speed),
+            restitution: self.restitution.or(Some(Ratio(1.0))),
+            stiffness: self.stiffness,
+            ..DampingQuestion::default()
+        });
+        if let Some(impact) = &impact {
+            impact.checked()?;
+        }
+        let search = TargetSearch { unknowns, targets, within, mass: None, impact };
         Ok((!self.solve.is_empty()).then_some(search))
     }
 }

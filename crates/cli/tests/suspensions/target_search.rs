@@ -338,3 +338,30 @@ fn both_bases_are_stated() {
     let report: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
     assert!(report["other_base"].is_null(), "{report}");
 }
+
+/// At the coordinate found for a peak force, or for a compression, `percuss mass` states that value.
+#[test]
+fn peak_forces_and_compressions_are_those_of_the_damper() {
+    let folder = Scratch::new("search-peak-force");
+    let curve = "[bump_stop]\ndeflections = [0, 10, 20, 30]\nforces = [0, 300, 1500, 4000]\n";
+    folder
+        .write("car.toml", &done(&folder, &["template", "double-wishbone"]).replace("[bump_stop]\n", curve));
+    let impact = ["--speed", "1m/s", "--restitution", "0.3"];
+    for (target, key) in
+        [("bump_stop.peak_force=5.9kN", "peak_force"), ("bump_stop.compression=26.8mm", "max_penetration")]
+    {
+        let words = [&["--solve", "bump_stop.z", "--for", target, "--within", "40mm"], &impact[..]].concat();
+        let report = search(&folder, &words);
+        let by: Vec<String> =
+            report["moves"][0][1].as_array().expect("a move").iter().map(Value::to_string).collect();
+        let shift = format!("bump_stop={}", by.join(","));
+        let words = ["mass", "car.toml", "--at", "bump_stop", "--move", &shift, "--format", "json"];
+        let mass: Value =
+            serde_json::from_str(&done(&folder, &[&words[..], &impact].concat())).expect("JSON");
+        let required = report["targets"][0]["required"].as_f64().expect("a number");
+        let found = mass["damper"][key].as_f64().unwrap_or_else(|| panic!("{key} in {mass}"));
+        assert!((found / required - 1.0).abs() < 1e-6, "{key}: {found} {required}");
+    }
+    let words = ["kinematics", "car.toml", "--solve", "bump_stop.z", "--for", "bump_stop.peak_force=5kN"];
+    assert!(run(&folder, &words).stderr.contains("missing: --speed"));
+}

@@ -318,7 +318,8 @@ fn contradictions(asked: &IdentifyQuestion, found: &Identification) -> Vec<Diagn
         let values = values_of(other);
         messages.push(match found.second_term {
             Some((_, power)) => {
-                format!("the spring is k x^p + c x^{power}; k x^p alone gives {values}: a law with one power is no law of this contact")
+                let power = if power == 1.0 { String::new() } else { format!("^{power}") };
+                format!("the spring is k x^p + c x{power}; k x^p alone gives {values}: a law with one power is no law of this contact")
             }
             None => format!("a spring with a second power of the penetration gives {values}; leave out the exponent"),
         });

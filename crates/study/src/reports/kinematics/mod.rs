@@ -2,6 +2,7 @@
 
 pub(crate) mod changed_sheet;
 pub(crate) mod column_names;
+mod contact_values;
 pub(crate) mod errors;
 pub(crate) mod report;
 pub(crate) mod suspension_kinematics;

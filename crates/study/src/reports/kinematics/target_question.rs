@@ -1,6 +1,7 @@
 //! Unknowns and required values of a search in a suspension sheet.
 
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::damping::DampingQuestion;
 use crate::reports::kinematics::column_names::column_name;
 use percuss_units::{Dimension, Quantity};
 use std::str::FromStr;
@@ -87,4 +88,7 @@ pub struct TargetSearch {
     pub within: f64,
     /// Question of the quantity `effective_mass`; `None` without such a target.
     pub mass: Option<MassQuestion>,
+    /// Speed, restitution and stiffness of the contacts, for the quantities `CONTACT.peak_force` and `CONTACT.compression`; the default stiffness
+    /// is the force curve of the stop in the sheet.
+    pub impact: Option<DampingQuestion>,
 }

@@ -8,8 +8,8 @@ use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
-use crate::reports::answer_mass::mass;
 use crate::reports::kinematics::column_names::{target_column, unknown_column};
+use crate::reports::kinematics::contact_values::{CONTACT_IMPACT, CONTACT_MASS, impact_values, mass_value};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
@@ -140,17 +140,6 @@ fn dimension(unit: KinematicUnit) -> Dimension {
     }
 }
 
-/// Beginning of the quantity `CONTACT.mass`, the effective mass at a named contact.
-const CONTACT_MASS: &str = "mass_";
-
-/// Effective mass of a question as a quantity, kg.
-fn mass_value(model: &Model, name: String, question: &MassQuestion) -> KinematicValue {
-    let value = mass(model, question).map_err(|error| error.to_string()).and_then(|report| {
-        report.effective_mass.ok_or_else(|| format!("the contact is {}", report.status.name()))
-    });
-    KinematicValue { name, side: "", unit: KinematicUnit::Mass, value }
-}
-
 /// Mass of a link, kg; `None` for an unknown link and a link without mass.
 fn mass_of(model: &Model, link: &str) -> Option<f64> {
     let link = model.mechanism.find_link(link).ok()?;
@@ -191,13 +180,19 @@ impl Designs<'_> {
         let mut values = evaluate_state(&prepared, self.question, &self.question.state)?;
         if let Ok(values) = &mut values {
             for contact in model.mechanism.contacts() {
-                let name = format!("{CONTACT_MASS}{}", contact.name());
-                let is_required = |target: &KinematicTarget| {
-                    // A name without a side is that of the first side.
-                    let rest = name.strip_prefix(&target.quantity);
-                    rest.is_some_and(|side| ["", "_left", "_right"].contains(&side))
+                let is_required = |start: &str| {
+                    let name = format!("{start}{}", contact.name());
+                    self.search.targets.iter().any(|target| {
+                        // A name without a side is that of the first side.
+                        let rest = name.strip_prefix(&target.quantity);
+                        rest.is_some_and(|side| ["", "_left", "_right"].contains(&side))
+                    })
                 };
-                if self.search.targets.iter().any(is_required) {
+                if CONTACT_IMPACT.into_iter().any(is_required) {
+                    values.0.extend(impact_values(&model, contact.name(), self.search.impact.as_ref()));
+                }
+                if is_required(CONTACT_MASS) {
+                    let name = format!("{CONTACT_MASS}{}", contact.name());
                     // A stop at its touch.
                     let question = MassQuestion::without_contact().at_contact(contact.name());
                     values.0.push(mass_value(&model, name, &question));
