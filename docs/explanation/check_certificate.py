@@ -204,6 +204,7 @@ class Check:
         boxes, leaves = [[(lower, upper) for _, lower, upper in self.ranges]], 0
         for division in bracket["divisions"]:
             box = boxes.pop() if boxes else fail("more divisions than boxes")
+            if division >= len(box): fail(f"no range {division} to divide")
             if division >= 0:
                 (lower, upper), middle = box[division], 0.5 * box[division][0] + 0.5 * box[division][1]
                 boxes += [box[:division] + [half] + box[division + 1:] for half in ((middle, upper), (lower, middle))]
@@ -217,7 +218,14 @@ class Check:
 
 if __name__ == "__main__":
     with open(sys.argv[1]) as file:
-        proof = json.load(file)["certificate"]
-    check = Check((proof and proof["tree"]) or sys.exit("the report has no certificate of a tree"))
-    check.extreme("largest", proof["most"], 1.0)
-    check.extreme("smallest", proof["least"], -1.0)
+        report = json.load(file)
+    proof = report.get("certificate") or (report.get("proved") or {}).get("certificate")
+    check = Check((proof and proof.get("tree")) or sys.exit("the report has no certificate of a tree"))
+    proved = [tuple(bounds) for _, *bounds in check.ranges]
+    stated = [tuple(bounds) for _, *bounds in report.get("ranges", [])]
+    if stated and not all(any(a <= c and d <= b for a, b in proved) for c, d in stated): sys.exit(f"the report states ranges outside the proved ones {proved}")
+    print(f"ranges (rad or m): {proved}")
+    for name, key, sign in (("largest", "most", 1.0), ("smallest", "least", -1.0)):
+        bracket = proof[key]
+        if bracket is None or None in (bracket["lower"], bracket["upper"]): print(f"{name}: the report proves no bracket")
+        else: check.extreme(name, bracket, sign)

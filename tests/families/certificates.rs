@@ -217,3 +217,17 @@ fn an_arm_has_sharp_brackets_over_three_joints() {
         .unwrap();
     assert!(heavier.most.upper >= 1.02 * found.most.lower && heavier.most.upper < 1.13 * found.most.upper);
 }
+
+/// The pose is at the middle of a range, which is the common face of the first two boxes.
+#[test]
+fn ranges_around_every_pose_are_proved() {
+    for x in [0.1, 0.12, 0.2505, 0.3, 2.2] {
+        let set = [("crank_hinge", x)];
+        let (system, pose, contact) =
+            shipped("four_bar.urdf", &set, "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
+        let crank = system.mechanism().find_joint("crank_hinge").unwrap();
+        let found = pose.certify_extremes(&contact, &[(crank, x - 0.01, x + 0.01)], PROOF).unwrap();
+        let within = found.most.lower..=found.most.upper;
+        assert!(found.most.is_proved && found.least.is_some_and(|least| least.is_proved), "{x}: {within:?}");
+    }
+}

@@ -288,3 +288,6 @@ pub const UNCHANGED_RATE: f64 = 1e-12;
 
 /// Relative difference of coefficients of friction up to which a given one suffices: rounding of the impulses of redundant contacts.
 pub const SAME_FRICTION: f64 = 1e-6;
+/// Relative difference of the limit of soft contacts from the rigid mass above which the residual stiffness judges nothing: the finest statement of
+/// the verdict is 1 %.
+pub(crate) const SAME_MASS: f64 = 1e-2;

@@ -925,13 +925,11 @@ def load_suspension(
 ) -> Model:
     """Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
 
-    side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams", "sae", "rfactor", or such as
-    "-z x y" (the axes that point forward, left and up); template: values that the file
+    side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams", "sae", "rfactor", or such as "-z x y" (the axes that point forward, left and up); template: values that the file
     does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
     sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
-    the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first. names: file of
-    the names of a table's points, lower_ball = "LBJ".
-    Warnings and errors as for load.
+    the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
+    names: file of the names of a table's points, lower_ball = "LBJ". Warnings and errors as for load.
 
         >>> percuss.suspension.load("models/suspensions/double-wishbone.toml").contacts"""
 def suspension_templates() -> list[tuple[str, str]]:

@@ -10,7 +10,7 @@ use crate::evaluation::status::Status;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
-use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE};
+use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE, SAME_MASS};
 use crate::values::drives::GivenSpring;
 use percuss_dynamics::{ComplianceError, ElasticSystem, ElementMotion, LinearElement, ResidualCompliance};
 use percuss_impact::{ContactEnd, compliant_impact_of};
@@ -210,7 +210,27 @@ pub(crate) fn compliance(
     }
     let system = elastic_system(evaluated);
     match system.and_then(|system| system.residual().map_err(compliance_error)) {
-        Ok(found) => Ok((Some(record(evaluated, damping, found)?), None)),
+        Ok(found) => {
+            let soft = Status::classify(found.rigid).1;
+            let rigid = Status::classify(evaluated.result.response.effective_mass).1;
+            let differs = soft.zip(rigid).is_some_and(|(soft, rigid)| (soft / rigid - 1.0).abs() > SAME_MASS);
+            let finding = differs.then(|| {
+                let message = format!(
+                    "a bush without the stiffness leaves a rotation free that its joint holds, such as the spin of a rod: the limit of soft \
+                     contacts is {:.4} kg, not the rigid mass; give torsional and conical of the bushes of rods",
+                    soft.unwrap_or_default()
+                );
+                Finding::about_result(FindingKind::NoCompliance, message)
+            });
+            let mut record = record(evaluated, damping, found)?;
+            if differs {
+                record.rigid_up_to = None;
+                if let Some(contact) = &mut record.contact {
+                    (contact.impulse_change, contact.force_change) = (None, None);
+                }
+            }
+            Ok((Some(record), finding))
+        }
         Err(StudyError::NoResult(error)) => {
             let message = format!("the compliance of the bushes and gears is not computed: {error}");
             Ok((None, Some(Finding::about_result(FindingKind::NoCompliance, message))))

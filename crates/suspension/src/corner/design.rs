@@ -205,7 +205,8 @@ impl GivenBush {
             BushData::Rates { radial, axial, conical, torsional, damping: [across, along] } => (
                 [conical, conical, torsional, radial, radial, axial],
                 [0.0, 0.0, 0.0, across, across, along],
-                [false, false, false, true, true, true],
+                // The two bushes of a hinge hold its conical rotations by their distance; that of a rod's end alone holds its spin.
+                [false, false, held_rotations[2] && torsional > 0.0, true, true, true],
             ),
             BushData::ByJoint { linear: [k, c], rotational, free } => {
                 let [x, y, z] = held_rotations.map(|is_held| if is_held { rotational } else { free });

@@ -112,7 +112,7 @@ fn verdict(contact: &CompliantContactRecord) -> String {
         Some(_) => format!(
             "the rigid mass does not hold: the residual stiffness is not far above that of the contact{times}"
         ),
-        None => format!("no residual stiffness{times}"),
+        None => format!("not judged by the residual stiffness{times}"),
     }
 }
 

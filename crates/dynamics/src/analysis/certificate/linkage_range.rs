@@ -153,7 +153,10 @@ impl Linkage<'_> {
         let holds = |piece: &Piece, q: &[Interval]| {
             q.iter().zip(&piece.q).all(|(x, within)| within.lo() <= x.lo() && x.hi() <= within.hi())
         };
-        let Ok(pose) = self.problem.close(&self.problem.q) else { return false };
+        // The pose at the floating-point numbers of the varied positions: their intervals may lie on both sides of a face.
+        let start = &self.problem.q;
+        let at = self.varied.iter().map(|(k, ..)| Interval::point(start[*k].mid()));
+        let Ok(pose) = self.problem.close(&self.replaced(start, at)) else { return false };
         let Some(first) = pieces.iter().position(|piece| holds(piece, &pose.q)) else { return false };
         let (mut reached, mut queue) = (vec![false; pieces.len()], vec![first]);
         reached[first] = true;

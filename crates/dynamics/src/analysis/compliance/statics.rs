@@ -1,6 +1,6 @@
 //! Static displacements of a mechanism with bushes under loads.
 
-use super::elements::{ElasticDirection, ElasticRow};
+use super::elements::ElasticRow;
 use super::residual::{solve_positive, stiffness_factor};
 use super::subspace::{Subspaces, split};
 use super::system::{ComplianceError, ElasticSystem, elastic_rows, stacked};
@@ -83,7 +83,7 @@ impl ElasticSystem {
 
     /// Geometric stiffness G over z of the forces at the pose.
     fn geometric_stiffness(&self, resting: &[Load]) -> Result<DMatrix<f64>, ComplianceError> {
-        let is_bush = |row: &ElasticRow| row.direction != ElasticDirection::Element;
+        let is_bush = |row: &ElasticRow| row.number.is_none();
         let applied = |kinematics: &Kinematics, rows: &[ElasticRow]| {
             let mut force = DVector::zeros(self.basis.nrows());
             for load in resting {
