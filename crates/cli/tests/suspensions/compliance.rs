@@ -123,3 +123,26 @@ fn ratio_gradients_are_differences() {
         done(&folder, &["kinematics", "car.toml", "--compliance", "-o", "travel.csv"]);
     }
 }
+
+/// A bush at the end of a rod frees the spin that the rigid joint holds. Without a torsional stiffness the rigid mass is not the limit of soft
+/// contacts, and the verdict is withheld with a warning; with it, the torsional row counts in the residual stiffness.
+#[test]
+fn the_spin_of_a_rod_is_judged_by_its_bush() {
+    let folder = Scratch::new("compliance-spin");
+    let text = done(&folder, &["template", "multi-link"]);
+    let report = |rates: &str| -> Value {
+        let bush = "[bush.trailing_link_chassis]\nradial = \"5 kN/mm\"\naxial = \"5 kN/mm\"";
+        folder.write("car.toml", &format!("{text}\n{bush}\n{rates}"));
+        let words = ["mass", "car.toml", "--at", "bump_stop", "--stiffness", "200N/mm", "--format", "json"];
+        serde_json::from_str(&done(&folder, &words)).expect("JSON")
+    };
+    let warned = |report: &Value| {
+        let found = report["diagnostics"].as_array().expect("findings");
+        found.iter().any(|finding| finding["code"] == "no-compliance")
+    };
+    let free = report("conical = \"200 N·m/rad\"\n");
+    assert!(warned(&free) && free["compliance"]["rigid_up_to"].is_null(), "{}", free["compliance"]);
+    let held = report("torsional = \"60 N·m/rad\"\nconical = \"200 N·m/rad\"\n");
+    assert!(!warned(&held), "{}", held["diagnostics"]);
+    assert_eq!(held["compliance"]["rows"][0]["direction"], "torsional");
+}
