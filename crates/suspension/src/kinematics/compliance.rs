@@ -62,7 +62,7 @@ const NO_BUSH: &str = "the sheet has no bush: [bush.POINT] or [rack] stiffness";
 /// Way out of a motion without stiffness.
 const OR_HELD: &str = "give it, or hold the travel of the wheels (--travel-held)";
 /// Reason for the absence of values if a motion without stiffness gives way.
-const NO_STIFFNESS: &str = "a motion without stiffness gives way to the load";
+const NO_STIFFNESS: &str = "a motion without stiffness gives way to the load: give torsional and conical of the bushes at single points";
 
 impl SuspensionParts {
     /// Mechanism with bushes at a pose: wheels do not turn relative to their carriers, a sliding rack stays, springs and touched stops have
