@@ -31,6 +31,20 @@ step_beside() {
   run_step "$@" > "$steps/$1.log" 2>&1 &
   beside+=("$! $1")
 }
+# step_after 'EARLIER...' NAME COMMAND...: in the background, after steps of the background; not run if one of them failed.
+step_after() {
+  local earlier=$1
+  shift
+  echo "$1" >> "$steps/order"
+  (
+    for name in $earlier; do
+      until [ -s "$steps/$name.code" ]; do sleep 0.2; done
+      [ "$(cat "$steps/$name.code")" = 0 ] || exit 1
+    done
+    run_step "$@"
+  ) > "$steps/$1.log" 2>&1 &
+  beside+=("$! $1")
+}
 finish_beside() {
   local entry failed=''
   for entry in "${beside[@]}"; do

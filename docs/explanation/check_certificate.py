@@ -194,12 +194,12 @@ class Check:
             best = (I(best) - I(math.nextafter(square / least, math.inf))).lo if least > 0.0 else -math.inf
         return best, corner
 
-    def extreme(self, name, bracket, sign):
+    def extreme(self, name, bracket, sign, tolerance):  # all masses within the tolerance: m̄ by the factor of the extreme masses
         x, fail = bracket["positions"], lambda why: sys.exit(f"{name}: {why}")
         if any(not lower <= v <= upper for (_, lower, upper), v in zip(self.ranges, x)): fail("the best positions are outside the ranges")
-        inner, outer = (bracket["lower"], bracket["upper"])[::int(sign)]
-        # At the best positions w ≤ 1/inner for the largest m̄, w ≥ 1/inner for the smallest one; in all boxes the opposite with outer.
-        if not (I(self.bound([(v, v) for v in x], x, -sign)[0]) * inner + sign).lo >= 0.0:
+        (inner, outer), one = (bracket["lower"], bracket["upper"])[::int(sign)], (I(sign * tolerance) + 1.0) * sign
+        # At the best positions w ≤ factor/inner for the largest m̄, w ≥ factor/inner for the smallest one; in all boxes the opposite with outer.
+        if not (I(self.bound([(v, v) for v in x], x, -sign)[0]) * inner + one).lo >= 0.0:
             fail(f"{inner} is not proved at the best positions")
         boxes, leaves = [[(lower, upper) for _, lower, upper in self.ranges]], 0
         for division in bracket["divisions"]:
@@ -211,8 +211,8 @@ class Check:
                 continue
             centre, leaves = [0.5 * a + 0.5 * b for a, b in box], leaves + 1
             found, corner = self.bound(box, centre, sign)
-            if not (I(found) * outer - sign).lo >= 0.0: found = max(found, self.bound(box, corner, sign)[0])
-            if not (I(found) * outer - sign).lo >= 0.0: fail(f"{outer} is not proved in the box {box}")
+            if not (I(found) * outer - one).lo >= 0.0: found = max(found, self.bound(box, corner, sign)[0])
+            if not (I(found) * outer - one).lo >= 0.0: fail(f"{outer} is not proved in the box {box}")
         if boxes: fail(f"{len(boxes)} boxes are not covered")
         print(f"{name}: {bracket['lower']} to {bracket['upper']} is proved, with {leaves} boxes")
 
@@ -228,4 +228,4 @@ if __name__ == "__main__":
     for name, key, sign in (("largest", "most", 1.0), ("smallest", "least", -1.0)):
         bracket = proof[key]
         if bracket is None or None in (bracket["lower"], bracket["upper"]): print(f"{name}: the report proves no bracket")
-        else: check.extreme(name, bracket, sign)
+        else: check.extreme(name, bracket, sign, proof["mass_tolerance"])

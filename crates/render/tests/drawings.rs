@@ -104,6 +104,18 @@ fn views_that_are_lines_are_left_out() {
         texts(&drawing.to_svg()).into_iter().filter(|t| t.starts_with("from ")).collect::<Vec<_>>()
     };
     assert_eq!(titles(&planar), ["from the left (x to the left, z up)"]);
+    // An arm stretched along x with a normal along y is seen from above, where both are in the plane; along z, from the left.
+    for (normal, title) in [
+        ([0.0, 1.0, 0.0], "from above (y to the right, x down)"),
+        ([0.0, 0.0, 1.0], "from the left (x to the left, z up)"),
+    ] {
+        let arrow = DrawnArrow { from: [0.9, 0.0, 0.0], vector: normal, label: "n".into() };
+        for views in [Views::Two, Views::Three, Views::Best] {
+            let lines = vec![line([[0.0; 3], [0.5, 0.0, 0.0]]), line([[0.5, 0.0, 0.0], [0.9, 0.0, 0.0]])];
+            let stretched = Drawing { lines, arrows: vec![arrow.clone()], views, ..Drawing::default() };
+            assert_eq!(titles(&stretched), [title], "{views:?}");
+        }
+    }
     let half = Drawing { views: Views::Best, ..corner() };
     assert_eq!(titles(&half).len(), 1);
     assert!(half.to_svg().contains("width=\"360\""));

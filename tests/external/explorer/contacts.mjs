@@ -35,6 +35,19 @@ async function load(page, path) {
 }
 
 export const contactTests = {
+  async 'the first curve is over a joint that moves the contact'(browser) {
+    const chosen = async (...point) => {
+      const page = await open(browser, explore(ARM[0], '--link', 'tool', '--point', point.join(','), '--normal', '0,0,-1'));
+      await settle(page);
+      const name = await page.locator('.curve-head select').inputValue();
+      await close(page);
+      return name;
+    };
+    // The roll of the tool moves points beside its axis, x of the tool.
+    assert.equal(await chosen(0.08, 0.01, 0), 'tool_roll');
+    assert.notEqual(await chosen(0.08, 0, 0), 'tool_roll');
+  },
+
   async 'models in MJCF and SDFormat open with sites, keyframes and loops'(browser) {
     const page = await open(browser, explore(SHEET));
     const crane = join(folder, 'crane.xml');

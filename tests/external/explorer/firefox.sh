@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The page of `percuss explore` in Firefox: m̄ of every example of the gallery is that of the command, before and after a change, and
-# the address keeps the state. Not part of the gate. Needs Firefox (Debian: apt install firefox-esr), python3 and the engine. WebGL
+# the address keeps the state. Needs Firefox (Debian: apt install firefox-esr), python3 and the engine. WebGL
 # needs a screen or Xvfb (apt install xvfb); without, the mechanism is drawn as lines.
 #   firefox.sh [PERCUSS]   PERCUSS: a program with the explorer; default: target/debug/percuss
 set -euo pipefail

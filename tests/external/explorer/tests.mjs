@@ -10,6 +10,7 @@ import { folderTests } from './folders.mjs';
 import { designTests } from './design.mjs';
 import { furtherTests } from './further.mjs';
 import { longTests } from './long.mjs';
+import { stateTests } from './states.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 const SHEETS = join(root, 'models/suspensions');
@@ -251,7 +252,7 @@ const wanted = process.argv.slice(3);
 const browser = await launch();
 let failed = 0;
 const begun = Date.now();
-for (const [name, test] of Object.entries({ ...tests, ...contactTests, ...designTests, ...folderTests, ...furtherTests, ...longTests(RANDOM_DRAGS) })) {
+for (const [name, test] of Object.entries({ ...tests, ...contactTests, ...designTests, ...folderTests, ...furtherTests, ...stateTests, ...longTests(RANDOM_DRAGS) })) {
   if (wanted.length && !wanted.some((word) => name.includes(word))) continue;
   const start = Date.now();
   try {

@@ -82,9 +82,9 @@ fn views(drawing: &Drawing, content: &Content) -> Vec<&'static View> {
     let count = if drawing.views == Views::Two { 2 } else { 3 };
     let largest = VIEWS.iter().flat_map(|view| content.spans(view)).fold(0.0, f64::max);
     let is_area = |view: &&View| content.spans(view).iter().all(|span| *span > LINE * largest);
-    // The area counts by the part of the arrows that is in the plane of the view.
+    // The area counts by the part of the arrows that is in the plane of the view. A line has the width of a line.
     let score = |view: &&View| {
-        let area = content.spans(view).iter().product::<f64>();
+        let area = content.spans(view).iter().map(|span| span.max(LINE * largest)).product::<f64>();
         let part = |arrow: &PageArrow| arrow.part_in_plane(&view.right, &view.up).powi(4);
         area * content.arrows.iter().map(part).fold(1.0, f64::min)
     };

@@ -57,7 +57,7 @@ pub struct BracketRecord {
 pub struct ExtremesCertificateRecord {
     /// Wanted relative distance of the bounds.
     pub tolerance: f64,
-    /// Relative tolerance of all masses and moments of inertia.
+    /// Relative tolerance t of all masses, moments of inertia and rotor inertias, each by its own factor from 1 − t to 1 + t.
     pub mass_tolerance: f64,
     /// Smallest m̄; null without a proof.
     pub least: Option<BracketRecord>,

@@ -43,7 +43,9 @@ pub fn document(report: &ExtremesReport) -> Document<'_> {
     if let Some(certificate) = &report.certificate {
         out.section("Proof");
         out.facts(proof(certificate, report.unit));
-        out.note(certificate::MEANING);
+        if certificate.reason.is_none() {
+            out.note(certificate::MEANING);
+        }
     }
     out
 }

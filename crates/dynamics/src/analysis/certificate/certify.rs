@@ -20,7 +20,7 @@ impl Pose {
     /// # Errors
     /// [`NoCertificate`]: a change point, a massless or immovable contact, or an unsupported constraint.
     pub fn certify(&self, contact: &Contact) -> Result<MassCertificate, NoCertificate> {
-        let problem = Problem::new(self, contact, 0.0)?;
+        let problem = Problem::new(self, contact)?;
         let closed = problem.close(&problem.q)?;
         let bounds = bracket::inverse_mass(
             &problem.plan,
@@ -53,6 +53,9 @@ impl Pose {
     /// derivatives give the mean-value form: the bound is exact at the centre, with an error of the square of the box. The box with the
     /// worst bound is halved first. Loops are proved for each box by the operator of Krawczyk, and neighbouring boxes to be one branch.
     ///
+    /// M with any masses within ±t is between (1 − t) M and (1 + t) M, and so is m̄: the largest m̄ is 1 + t times that of the model, the
+    /// smallest one 1 − t times.
+    ///
     /// # Errors
     /// [`NoCertificate`]: a joint that does not drive, more than two ranges of loops, or an unsupported constraint. Bounds that are not
     /// proved within the budget are no errors.
@@ -62,7 +65,7 @@ impl Pose {
         ranges: &[(JointId, f64, f64)],
         proof: RangeProof,
     ) -> Result<ExtremesCertificate, NoCertificate> {
-        let problem = Problem::new(self, contact, proof.mass_tolerance)?;
+        let problem = Problem::new(self, contact)?;
         let varied = ranges
             .iter()
             .map(|&(joint, lower, upper)| {
@@ -80,7 +83,7 @@ impl Pose {
         if !problem.loops.is_empty() {
             // An immovable or massless contact, or a change point, at the pose.
             self.certify(contact)?;
-            return linkage_range::enclose(&problem, &varied, proof);
+            return Ok(linkage_range::enclose(&problem, &varied, proof)?.with_masses(proof.mass_tolerance));
         }
         let ranges = Ranges {
             plan: &problem.plan,
@@ -90,7 +93,7 @@ impl Pose {
             varied: &varied,
             proof,
         };
-        Ok(ExtremesCertificate {
+        let certificate = ExtremesCertificate {
             least: (!proof.only_largest).then(|| ranges.enclose(Side::Least)),
             most: ranges.enclose(Side::Most),
             branch: None,
@@ -100,6 +103,7 @@ impl Pose {
                 positions: problem.q.iter().map(|x| [x.lo(), x.hi()]).collect(),
                 ranges: varied.clone(),
             }),
-        })
+        };
+        Ok(certificate.with_masses(proof.mass_tolerance))
     }
 }

@@ -63,8 +63,8 @@ pub(super) fn enclose(
         }
         for piece in std::mem::take(&mut open) {
             let is_enough = piece.is_closed
-                && (proof.only_largest || piece.within[0] * proof.ratio() * proof.spread() >= small.0[1])
-                && piece.within[1] <= large.0[0] * proof.ratio() * proof.spread();
+                && (proof.only_largest || piece.within[0] * proof.ratio() >= small.0[1])
+                && piece.within[1] <= large.0[0] * proof.ratio();
             let width = |k: usize| (piece.bounds[k].1 - piece.bounds[k].0) / (varied[k].2 - varied[k].1);
             let widest = (0..varied.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)));
             match widest {

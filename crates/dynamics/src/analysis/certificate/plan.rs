@@ -210,13 +210,11 @@ impl<T: Scalar> Step<T> {
 
 impl Plan<Interval> {
     /// Bodies of a model, with the frame of every link and the index of every body of the model. All numbers are enclosures of those of
-    /// the mechanism: frames and inertias of fixed links are added in intervals. Masses and moments of inertia are multiplied by
-    /// [1 − `tolerance`, 1 + `tolerance`].
+    /// the mechanism: frames and inertias of fixed links are added in intervals.
     ///
     /// A spherical joint becomes three hinges about x, y and z, after its rotation at the positions `q`: their positions are 0 there.
-    pub fn of(model: &Model, q: &[f64], tolerance: f64) -> (Self, Vec<On<Interval>>, Vec<usize>) {
+    pub fn of(model: &Model, q: &[f64]) -> (Self, Vec<On<Interval>>, Vec<usize>) {
         let mechanism = &model.mechanism;
-        let masses = Interval::new(1.0 - tolerance, 1.0 + tolerance);
         let ground = On { body: None, frame: Transform::identity() };
         let mut links = vec![ground; mechanism.links().len()];
         let (mut plan, mut bodies) =
@@ -255,9 +253,8 @@ impl Plan<Interval> {
             links[link.index()] = on;
             if let (Some(step), Some(own)) = (on.body, mechanism.link(link).inertial()) {
                 let size = own.about_com.amax();
-                let about_com = own.about_com.map(|x| Interval::around(x, READING, size) * masses);
-                let inertia =
-                    SpatialInertia::about_com(written(own.mass) * masses, own.com.map(written), about_com);
+                let about_com = own.about_com.map(|x| Interval::around(x, READING, size));
+                let inertia = SpatialInertia::about_com(written(own.mass), own.com.map(written), about_com);
                 plan.steps[step].inertia += on.frame.inertia(&inertia);
             }
         }

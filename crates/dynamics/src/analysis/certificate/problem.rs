@@ -26,14 +26,14 @@ pub(super) struct Problem<'a> {
 }
 
 impl<'a> Problem<'a> {
-    pub fn new(pose: &'a Pose, contact: &Contact, mass_tolerance: f64) -> Result<Self, NoCertificate> {
+    pub fn new(pose: &'a Pose, contact: &Contact) -> Result<Self, NoCertificate> {
         pose.locate(contact)?;
         let model = pose.assembly.model();
         if model.coordinates.is_empty() {
             return Err(NoCertificate::Immovable);
         }
         let mut q = pose.positions().to_vec();
-        let (plan, links, bodies) = Plan::of(model, &q, mass_tolerance);
+        let (plan, links, bodies) = Plan::of(model, &q);
         let load = Load::of(contact, &links, pose.base());
         let loops = Loops::of(model, &plan, &links, &bodies).ok_or(NoCertificate::Unsupported)?;
         if !loops.is_empty() && !pose.assembly.has_single_model() {

@@ -1,6 +1,7 @@
 //! Results of a proof, and reasons for none.
 
 use crate::kinematics::contact::ContactError;
+use percuss_spatial::Interval;
 
 /// Reason for which no bounds are proved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -72,26 +73,21 @@ pub struct RangeProof {
     pub tolerance: f64,
     /// Largest number of boxes of each search.
     pub budget: usize,
-    /// Relative tolerance of all masses and moments of inertia.
+    /// Relative tolerance t of all masses, moments of inertia and rotor inertias, each by its own factor from 1 − t to 1 + t.
     pub mass_tolerance: f64,
     /// True for the largest m̄ alone: no bounds of the smallest one.
     pub only_largest: bool,
 }
 
 impl RangeProof {
-    /// Ratio of the largest and the smallest mass within the tolerance: the bounds are at least so far apart.
-    pub(super) fn spread(self) -> f64 {
-        (1.0 + self.mass_tolerance) / (1.0 - self.mass_tolerance)
-    }
-
-    /// Accepted ratio of the upper bound of a box and the best value, at nominal masses.
+    /// Accepted ratio of the upper bound of a box and the best value.
     pub(super) fn ratio(self) -> f64 {
-        (1.0 + self.tolerance) * self.spread()
+        1.0 + self.tolerance
     }
 
-    /// True if bounds agree within the tolerance, and the tolerance of the masses.
+    /// True if bounds agree within the tolerance.
     pub(super) fn is_met(self, lower: f64, upper: f64) -> bool {
-        lower > 0.0 && upper <= lower * self.ratio() * self.spread() * (1.0 + 0.01 * self.tolerance)
+        lower > 0.0 && upper <= lower * self.ratio() * (1.0 + 0.01 * self.tolerance)
     }
 }
 
@@ -106,6 +102,20 @@ pub struct ExtremesCertificate {
     pub branch: Option<BranchProof>,
     /// Numbers of the proof for an independent check; `None` for linkages, and for contacts or joints without a form there.
     pub tree: Option<CertifiedTree>,
+}
+
+impl ExtremesCertificate {
+    /// Bounds with all masses within a relative tolerance, from those of the model.
+    pub(super) fn with_masses(mut self, tolerance: f64) -> Self {
+        for (bracket, factor) in [(self.least.as_mut(), -tolerance), (Some(&mut self.most), tolerance)] {
+            if let Some(bracket) = bracket.filter(|_| factor != 0.0) {
+                let factor = Interval::point(1.0) + Interval::point(factor);
+                bracket.lower = (Interval::point(bracket.lower) * factor).lo();
+                bracket.upper = (Interval::point(bracket.upper) * factor).hi();
+            }
+        }
+        self
+    }
 }
 
 /// Bodies, contact and ranges of a proof as plain numbers. An enclosure is a pair of a lower and an upper bound.

@@ -1,6 +1,6 @@
 // Quantities that move the mechanism: motions of the wheels, and joints that can be set.
 
-import type { ListedContact, PosedMass, Scene, SceneJoint, Study } from '../engine/protocol';
+import type { ListedContact, PosedMass, Scene, SceneJoint, Study, Triple } from '../engine/protocol';
 import { DEGREE, MILLIMETRE, plain, siValue, type DisplayUnit } from './numbers';
 
 export interface Driver {
@@ -77,18 +77,31 @@ export function drivers(scene: Scene, contacts: ListedContact[], shown = 0): Dri
   return motions.length ? [...motions, ...joints.filter((driver) => driver.name === RACK)] : joints;
 }
 
-/** Driver of the first curve: a motion of the wheels, otherwise the joint nearest to the contact link on its way to the root. */
-export function firstDriver(scene: Scene, all: Driver[], link: string | undefined): Driver | undefined {
+/** Distance of a point on the axis of a hinge from this axis, m: rounding. */
+const ON_AXIS = 1e-9;
+
+/** True for a hinge whose axis contains a point of a link in the design position: the hinge does not move the point. */
+function hasOnAxis(scene: Scene, { axis, child, kind }: SceneJoint, link: number, point: Triple): boolean {
+  if (kind === 'prismatic' || !axis) return false;
+  const turned = (of: number, v: Triple, k: number) => [0, 1, 2].reduce((sum, i) => sum + scene.design[12 * of + 3 * k + i] * v[i], 0);
+  const [u, d] = [[0, 1, 2].map((k) => turned(child, axis, k)), [0, 1, 2].map((k) => turned(link, point, k) + scene.design[12 * link + 9 + k] - scene.design[12 * child + 9 + k])];
+  return Math.hypot(u[1] * d[2] - u[2] * d[1], u[2] * d[0] - u[0] * d[2], u[0] * d[1] - u[1] * d[0]) < ON_AXIS;
+}
+
+/** Driver of the first curve: a motion of the wheels, otherwise the nearest joint on the way from the contact link to the root that moves the contact point. */
+export function firstDriver(scene: Scene, all: Driver[], link: string | undefined, point: Triple = [0, 0, 0]): Driver | undefined {
   if (all[0]?.isMotion) return all[0];
-  let at = scene.links.findIndex((l) => l.name === link);
+  const contact = scene.links.findIndex((l) => l.name === link);
+  let [at, nearest]: [number, Driver | undefined] = [contact, undefined];
   for (let left = scene.links.length; left > 0; left--) {
     const joint = scene.joints.find((j) => j.child === at);
     if (!joint) break;
     const driver = all.find((d) => d.name === joint.name);
-    if (driver) return driver;
+    if (driver && !hasOnAxis(scene, joint, contact, point)) return driver;
+    nearest ??= driver;
     at = joint.parent;
   }
-  return all[0];
+  return nearest ?? all[0];
 }
 
 /** Value that a study gives to a driver, SI; undefined if it gives none. */

@@ -205,7 +205,7 @@ export class Store {
     Object.assign(this, {
       fileName: name, text, files, shapes: shapes ?? opened.shapes?.links, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
       frames: opened.scene.design, contacts, listed: '', curve: undefined, explanation: undefined, explained: undefined, drivers: all,
-      driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
+      driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link, study.contact.point),
       view: opened.scene.sheet ? 'front' : '3d', choosing: false, variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
     });
     this.answers.clear();

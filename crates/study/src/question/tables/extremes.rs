@@ -279,7 +279,7 @@ pub struct ExtremesQuestion {
     /// Largest number of boxes of each proof; default 200000.
     #[cfg_attr(feature = "flags", arg(long, value_name = "N", requires = "certify", help_heading = ANSWER))]
     pub boxes: Option<u32>,
-    /// Relative tolerance of all masses and moments of inertia in the proof, such as 1%.
+    /// Relative tolerance of all masses, moments of inertia and rotor inertias in the proof, such as 1%.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "certify", help_heading = ANSWER)
