@@ -87,6 +87,9 @@ pub(crate) const MAX_COUPLING_STEPS: usize = 4_000_000;
 
 // URDF: numbers.
 
+/// Largest angle of a rotation without a warning, rad: one turn, rounded up. Larger numbers are degrees, as a rule.
+pub(crate) const LARGEST_ANGLE: f64 = 6.3;
+
 /// Largest |norm − 1| of a rounded unit quaternion, dimensionless; a larger deviation is an error. Files have three decimals
 /// or more.
 pub(crate) const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;

@@ -1,13 +1,18 @@
 //! Plugins of simulators that join links or couple joints. A plugin is a program: its names and its elements are all that a file states.
 
 use crate::reading::limits::MAX_PLUGIN_NAMES;
+use crate::reading::report::{quoted, shortened};
 
 /// Parts of the names of plugins, and of their elements, that join links or couple joints; separated by blanks, as in the other lists.
 const JOINING: &str = "mimic detach attach disablelink closedloop closeloop loopclos loopjoint weld constraint coupl \
     gearbox linkage fourbar";
 
 /// The same for parts that occur in the names of sensors and controllers too.
-const PERHAPS_JOINING: &str = "loop differential parallel";
+const PERHAPS_JOINING: &str = "loop differential parallel gear pulley belt rackpinion rackandpinion tendon cable rope slave follow \
+    synchron jointsync syncjoint lockjoint jointlock fixedjoint fixjoint jointfix rigid glue suction harness underactuated";
+
+/// Parts of the names of elements of plugins that couple joints, also in a plugin with the name of a sensor or controller.
+const COUPLING_ELEMENTS: &str = "mimic slave follower driven multiplier";
 
 /// Parts of the names of plugins that measure, publish, control or exert finite forces.
 const HARMLESS: &str = "control sensor camera imu laser lidar gpuray raysensor sonar gps navsat magnetometer altimeter \
@@ -26,6 +31,27 @@ const ENDS: [[&str; 2]; 7] = [
     ["leader", "follower"],
 ];
 
+/// Parts of names that state an inertia or a coupling of a joint in every format.
+const OF_JOINTS: [&str; 5] = ["armature", "rotorinertia", "motorinertia", "reflectedinertia", "mimic"];
+
+/// True for a name with a value that changes the mass matrix, or couples joints, in a part that is not read. `in_plugin`: couplings of
+/// plugins have warnings of their own.
+pub(crate) fn changes_joint(name: &str, value: &str, in_plugin: bool) -> bool {
+    let word = plain_word(name);
+    let is_zero = value.trim_ascii().parse::<f64>().is_ok_and(|number| number == 0.0);
+    !is_zero && OF_JOINTS.iter().any(|part| word.contains(part) && !(in_plugin && *part == "mimic"))
+}
+
+/// Message about such a name.
+pub(crate) fn unread_joint_message(name: &str, holder: &str) -> String {
+    format!(
+        "{} in <{}> is not read, and the answer is without it: give the inertia of a rotor as an armature of its joint, and a coupling \
+         as a mimic of its joint",
+        quoted(name),
+        shortened(holder)
+    )
+}
+
 /// Letters and digits in lower case, without separators.
 pub(crate) fn plain_word(text: &str) -> String {
     text.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect()
@@ -40,17 +66,18 @@ pub(crate) fn joins_links<'a>(
     is_known: impl Fn(&str) -> [bool; 2],
 ) -> bool {
     let word = plain_word(name);
-    let has = |parts: &str| parts.split_ascii_whitespace().any(|part| word.contains(part));
-    if has(JOINING) {
+    let contains = |word: &str, parts: &str| parts.split_ascii_whitespace().any(|part| word.contains(part));
+    let has = |parts: &str| contains(&word, parts);
+    let tags: Vec<String> = values.iter().map(|(tag, _)| plain_word(tag)).collect();
+    let has_element = |parts: &str| tags.iter().any(|tag| contains(tag, parts));
+    if has(JOINING) || has_element(COUPLING_ELEMENTS) {
         return true;
     }
     if has(HARMLESS) {
         return false;
     }
-    let tags: Vec<String> = values.iter().map(|(tag, _)| plain_word(tag)).collect();
-    let joining_tag = |tag: &String| JOINING.split_ascii_whitespace().any(|part| tag.contains(part));
     let has_ends = |ends: &[&str; 2]| ends.iter().all(|end| tags.iter().any(|tag| tag == end));
-    has(PERHAPS_JOINING) || tags.iter().any(joining_tag) || ENDS.iter().any(has_ends) || {
+    has(PERHAPS_JOINING) || has_element(JOINING) || ENDS.iter().any(has_ends) || {
         let [links, joints] = named_parts(values, is_known);
         links.len() > 1 || joints.len() > 1
     }
@@ -67,8 +94,10 @@ pub(crate) fn named_parts<'a>(
         if tag.contains("frame") || tag.contains("topic") {
             continue;
         }
-        for word in text.split(|c: char| c.is_ascii_whitespace() || c == ',') {
-            let name = word.rsplit("::").next().unwrap_or(word);
+        // A name may have marks of punctuation: the words and their parts are compared.
+        let words = text.split(|c: char| c.is_ascii_whitespace() || c == ',');
+        let parts = |word: &'a str| word.split(|c: char| ";:=/|()[]{}<>\"'".contains(c));
+        for name in words.flat_map(|word| std::iter::once(word).chain(parts(word))) {
             for (names, is_known) in found.iter_mut().zip(is_known(name)) {
                 if is_known && names.len() < MAX_PLUGIN_NAMES && !names.contains(&name) {
                     names.push(name);

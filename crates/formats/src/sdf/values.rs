@@ -5,6 +5,7 @@ use crate::reading::findings::Findings;
 use crate::reading::limits::UNLIMITED;
 use crate::reading::report::quoted;
 use crate::urdf::elements::numbers::parse_numbers;
+use crate::urdf::elements::origin::{degrees_in_place_of_radians, large_angle_message};
 use crate::urdf::elements::sdf_values;
 use percuss_spatial::Transform;
 
@@ -65,6 +66,11 @@ fn boolean(text: &str, element: ElementId, findings: &mut Findings<'_>) -> bool 
 pub(crate) fn read_pose(pose: ElementId, findings: &mut Findings<'_>) -> Transform<f64> {
     let format = findings.tree.attribute(pose, "rotation_format").unwrap_or("euler_rpy");
     let degrees = read_boolean_attribute(pose, "degrees", findings);
+    let angles =
+        parse_numbers::<6>(findings.tree.text(pose)).ok().filter(|_| !degrees && format == "euler_rpy");
+    if let Some(angle) = angles.and_then(|numbers| degrees_in_place_of_radians(&numbers[3..])) {
+        findings.warning("large-angle", pose, || large_angle_message(angle) + ", or degrees=\"true\"");
+    }
     sdf_values::parse_pose(findings.tree.text(pose), format, degrees).unwrap_or_else(|defect| {
         findings.error("bad-pose", pose, || defect);
         Transform::identity()

@@ -258,3 +258,36 @@ fn a_rotor_of_drake_is_an_armature() {
     let loaded = read(&model(7, &(link("a", "") + &joint("j", "revolute", "world", "a", &contents))));
     assert_relative_eq!(find(&loaded.mechanism, "j").armature()[0], 0.2, max_relative = 1e-15);
 }
+
+/// Inertias of joints where SDFormat has none, and angles of more than a turn: a warning names each.
+#[test]
+fn values_of_joints_in_unread_parts_are_named() {
+    let of = |in_joint: &str, in_axis: &str, pose: &str| {
+        let joint = joint("j", "revolute", "world", "a", &format!("{}{in_joint}", axis("0 0 1", in_axis)));
+        read(&model(12, &format!("{}{joint}", link("a", pose))))
+    };
+    for (in_joint, in_axis, pose, code) in [
+        ("", "<dynamics><armature>0.1</armature></dynamics>", "", "ignored"),
+        ("", "<dynamics armature=\"0.1\"/>", "", "ignored"),
+        ("<physics><ode><armature>0.1</armature></ode></physics>", "", "", "ignored"),
+        ("<sensor name=\"s\" type=\"t\"><armature>0.1</armature></sensor>", "", "", "ignored"),
+        ("<plugin name=\"p\" filename=\"f\"><rotor_inertia>0.1</rotor_inertia></plugin>", "", "", "ignored"),
+        ("<mujoco:armature>0.1</mujoco:armature>", "", "", "ignored"),
+        ("<drake:armature>0.1</drake:armature>", "", "", "unknown-element"),
+        ("", "<drake:rotor_inertia>0.1</drake:rotor_inertia>", "", "unknown-element"),
+        ("", "", "<pose>0 0 0 0 0 90</pose>", "large-angle"),
+    ] {
+        let loaded = of(in_joint, in_axis, pose);
+        let told = loaded.diagnostics.iter().any(|d| d.code == code && d.severity == Severity::Warning);
+        assert!(told, "{in_joint}{in_axis}{pose}: {:?}", loaded.diagnostics);
+    }
+    for (in_joint, code) in [
+        ("<drake:gear_ratio>10</drake:gear_ratio>", "gear-without-rotor"),
+        ("<thread_pitch>5</thread_pitch>", "ignored"),
+        ("<gearbox_ratio>5</gearbox_ratio>", "ignored"),
+    ] {
+        let loaded = of(in_joint, "", "<pose degrees=\"true\">0 0 0 0 0 90</pose>");
+        let told: Vec<_> = loaded.diagnostics.iter().map(|d| (d.code, d.severity)).collect();
+        assert_eq!(told, [(code, Severity::Note)], "{in_joint}");
+    }
+}

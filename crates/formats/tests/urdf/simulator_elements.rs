@@ -406,3 +406,88 @@ fn files_of_other_formats_are_named() {
     let urdf = load(&Source::from_text("a.m", gripper("")), &LoadOptions::default());
     assert!(urdf.is_ok(), "the content counts, not the ending");
 }
+
+/// Inertias and couplings of joints wherever a file states them and they are not read: a warning names each.
+#[test]
+fn values_of_joints_in_unread_parts_are_named() {
+    let rotor = "<param name=\"motorInertia\">1e-5</param>";
+    let transmission = |inside: &str| {
+        format!("<transmission name=\"t\"><type>x/SimpleTransmission</type>{inside}</transmission>")
+    };
+    let control = |inside: &str| format!("<ros2_control name=\"c\" type=\"system\">{inside}</ros2_control>");
+    let gazebo = |inside: &str| format!("<gazebo reference=\"ja\">{inside}</gazebo>");
+    let plugin = |inside: &str| {
+        format!("<gazebo><plugin name=\"finger_control\" filename=\"x.so\">{inside}</plugin></gazebo>")
+    };
+    let joint = "<joint name=\"ja\"/>";
+    for (text, name) in [
+        (transmission(&format!("{joint}<actuator name=\"m\">{rotor}</actuator>")), "motorInertia"),
+        (transmission(&format!("{joint}<actuator name=\"m\"/>{rotor}")), "motorInertia"),
+        (transmission(&format!("<joint name=\"ja\">{rotor}</joint><actuator name=\"m\"/>")), "motorInertia"),
+        (gazebo("<dynamics armature=\"0.1\"/>"), "armature"),
+        (gazebo("<physics><ode><armature>0.1</armature></ode></physics>"), "armature"),
+        (gazebo("<physics><mimic joint=\"jb\"/></physics>"), "mimic"),
+        (control("<joint name=\"jb\"><param name=\"rotor_inertia\">1e-5</param></joint>"), "rotor_inertia"),
+        (control("<joint name=\"jb\"><param name=\"mimics\">ja</param></joint>"), "mimics"),
+        (control("<joint name=\"jb\"><param name=\"follows\">ja</param></joint>"), "follows"),
+        (
+            control(
+                "<joint name=\"jb\"><command_interface name=\"p\"><param name=\"mimic\">ja</param></command_interface></joint>",
+            ),
+            "mimic",
+        ),
+        (control("<hardware><param name=\"ja_armature\">0.1</param></hardware>"), "ja_armature"),
+        (control("<joint name=\"jb\" mimic=\"1\"/>"), "mimic"),
+        (plugin("<joint>ja</joint><rotorInertia>1e-5</rotorInertia>"), "rotorInertia"),
+        (plugin("<joint>jb</joint><follower>ja</follower>"), "joins"),
+        (plugin("<joint>jb</joint><multiplier>2</multiplier>"), "joins"),
+        (plugin("").replace("finger_control", "belt_drive"), "joins"),
+        (plugin("<pair>[ja;jb]</pair>").replace("finger_control", "x"), "joins"),
+        ("<drake:weld xmlns:drake=\"http://drake.mit.edu\" a=\"b\"/>".to_owned(), "drake:weld"),
+        ("<xi:include xmlns:xi=\"http://x\" href=\"y\"/>".to_owned(), "include"),
+    ] {
+        let found = warnings(&text);
+        assert!(found.iter().any(|message| message.contains(name)), "{text}: {found:?}");
+    }
+    // Without influence: no warning.
+    for text in [
+        gazebo("<dynamics armature=\"0\"/>"),
+        control("<joint name=\"jb\"><param name=\"min\">-1</param></joint>"),
+        plugin("<joint>ja</joint><joint>jb</joint>"),
+        "<x:weld xmlns:x=\"http://x\" a=\"b\"/>".to_owned(),
+    ] {
+        assert_eq!(warnings(&text), [""; 0], "{text}");
+    }
+    let drake = "<drake:rotor_inertia value=\"1e-5\"/><drake:gear_ratio value=\"100\"/>";
+    for place in [
+        transmission(&format!("{joint}<actuator name=\"m\"/>{drake}")),
+        transmission(&format!("<joint name=\"ja\">{drake}</joint><actuator name=\"m\"/>")),
+    ] {
+        let loaded = loaded(&place);
+        let id = loaded.mechanism.find_joint("ja").expect("a joint");
+        assert!((loaded.mechanism.joint(id).armature()[0] - 0.1).abs() < 1e-15, "{place}");
+    }
+}
+
+/// Angles of more than a turn are degrees, as a rule.
+#[test]
+fn angles_in_degrees_are_suspected() {
+    let turned = |rpy: &str| {
+        let text = gripper("").replacen(
+            "<origin xyz=\"0.03 0 0\"/>",
+            &format!("<origin xyz=\"0.03 0 0\" rpy=\"{rpy}\"/>"),
+            1,
+        );
+        let loaded = load_text(&text).unwrap_or_else(|error| panic!("{error}"));
+        loaded.diagnostics.iter().any(|d| d.code == "large-angle" && d.severity == Severity::Warning)
+    };
+    for (rpy, is_suspect) in [
+        ("0 0 90", true),
+        ("180 0 0", true),
+        ("0 -45 0", true),
+        ("0 6.2832 -6.2831853", false),
+        ("1.5708 0 0", false),
+    ] {
+        assert_eq!(turned(rpy), is_suspect, "{rpy}");
+    }
+}

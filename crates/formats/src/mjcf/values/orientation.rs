@@ -3,7 +3,9 @@
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::settings::Settings;
 use crate::reading::findings::Findings;
-use crate::urdf::elements::origin::rotation_from_any_quaternion;
+use crate::urdf::elements::origin::{
+    degrees_in_place_of_radians, large_angle_message, rotation_from_any_quaternion,
+};
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about};
 
 /// Notations of an orientation.
@@ -45,6 +47,13 @@ pub(crate) fn read_orientation(
         "zaxis" => own.numbers::<3>("zaxis", findings).map(|z| rotation_to_z(z.into())),
         _ => own.numbers::<3>("euler", findings).map(|angles| Some(rotation_from_euler(angles, settings))),
     }?;
+    let angles =
+        own.numbers::<3>("euler", findings).filter(|_| notation == "euler" && settings.angle_unit == 1.0);
+    if let Some(angle) = angles.and_then(|angles| degrees_in_place_of_radians(&angles)) {
+        findings.warning("large-angle", source, || {
+            large_angle_message(angle) + ", or angle=\"degree\" in <compiler>"
+        });
+    }
     if rotation.is_none() {
         findings.attribute_error("zero-axis", source, notation, || {
             format!("{notation} gives no direction: it is zero, or its axes are parallel")

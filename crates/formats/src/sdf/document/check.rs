@@ -3,6 +3,7 @@
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
+use crate::reading::plugins::{changes_joint, unread_joint_message};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
@@ -40,6 +41,7 @@ pub(crate) fn check_children(parent: ElementId, rules: &'static [ElementRule], f
             }
             (None, None) if matches!(rule.treatment, Treatment::Silent) => {
                 findings.add_unread(child, || format!("<{tag}> in <{}>", tree.tag(parent)));
+                warn_unread_joint_values(child, findings);
             }
             (None, None) => {}
         }
@@ -55,13 +57,34 @@ fn warn_unknown(element: ElementId, rules: &'static [ElementRule], findings: &mu
              into the model"
                 .to_owned()
         });
-    } else if tag.contains(':') {
+    } else if tag.contains(':') && !tag.starts_with("drake:") {
         findings.add_unread(element, || format!("<{}>", shortened(tag)));
+        warn_unread_joint_values(element, findings);
     } else {
         findings.add_once(Severity::Warning, "unknown-element", tag, element, || {
             let guess = similar_name(tag, listed_tags(rules));
             format!("unknown element <{}> is ignored{guess}", shortened(tag))
         });
+    }
+}
+
+/// Warns about armatures, inertias of rotors and couplings in a part that is not read.
+fn warn_unread_joint_values(part: ElementId, findings: &mut Findings<'_>) {
+    let tree = findings.tree;
+    let holder = tree.tag(part);
+    let mut open = vec![part];
+    while let Some(element) = open.pop() {
+        open.extend(tree.children(element));
+        let attributes = tree.element(element).attributes.iter().map(|a| (&*a.name, &*a.value));
+        let own = [(tree.tag(element), tree.text(element))];
+        for (name, value) in attributes.filter(|(name, _)| *name != "name").chain(own) {
+            if changes_joint(name, value, holder == "plugin") {
+                let kind = format!("{holder} {name}");
+                findings.add_once(Severity::Warning, "ignored", &kind, element, || {
+                    unread_joint_message(name, holder)
+                });
+            }
+        }
     }
 }
 

@@ -37,7 +37,7 @@ pub(crate) const IN_MODEL: &[ElementRule] = &[
              fixed) that closes the loop instead",
     ),
     unread("drake:distance_constraint drake:tendon_constraint drake:linear_bushing_rpy", COMPLIANT),
-    unread("drake:linear_spring_damper", Silent),
+    unread("drake:linear_spring_damper drake:collision_filter_group", Silent),
 ];
 
 /// Elements with a value as text; a parent may have one of each.
@@ -72,7 +72,8 @@ const IN_LINK: &[ElementRule] = &[
             POSE,
             unread("geometry", Unexamined),
             unread(
-                "material cast_shadows laser_retro transparency visibility_flags meta plugin frame",
+                "material cast_shadows laser_retro transparency visibility_flags meta plugin frame \
+                 drake:perception_properties drake:illustration_properties drake:accepting_renderer drake:diffuse_map",
                 Silent,
             ),
         ],

@@ -106,6 +106,27 @@ pub(crate) fn read_joint(scopes: &Scopes, index: usize, findings: &mut Findings<
             });
         }
     }
+    let unused = [
+        ("axis2", kind.axes() == 2),
+        ("thread_pitch", kind == JointType::Screw),
+        ("screw_thread_pitch", kind == JointType::Screw),
+        ("gearbox_ratio", kind == JointType::Gearbox),
+        ("gearbox_reference_body", kind == JointType::Gearbox),
+    ];
+    for (tag, _) in unused.into_iter().filter(|(tag, is_used)| !is_used && tree.child(element, tag).is_some())
+    {
+        findings.note("ignored", element, || format!("<{tag}> has no effect in a {} joint", kind.name()));
+    }
+    if kind.axes() > 0
+        && tree.child(element, "drake:gear_ratio").is_some()
+        && tree.child(element, "drake:rotor_inertia").is_none()
+    {
+        findings.note("gear-without-rotor", element, || {
+            "a gear ratio without <drake:rotor_inertia>: the reflected inertia I·N² is missing, which is often the largest part of the \
+             effective mass of a geared arm"
+                .to_owned()
+        });
+    }
     let is_continuous = tree.attribute(element, "type") == Some("continuous");
     let axes =
         axes.into_iter().map(|axis| JointAxis { limits: axis.limits.filter(|_| !is_continuous), ..axis });

@@ -55,7 +55,7 @@ const IN_ROBOT: &[ElementRule] = &[
     unread("drake:ball_constraint", write_instead!("<loop type=\"spherical\">")),
     // Springs and bushings are finite forces: no work in an instantaneous impact.
     unread("drake:distance_constraint drake:tendon_constraint drake:linear_bushing_rpy", COMPLIANT),
-    unread("drake:linear_spring_damper", Silent),
+    unread("drake:linear_spring_damper drake:collision_filter_group", Silent),
     unread("drake:weld_constraint", write_instead!("<loop type=\"fixed\">")),
     unread("drake:coupler_constraint", write_instead!("a <coupling>, or a <mimic> in the joint,")),
 ];
@@ -161,7 +161,8 @@ const IN_JOINT: &[ElementRule] = &[
     element("actuator", NAME_AND_ROLE, IN_ACTUATOR),
     leaf("drake:rotor_inertia drake:gear_ratio", &[("value", Read)]),
     unread(
-        "calibration safety_controller hardwareInterface controller_gains joint_properties physics sensor gazebo",
+        "calibration safety_controller hardwareInterface controller_gains drake:controller_gains joint_properties physics sensor \
+         gazebo",
         Silent,
     ),
 ];
@@ -194,7 +195,8 @@ const IN_ACTUATOR: &[ElementRule] = &[
     leaf("drake:rotor_inertia drake:gear_ratio", &[("value", Read)]),
     ROTOR_DATA,
     unread(
-        "hardwareInterface role api node offset param motorTorqueConstant motorVelocityConstant maxEffort",
+        "hardwareInterface role api node offset param motorTorqueConstant motorVelocityConstant maxEffort \
+         drake:controller_gains",
         Unlisted,
     ),
 ];
@@ -206,6 +208,7 @@ const TRANSMISSION: ElementRule =
 const IN_TRANSMISSION: &[ElementRule] = &[
     unread("type plugin", Unexamined),
     element("joint actuator", NAME_AND_ROLE, IN_ACTUATOR),
+    leaf("drake:rotor_inertia drake:gear_ratio", &[("value", Read)]),
     ROTOR_DATA,
     unread(
         "hardwareInterface robotNamespace api node param motorTorqueConstant motorVelocityConstant compensator \

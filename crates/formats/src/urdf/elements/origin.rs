@@ -1,6 +1,6 @@
 //! `<origin>`: a translation, and a rotation in one of two notations.
 
-use crate::reading::limits::QUATERNION_NORM_TOLERANCE;
+use crate::reading::limits::{LARGEST_ANGLE, QUATERNION_NORM_TOLERANCE};
 use crate::reading::report::{Place, Report};
 use crate::reading::xml::Node;
 use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, report_bad_number};
@@ -48,6 +48,9 @@ pub(crate) fn read_origin_attributes(node: Node<'_>, report: &mut Report) -> Ori
     }
     let translation = optional_numbers::<3>(node, "xyz", [0.0; 3], report).into();
     let rpy = optional_numbers::<3>(node, "rpy", [0.0; 3], report);
+    if let Some(angle) = degrees_in_place_of_radians(&rpy) {
+        report.warning("large-angle", Place::Attribute(node, "rpy"), || large_angle_message(angle));
+    }
     let mut angles = node.attribute("rpy").unwrap_or_default().split_ascii_whitespace().map(unrounded);
     let exact = match [(); 3].map(|()| angles.next()) {
         [Some(roll), Some(pitch), Some(yaw)] => [roll, pitch, yaw],
@@ -55,6 +58,17 @@ pub(crate) fn read_origin_attributes(node: Node<'_>, report: &mut Report) -> Ori
     };
     let frame = |rpy| Transform::new(quaternion.unwrap_or_else(|| rotation_from_rpy(rpy)), translation);
     Origin { transform: frame(rpy), unrounded: frame(exact) }
+}
+
+/// First angle of more than a turn, rad.
+pub(crate) fn degrees_in_place_of_radians(angles: &[f64]) -> Option<f64> {
+    angles.iter().copied().find(|angle| angle.abs() > LARGEST_ANGLE)
+}
+
+/// Message about such an angle.
+pub(crate) fn large_angle_message(angle: f64) -> String {
+    let in_rad = (angle.to_radians() * 1e6).round() / 1e6;
+    format!("the angles are in rad, and {angle} is more than a turn: if degrees are meant, write {in_rad}")
 }
 
 /// Rotation matrix of `quat_xyzw`, normalised; `None` if invalid.

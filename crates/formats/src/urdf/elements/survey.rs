@@ -1,6 +1,7 @@
 //! Comparison of the file with the table of the dialect.
 
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
+use crate::reading::plugins::{changes_joint, unread_joint_message};
 use crate::reading::report::{Place, Report, shortened};
 use crate::reading::xml::Node;
 use crate::urdf::elements::dialect::GAZEBO_JOINT;
@@ -96,8 +97,20 @@ pub(crate) fn check_element(node: Node<'_>, (tag, rule): (&'static str, &Element
             continue;
         }
         let Some((found_tag, found)) = tags(children).find(|(tag, _)| is_named(child, tag)) else {
-            if tag_language(child) == Language::Urdf {
-                warn_unknown_element(child, (tag, rule), report);
+            match tag_language(child) {
+                Language::Urdf | Language::Drake => warn_unknown_element(child, (tag, rule), report),
+                Language::Foreign if child.tag_name().name() == "include" => {
+                    report.warning("unknown-element", Place::Element(child), || {
+                        "an <include> of another file is not read: write its contents into this file"
+                            .to_owned()
+                    });
+                }
+                Language::Foreign => {
+                    report.add_unread(Place::Element(child), || {
+                        format!("<{}> of another program", shortened(child.tag_name().name()))
+                    });
+                    warn_unread_joint_values(child, report);
+                }
             }
             continue;
         };
@@ -153,8 +166,32 @@ fn apply_treatment(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), re
         }
         (None, Treatment::Silent | Treatment::Unlisted) => {
             report.add_unread(place, || format!("<{tag}> in <{}>", parent_tag(node)));
+            warn_unread_joint_values(node, report);
         }
         (None, _) => {}
+    }
+}
+
+/// Warns about armatures, inertias of rotors and couplings in a part that is not read: elements, attributes and named parameters.
+fn warn_unread_joint_values(part: Node<'_>, report: &mut Report) {
+    let in_plugin = is_named(part, "plugin");
+    for node in part.descendants().filter(Node::is_element) {
+        let text = node.text().unwrap_or_default();
+        let parameter = node.attribute("name").filter(|_| node.tag_name().name() == "param");
+        let own = (node != part).then_some((node.tag_name().name(), text));
+        let attributes = node.attributes().filter(|a| a.name() != "name").map(|a| (a.name(), a.value()));
+        for (name, value) in attributes.chain(own).chain(parameter.map(|name| (name, text))) {
+            if changes_joint(name, value, in_plugin) {
+                let holder = part.tag_name().name();
+                report.add_once(
+                    Severity::Warning,
+                    "ignored",
+                    format!("{holder} {name}"),
+                    Place::Element(node),
+                    || unread_joint_message(name, holder),
+                );
+            }
+        }
     }
 }
 
@@ -187,10 +224,18 @@ fn parent_tag<'a>(node: Node<'a>) -> &'a str {
 
 /// Applies the treatments of the table to the attributes of an element.
 fn check_attributes(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
-    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+    for attribute in node.attributes() {
         let (name, value) = (attribute.name(), attribute.value());
         let place = Place::Attribute(node, name);
         let treatment = rule.attribute(name);
+        if attribute.namespace().is_some() {
+            if matches!(treatment, Some(Treatment::Read)) {
+                report.add_once(Severity::Warning, "unknown-attribute", format!("{tag}:{name}"), place, || {
+                    format!("the attribute {name} of another language is read as {name} of URDF: remove its prefix, or the attribute")
+                });
+            }
+            continue;
+        }
         match (treatment.and_then(|treatment| treatment.finding(value)), treatment) {
             (Some((Severity::Warning, code, reason)), _) => {
                 report.warning(code, place, || format!("{name}=\"{}\": {reason}", shortened(value)));
@@ -217,7 +262,8 @@ fn check_attributes(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), r
 /// Warns about an element that the table does not contain, with a similar name.
 fn warn_unknown_element(node: Node<'_>, (parent, rule): (&'static str, &ElementRule), report: &mut Report) {
     let name = node.tag_name().name();
-    let shown = shortened(name);
+    let prefix = if tag_language(node) == Language::Drake { "drake:" } else { "" };
+    let shown = format!("{prefix}{}", shortened(name));
     let kind = format!("{parent} {shown}");
     report.add_once(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
         let known = listed_tags(rule.children.unwrap_or_default()).filter(|n| !n.starts_with("drake:"));

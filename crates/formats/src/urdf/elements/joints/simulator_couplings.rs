@@ -4,7 +4,7 @@
 //! or mimic of the file holds the same links or joints.
 
 use crate::reading::limits::{MAX_COUPLING_SEARCHES, MAX_MIMIC_CHAIN, MIMIC_TOLERANCE};
-use crate::reading::plugins::{joins_links, named_parts, plain_word};
+use crate::reading::plugins::{changes_joint, joins_links, named_parts, plain_word, unread_joint_message};
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::MimicText;
@@ -77,8 +77,11 @@ impl<'a> CouplingReader<'_, 'a> {
         let below = plugin.descendants().skip(1).filter(Node::is_element);
         let values: Vec<(&str, &str)> = below
             .flat_map(|node| {
-                let own = (node.tag_name().name(), node.text().unwrap_or_default());
-                node.attributes().map(|a| (a.name(), a.value())).chain([own])
+                let tag = node.tag_name().name();
+                let texts = node
+                    .children()
+                    .filter_map(move |child| Some((tag, child.text().filter(|_| child.is_text())?)));
+                node.attributes().map(|a| (a.name(), a.value())).chain(texts).chain([(tag, "")])
             })
             .collect();
         let value = |wanted: &[&str]| {
@@ -127,7 +130,9 @@ impl<'a> CouplingReader<'_, 'a> {
             let mut found = children(joint, "param").filter(|p| p.attribute("name") == Some(wanted));
             found.next().map(|p| p.text().unwrap_or_default().trim_ascii())
         };
-        if let Some(leader) = parameter("mimic").or_else(|| parameter("mimic_joint")) {
+        let leader = parameter("mimic").or_else(|| parameter("mimic_joint"));
+        Self::warn_unread_parameters(joint, leader.is_some(), report);
+        if let Some(leader) = leader {
             let numbers = both(parameter("multiplier").unwrap_or("1"), parameter("offset").unwrap_or("0"));
             self.add(joint, name, Some(leader), numbers, report);
         } else if let Some(mimic) = child(joint, "mimic") {
@@ -135,7 +140,7 @@ impl<'a> CouplingReader<'_, 'a> {
         } else if let Some(flag) = joint.attribute("mimic") {
             let of_joint =
                 name.and_then(|name| self.index.get(name)).and_then(|i| self.texts.joints[*i].mimic.as_ref());
-            let wanted = flag.trim_ascii().eq_ignore_ascii_case("true");
+            let wanted = !["false", "0", "no"].contains(&&*flag.trim_ascii().to_ascii_lowercase());
             if wanted != of_joint.is_some() {
                 let (has, needed) = if wanted { ("no", "write") } else { ("a", "remove") };
                 report.warning("plugin", Place::Element(joint), || {
@@ -146,6 +151,22 @@ impl<'a> CouplingReader<'_, 'a> {
                         quoted(name.unwrap_or_default())
                     )
                 });
+            }
+        }
+    }
+
+    /// Warns about parameters of a joint that are not read and change the mass matrix; `is_mimic`: its mimic is read.
+    fn warn_unread_parameters(joint: Node<'a>, is_mimic: bool, report: &mut Report) {
+        let couples = |name: &str| {
+            let word = plain_word(name);
+            ["multiplier", "follow", "leader"].iter().any(|part| word.contains(part))
+        };
+        for param in children(joint, "param") {
+            let (name, text) =
+                (param.attribute("name").unwrap_or_default(), param.text().unwrap_or_default());
+            let is_read = is_mimic && ["mimic", "mimic_joint", "multiplier", "offset"].contains(&name);
+            if !is_read && (changes_joint(name, text, false) || couples(name)) {
+                report.warning("ignored", Place::Element(param), || unread_joint_message(name, "joint"));
             }
         }
     }

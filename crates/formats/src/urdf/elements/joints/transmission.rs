@@ -90,10 +90,11 @@ impl<'a> Rotors<'_, 'a> {
         let kind =
             ["type", "plugin"].map(|tag| child(transmission, tag).and_then(|n| n.text()).unwrap_or_default());
         let kind = format!("{} {}", kind.join(" "), transmission.attribute("type").unwrap_or_default());
+        let holders: Vec<_> = std::iter::once(transmission).chain(driven.clone()).chain(actuators).collect();
+        let has_drake = holders.iter().any(|holder| has_drake_rotor(*holder));
         let has_inertia = || {
-            let holders = std::iter::once(&transmission).chain(&driven).chain(&actuators);
-            holders.clone().any(|holder| INERTIAS.iter().any(|tag| !values(*holder, tag).is_empty()))
-                || actuators.iter().any(|actuator| has_drake_rotor(*actuator))
+            has_drake
+                || holders.iter().any(|holder| INERTIAS.iter().any(|tag| !values(*holder, tag).is_empty()))
         };
         let couples = ["Differential", "FourBar"].iter().any(|word| kind.contains(word));
         if couples || (driven.len() != 1 && has_inertia()) {
@@ -108,16 +109,14 @@ impl<'a> Rotors<'_, 'a> {
             return;
         }
         let [joint] = found[..] else { return };
-        for actuator in &actuators {
-            if let Some(value) = armature::reflected_inertia(*actuator, report) {
-                armature::merge_armature(&mut self.joints[joint].armature, value, *actuator, report);
+        for holder in &holders {
+            if let Some(value) = armature::reflected_inertia(*holder, report) {
+                armature::merge_armature(&mut self.joints[joint].armature, value, *holder, report);
             }
         }
-        if actuators.iter().any(|actuator| has_drake_rotor(*actuator)) {
-            return;
+        if !has_drake {
+            self.read_rotor(transmission, &holders, joint, report);
         }
-        let holders: Vec<_> = std::iter::once(transmission).chain(driven).chain(actuators).collect();
-        self.read_rotor(transmission, &holders, joint, report);
     }
 
     /// Reads the inertia and the ratio of the rotor that drives a joint, from one of the elements.
