@@ -240,3 +240,30 @@ fn columns_of_names_units_and_sides_are_found() {
         assert!(told.message.contains(words), "{told}");
     }
 }
+
+/// A header in a comment is the header of a table without one; a title that names the axes in another order is refused.
+#[test]
+fn headers_in_comments_and_titles() {
+    let car = car();
+    let row =
+        |name: &str, [x, y, z]: [f64; 3]| texts(&[name, &format!("{y}"), &format!("{x}"), &format!("{z}")]);
+    let plain = table(&car, "", ",", &texts(&["HEADER"]), row);
+    for (header, is_read_) in [
+        ("#name,y,x,z", true),
+        ("# Point,Y,X,Z", true),
+        ("## Hardpoint,Lateral,Longitudinal,Vertical", true),
+        ("# y x z", false),
+        ("order: y x z", false),
+        ("Points (Y, X, Z)", false),
+        ("# name,y,x,z\nname,y,x,z", true),
+    ] {
+        assert_eq!(is_read(&plain.replace("HEADER", header), &car), is_read_, "{header}");
+    }
+    let row =
+        |name: &str, [x, y, z]: [f64; 3]| texts(&[name, &format!("{x}"), &format!("{y}"), &format!("{z}")]);
+    let plain = table(&car, "", ",", &texts(&["HEADER"]), row);
+    for comment in ["# x y z", "# x forward, y left, z up", "Points in X, Y, Z", "# a comment", "#name,x,y,z"]
+    {
+        assert!(is_read(&plain.replace("HEADER", comment), &car), "{comment}");
+    }
+}

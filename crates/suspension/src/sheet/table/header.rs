@@ -355,6 +355,15 @@ fn columns(
     Ok(Columns { name: 0, xyz, units, unit, other_side, has_directions, shift: 0, is_plain })
 }
 
+/// True for a title or comment with the letters of the three axes side by side, first in another order than x, y, z.
+pub(super) fn names_other_order(line: &str) -> bool {
+    let words = line.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let axes: Vec<_> =
+        words.map(|word| AXES.iter().position(|axis| word.eq_ignore_ascii_case(axis))).collect();
+    let is_order = |order: &&[Option<usize>]| (0..3).all(|axis| order.contains(&Some(axis)));
+    axes.windows(3).find(is_order).is_some_and(|order| order != [Some(0), Some(1), Some(2)])
+}
+
 /// Unit of length that a title states: "Units; mm", "Hardpoints [in]"; `None` if a word is unknown.
 pub(super) fn unit_of_title(cells: &[Cell]) -> Option<LengthUnit> {
     let words = cells.iter().filter_map(word);

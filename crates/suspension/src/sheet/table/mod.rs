@@ -3,7 +3,7 @@
 //! A row contains a key and its values: `lower_ball; 5; 720; 180`. Keys other than points contain the section,
 //! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A header names the columns; columns with other names are
 //! not used. Its unit applies to the points of the table, and by default to all lengths. Titles may precede the header or the first
-//! key. Rows that begin with # are comments.
+//! key. Rows that begin with # are comments, except a header above a table without another one.
 
 mod header;
 mod settings;
@@ -22,6 +22,9 @@ use header::{Columns, Row};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
 use std::borrow::Cow;
+
+/// Reason of a refused title.
+const OTHER_ORDER: &str = "it names the axes in another order in one cell";
 
 /// Largest number of title rows.
 const MAX_TITLE_ROWS: usize = 20;
@@ -62,16 +65,34 @@ fn separator_of(text: &str) -> char {
 /// Reads CSV; `file`: index of the file among the files of the import.
 pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) {
     let separator = separator_of(text);
-    // "#" as the name of the first column; other rows that begin with # are comments.
+    // "#" as the name of the first column, or a header in a comment above a table without one; other rows that begin with # are comments.
     let numbered = format!("#{separator}");
-    let is_numbered = |line: &str| {
+    let is_header = |line: &str| {
         let cells = line.split(separator).map(|cell| Cell::Text(cell.trim().to_owned())).collect::<Vec<_>>();
-        line.starts_with(&numbered) && matches!(header::read(&cells, Side::Left), Row::Header(_))
+        matches!(header::read(&cells, Side::Left), Row::Header(_))
     };
-    let text = match text.lines().find(|line| is_numbered(line)) {
+    let has_header = text.lines().any(|line| !line.starts_with('#') && is_header(line));
+    let is_commented = |line: &&str| {
+        line.starts_with('#') && !has_header && is_header(line.trim_start_matches(['#', ' ', '\t']))
+    };
+    let text = match text.lines().find(|line| line.starts_with(&numbered) && is_header(line)) {
         Some(line) => Cow::Owned(text.replacen(line, &format!("n{}", &line[1..]), 1)),
-        None => Cow::Borrowed(text),
+        None => match text.lines().find(is_commented) {
+            Some(line) => {
+                let names = line.trim_start_matches('#');
+                Cow::Owned(text.replacen(line, &format!("{names:>width$}", width = line.len()), 1))
+            }
+            None => Cow::Borrowed(text),
+        },
     };
+    let has_header = has_header || matches!(text, Cow::Owned(_));
+    let mut titles = text.lines().take(MAX_TITLE_ROWS);
+    if let Some(line) = titles.find(|line| !has_header && header::names_other_order(line)) {
+        let cells = [Cell::Text(line.trim_start_matches('#').trim().to_owned())];
+        let spot = Spot { file, ..Spot::default() };
+        findings.error("unknown-header", &spot, unclear_header(&cells, OTHER_ORDER));
+        return;
+    }
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(separator as u8)
         .comment(Some(b'#'))
@@ -153,12 +174,12 @@ pub(super) fn read_workbook(
 }
 
 /// Adds an entry for each row, with the key in the first cell or in the column of the names.
-fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
-    let rows = rows.into_iter().filter(|row| {
-        let comment =
-            matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
-        !comment && !row.cells.iter().all(is_blank)
-    });
+fn add_rows(mut rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
+    if let Some((text, spot)) = read_comments(&mut rows) {
+        findings.error("unknown-header", &spot, unclear_header(&[Cell::Text(text)], OTHER_ORDER));
+        return;
+    }
+    let rows = rows.into_iter().filter(|row| !is_comment(row) && !row.cells.iter().all(is_blank));
     let mut rows: Vec<TableRow> = rows.collect();
     drop_columns(&mut rows);
     let side_of_rows =
@@ -340,6 +361,32 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         let spot = Spot { path: Some("unit".to_owned()), ..spot };
         entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit.name().to_owned())], spot);
     }
+}
+
+/// True for a row whose first cell begins with #.
+fn is_comment(row: &TableRow) -> bool {
+    matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'))
+}
+
+/// Makes a comment with a header the header of a worksheet without one. Returns a title that names the axes in another order.
+fn read_comments(rows: &mut [TableRow]) -> Option<(String, Spot)> {
+    let is_header = |cells: &[Cell]| matches!(header::read(cells, Side::Left), Row::Header(_));
+    if rows.iter().any(|row| !is_comment(row) && is_header(&row.cells)) {
+        return None;
+    }
+    for row in rows.iter_mut().filter(|row| is_comment(row)) {
+        let first = Cell::Text(row.cells[0].to_text().replace(['#', '"'], "").trim().to_owned());
+        let cells: Vec<Cell> = std::iter::once(first).chain(row.cells.iter().skip(1).cloned()).collect();
+        if is_header(&cells) {
+            row.cells = cells;
+            return None;
+        }
+    }
+    let mut texts = rows.iter().take(MAX_TITLE_ROWS).map(|row| {
+        let words: Vec<String> = row.cells.iter().filter_map(word_of).map(str::to_owned).collect();
+        (words.join(" "), row.spot.clone())
+    });
+    texts.find(|(text, _)| header::names_other_order(text))
 }
 
 /// Removes empty columns before the first one, and a column of section titles before the column of the names.
