@@ -10,6 +10,9 @@ use serde::{Deserialize, Serialize};
 use std::io::Read;
 use std::sync::Arc;
 
+/// Largest deflection without any unit in the table, m: a contact is not compressed by metres.
+const DEEPEST_WITHOUT_UNIT: f64 = 3.0;
+
 /// Largest file of a curve, bytes.
 const LARGEST_FILE: u64 = 1 << 20;
 
@@ -145,7 +148,7 @@ impl GivenCurve {
     /// Reads the text of a table; the error has the number of the line.
     fn parse(text: &str) -> Result<Self, (usize, String)> {
         let mut units = [None, None];
-        let (mut points, mut last) = ([Vec::new(), Vec::new()], 0);
+        let (mut points, mut last, mut is_exchanged) = ([Vec::new(), Vec::new()], 0, false);
         let mut mark = DecimalMark::default();
         let text = text.trim_start_matches('\u{feff}');
         for (number, line) in text.lines().enumerate().map(|(i, line)| (i + 1, line)) {
@@ -159,7 +162,10 @@ impl GivenCurve {
                 return Err((number, format!("{} cells; expected two, deflection and force", cells.len())));
             };
             let is_header = |cell: &str| cell.starts_with(|c: char| c.is_alphabetic() || "[(".contains(c));
-            if last == 0 && is_header(x) && is_header(f) {
+            let is_head = last == 0 && is_header(x) && is_header(f);
+            is_exchanged |= is_head && force_is_first([x, f]).map_err(|why| (number, why))?;
+            let [x, f] = if is_exchanged { [f, x] } else { [x, f] };
+            if is_head {
                 for (own, (cell, dimension)) in
                     units.iter_mut().zip([(x, Dimension::Length), (f, Dimension::Force)])
                 {
@@ -179,8 +185,35 @@ impl GivenCurve {
             last = number;
         }
         let [x, f] = points;
+        let deepest = x.last().copied().filter(|_| units[0].is_none() && !text.contains(char::is_alphabetic));
+        if let Some(deepest) = deepest.filter(|deepest| *deepest > DEEPEST_WITHOUT_UNIT) {
+            let why = format!(
+                "a deflection of {deepest} m: numbers without a unit are in m; name the columns with their units, such as \
+                 \"deflection (mm), force (N)\""
+            );
+            return Err((last, why));
+        }
         let curve = ForceCurve::new(x, f).map_err(|error| (last.max(1), error.to_string()))?;
         Ok(Self { curve: Arc::new(curve), stop: None })
+    }
+}
+
+/// True for a head with the force first and the deflection second. Error: a head that names neither column, or another quantity.
+fn force_is_first(heads: [&str; 2]) -> Result<bool, String> {
+    use ColumnKind::{Displacement, Force};
+    let kind = |head: &str| {
+        let of_unit = [(Dimension::Length, Displacement), (Dimension::Force, Force)];
+        let of_unit = of_unit.into_iter().find(|(dimension, _)| unit(head, *dimension).is_some());
+        let of_words = || ColumnKind::of_head(head.split(['(', '[']).next().unwrap_or_default());
+        of_unit.map(|(_, kind)| kind).or_else(|| of_words().ok().map(|(kind, _)| kind))
+    };
+    match heads.map(kind) {
+        [Some(Force), Some(Displacement)] => Ok(true),
+        [Some(Displacement), Some(Force) | None] | [None, Some(Force)] => Ok(false),
+        _ => Err(format!(
+            "the columns {:?} and {:?} are no deflection and force; expected a head such as \"deflection (mm), force (N)\"",
+            heads[0], heads[1]
+        )),
     }
 }
 
@@ -234,6 +267,10 @@ mod tests {
             "Weg [mm];Kraft [kN]\n0;0\n2;0,08\n10,0;1,5\n",
             "mm,N\n0,0\n2,80\n10,1500",
             "deflection,force\nmm,N\n0,0\n2,80\n10,1500",
+            "force,deflection\n0,0\n80,0.002\n1500,0.01",
+            "Kraft [N];Weg [mm]\n0;0\n80;2\n1500;10",
+            "kN,mm\n0,0\n0.08,2\n1.5,10",
+            "x (mm), F (N)\n0,0\n2,80\n10,1500",
         ] {
             let found = curve(text).expect("a curve");
             for (a, b) in found.deflections().iter().zip(expected.deflections()) {
@@ -253,8 +290,16 @@ mod tests {
         {
             assert!(GivenCurve::read(wrong).is_err(), "{wrong}");
         }
-        for (text, line) in [("", 1), ("0,0\n1,2,3", 2), ("0,0\n1N,5", 2), ("0,0\nx,y", 2), ("0,0\n1,-1", 2)]
-        {
+        for (text, line) in [
+            ("a,b\n0,0\n1,2", 1),
+            ("time,force\n0,0\n1,2", 1),
+            ("0,0\n2,80\n10,1500", 3),
+            ("", 1),
+            ("0,0\n1,2,3", 2),
+            ("0,0\n1N,5", 2),
+            ("0,0\nx,y", 2),
+            ("0,0\n1,-1", 2),
+        ] {
             assert_eq!(curve(text).expect_err("no curve").0, line, "{text}");
         }
     }
