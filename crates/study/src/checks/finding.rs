@@ -49,6 +49,16 @@ impl Finding {
         Self::new(kind, FindingSubject::Result, message)
     }
 
+    /// Subject of the finding.
+    pub fn subject(&self) -> &FindingSubject {
+        &self.subject
+    }
+
+    /// The finding with the place of its pose at the end of the message.
+    pub fn with_place(self, place: &str) -> Self {
+        Self { message: format!("{} ({place})", self.message), ..self }
+    }
+
     /// The finding with the severity of a note.
     pub fn into_note(self) -> Self {
         Self { severity: Severity::Note, ..self }

@@ -3,9 +3,10 @@
 use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
-use crate::checks::joint_limits::joint_limit_finding;
+use crate::checks::joint_limits::{joint_limit_finding, many_turns_finding};
 use crate::question::field::{Field, Names};
-use crate::thresholds::FAR_FROM_GUESS;
+use crate::question::mass_question::MassQuestion;
+use crate::thresholds::{FAR_FROM_GUESS, MOST_TURNS_SET};
 use crate::values::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
     Assembly, Base, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose,
@@ -41,6 +42,21 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
         add_rank_findings(pose.assembly(), &mut found);
         found.extend(pose.assembly().rigid_loops().iter().map(|rigid| rigid_loop_finding(mechanism, rigid)));
     }
+    found
+}
+
+/// Findings about the conditions of a question: gears that are rigid, joints that turn more than once.
+pub(crate) fn condition_findings(mechanism: &Mechanism, question: &MassQuestion) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if !question.gear_stiffness.is_empty() {
+        let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the \
+                       vibrations";
+        found.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
+    }
+    found.extend(question.set.iter().filter_map(|(joint, position)| {
+        let joint = mechanism.find_joint(joint).ok()?;
+        many_turns_finding(mechanism, joint, position.single()?, MOST_TURNS_SET, "is at")
+    }));
     found
 }
 
@@ -248,7 +264,7 @@ pub(crate) fn guess_findings(
 }
 
 /// Warning for a floating base with mass and without moments of inertia, such as a chassis of which only the mass is given.
-fn point_mass_base_finding(system: &System) -> Option<Finding> {
+pub(crate) fn point_mass_base_finding(system: &System) -> Option<Finding> {
     let root = system.mechanism().root();
     let link = system.mechanism().link(root);
     let own = link.inertial().filter(|own| own.mass > 0.0 && own.about_com.norm() == 0.0)?;
@@ -265,6 +281,12 @@ fn point_mass_base_finding(system: &System) -> Option<Finding> {
     })
 }
 
+/// Findings about the contact point and the base, for all poses.
+pub(crate) fn contact_findings(system: &System, contact: &Contact, names: Names) -> Vec<Finding> {
+    let far = far_point_check::far_point_finding(system.mechanism(), contact.link, &contact.point, names);
+    far.into_iter().chain(point_mass_base_finding(system)).collect()
+}
+
 /// Findings about the contact point and remarks of the contact response.
 pub(crate) fn collect_response_findings(
     system: &System,
@@ -272,11 +294,7 @@ pub(crate) fn collect_response_findings(
     response: &ContactResponse,
     names: Names,
 ) -> Vec<Finding> {
-    let mut found: Vec<Finding> =
-        far_point_check::far_point_finding(system.mechanism(), contact.link, &contact.point, names)
-            .into_iter()
-            .collect();
-    found.extend(point_mass_base_finding(system));
+    let mut found = contact_findings(system, contact, names);
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
     // The status of a massless result already reports massless motions.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
@@ -299,6 +317,13 @@ pub(crate) fn collect_response_findings(
         found.push(Finding::about_result(FindingKind::UncertainMass, message));
     }
     found
+}
+
+/// Finding about a map at a singular pose.
+pub(crate) fn singular_map_finding(pose: &Pose) -> Option<Finding> {
+    let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
+        along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
+    pose.rank().singular.then(|| Finding::about_result(FindingKind::SingularPose, message))
 }
 
 /// Finding for a singular pose: branches cross, or the constraints have lower rank than at neighbouring poses.

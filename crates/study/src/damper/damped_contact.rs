@@ -11,6 +11,7 @@ use crate::damper::damping::{
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
 use crate::damper::sheet_forces::{springs_finding, with_sheet_curve};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
@@ -103,7 +104,7 @@ pub(crate) fn damping_report(
     let alone = alone.filter(|mass| *mass > 0.0 && !is_moment);
     let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
-    diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
+    diagnostics.extend(answer_findings(evaluated).into_iter().map(DiagnosticRecord::from));
     diagnostics.extend(of_curve.map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
     diagnostics.extend(beyond_curve(damping.stiffness_curve.as_ref(), record.max_penetration));

@@ -5,6 +5,7 @@ use crate::damper::compliance::{
     ComplianceRecord, UndampedImpactRecord, compliance, compliance_error, elastic_system, undamped_impacts,
 };
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::{Input, Model};
@@ -134,8 +135,9 @@ pub fn response(
     };
     let free = compliance.as_ref().and_then(|found| found.free_mass);
     let mut diagnostics = prepared.model.diagnostics.clone();
-    let findings = result.findings.iter().filter(|finding| !FindingKind::ELASTIC.contains(&finding.kind()));
-    diagnostics.extend(findings.cloned().map(DiagnosticRecord::from));
+    let mut findings = answer_findings(&evaluated);
+    findings.retain(|finding| !FindingKind::ELASTIC.contains(&finding.kind()));
+    diagnostics.extend(findings.into_iter().map(DiagnosticRecord::from));
     Ok(ResponseReport {
         schema: "percuss.response/1",
         percuss: env!("CARGO_PKG_VERSION"),

@@ -4,6 +4,7 @@ use crate::damper::damped_contact::{drift, drift_diagnostic, finite_mass};
 use crate::damper::damping::beyond_curve;
 use crate::damper::sheet_forces::{sheet_curve, springs_finding};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -129,7 +130,7 @@ pub fn restitution_at(
     let question = &*question.resolve_contact(&model.mechanism)?;
     question.refuse_moment("restitution")?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let EvaluatedQuestion { prepared, result, .. } = &evaluated;
+    let EvaluatedQuestion { prepared, .. } = &evaluated;
     let mass = finite_mass(&evaluated)?;
     let stiffness_curve = if asked.has_law() { None } else { sheet_curve(model, question)? };
     let asked = &RestitutionQuestion {
@@ -156,7 +157,8 @@ pub fn restitution_at(
         slowest.and_then(|(law, row)| Some((law, row.speed, (row.contact_duration?, row.restitution))));
     let springs =
         springs.map(|(law, speed, alone)| springs_finding(&evaluated, law, speed, alone)).transpose()?;
-    let findings = result.findings.iter().cloned().chain(springs.flatten()).map(DiagnosticRecord::from);
+    let findings =
+        answer_findings(&evaluated).into_iter().chain(springs.flatten()).map(DiagnosticRecord::from);
     Ok(RestitutionReport {
         inputs: prepared.inputs(),
         named_contact: named_contact(&evaluated)?,

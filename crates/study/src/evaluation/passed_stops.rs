@@ -3,7 +3,7 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::named_contact::wheel_travels;
-use crate::evaluation::prepared_question::PreparedQuestion;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::Model;
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::moved::{Moved, WheelMotion};
@@ -34,6 +34,18 @@ struct LimitedStop<'a> {
     gap: Gap,
     /// Wheel travel at the touch, m; computed for the first finding.
     touch: OnceLock<Option<f64>>,
+}
+
+/// Findings about the stops that the travels of a question pass.
+pub(crate) fn passed_stop_findings(prepared: &PreparedQuestion, pose: &Pose) -> Vec<Finding> {
+    let moved = prepared.question.travel.iter().map(|travel| &travel.moved);
+    PassedStops::of_travels(prepared, moved).map_or_else(Vec::new, |stops| stops.findings(pose))
+}
+
+/// Findings of an answer, with those about the stops that its travels pass.
+pub(crate) fn answer_findings(evaluated: &EvaluatedQuestion) -> Vec<Finding> {
+    let passed = passed_stop_findings(&evaluated.prepared, &evaluated.pose);
+    evaluated.result.findings.iter().cloned().chain(passed).collect()
 }
 
 impl<'a> PassedStops<'a> {

@@ -4,10 +4,10 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::{FindingKind, FindingScope};
 use crate::checks::findings::{
-    collect_pose_findings, collect_response_findings, guess_findings, singular_pose_finding,
+    collect_pose_findings, collect_response_findings, condition_findings, contact_findings, guess_findings,
+    singular_pose_finding,
 };
 use crate::checks::held_contact::HeldContact;
-use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::evaluation::stop_not_reached::stop_not_reached;
 use crate::model::loading::{Input, Model};
@@ -17,7 +17,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::pose_file::{GivenPose, GivenPoseError};
-use crate::thresholds::{LEAST_OTHER_MASS, MOST_TURNS_SET};
+use crate::thresholds::LEAST_OTHER_MASS;
 use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -253,13 +253,20 @@ impl<'a> PreparedQuestion<'a> {
         found
     }
 
-    /// Findings about set joints that turn more than once.
-    fn many_turns(&self) -> impl Iterator<Item = Finding> {
-        let mechanism = self.system.mechanism();
-        self.question.set.iter().filter_map(|(joint, position)| {
-            let joint = mechanism.find_joint(joint).ok()?;
-            many_turns_finding(mechanism, joint, position.single()?, MOST_TURNS_SET, "is at")
-        })
+    /// Findings about a pose and the conditions, without those of a contact.
+    pub fn pose_findings(&self, pose: &Pose) -> Vec<Finding> {
+        let mut found = collect_pose_findings(&self.system, pose, self.question.names);
+        found.extend(condition_findings(self.system.mechanism(), &self.question));
+        found.extend(self.guess_findings(pose));
+        found
+    }
+
+    /// Findings about a pose and its contact, for results that begin at this pose and hold for others.
+    pub fn start_findings(&self, pose: &Pose, contact: &Contact) -> Vec<Finding> {
+        let mut found = self.pose_findings(pose);
+        found.extend(contact_findings(&self.system, contact, self.question.names));
+        found.extend(self.converted_point_finding(contact, "at the given pose"));
+        found
     }
 
     /// Input files: model, study and pose.
@@ -279,10 +286,7 @@ impl<'a> PreparedQuestion<'a> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact)?;
         let mut findings = collect_pose_findings(system, pose, names);
-        if !self.question.gear_stiffness.is_empty() {
-            let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the vibrations";
-            findings.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
-        }
+        findings.extend(condition_findings(system.mechanism(), &self.question));
         let of_response = collect_response_findings(system, contact, &response, names);
         // A question about a stop states its gap as a result.
         let is_stated =
@@ -292,7 +296,6 @@ impl<'a> PreparedQuestion<'a> {
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));
-        findings.extend(self.many_turns());
         for held in &self.held_contacts {
             findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
         }

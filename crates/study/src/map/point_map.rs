@@ -1,6 +1,7 @@
 //! m̄ over directions at one point: the belted ellipsoid.
 
-use crate::checks::findings::collect_pose_findings;
+use crate::checks::findings::singular_map_finding;
+use crate::evaluation::passed_stops::passed_stop_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -98,10 +99,9 @@ pub fn map_point(
     let principal = map.principal_masses(&contact.point);
     let principal = principal.iter().flatten();
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
-    let mut found = collect_pose_findings(&prepared.system, &pose, question.names);
-    found.extend(prepared.converted_point_finding(&contact, "at the pose of the answer"));
-    found.extend(prepared.guess_findings(&pose));
-    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(prepared.start_findings(&pose, &contact).into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(passed_stop_findings(&prepared, &pose).into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(singular_map_finding(&pose).map(DiagnosticRecord::from));
     Ok(PointMapReport {
         schema: "percuss.map-point/1",
         percuss: env!("CARGO_PKG_VERSION"),

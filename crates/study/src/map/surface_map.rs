@@ -1,8 +1,7 @@
 //! m̄ over the surfaces of links at one pose.
 
-use crate::checks::finding::Finding;
-use crate::checks::finding_kind::FindingKind;
-use crate::checks::findings::collect_pose_findings;
+use crate::checks::findings::{point_mass_base_finding, singular_map_finding};
+use crate::evaluation::passed_stops::passed_stop_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::map::map_report::{
     Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
@@ -65,8 +64,9 @@ pub fn map(
     let conditions = MassQuestion { estimate: None, ..conditions };
     let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
-    let mut found = collect_pose_findings(&prepared.system, &pose, conditions.names);
-    found.extend(prepared.guess_findings(&pose));
+    let mut found = prepared.pose_findings(&pose);
+    found.extend(point_mass_base_finding(&prepared.system));
+    found.extend(passed_stop_findings(&prepared, &pose));
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     let folders = model.mesh_folders(question.package.clone());
@@ -94,12 +94,7 @@ pub fn map(
         let why = format!("no link has a surface that can be mapped: {}", reasons.join("; "));
         return Err(StudyError::input(Field::Link, why));
     }
-    let rank = pose.rank();
-    if rank.singular {
-        let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
-            along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
-        diagnostics.push(Finding::about_result(FindingKind::SingularPose, message).into());
-    }
+    diagnostics.extend(singular_map_finding(&pose).map(DiagnosticRecord::from));
     let report = MapReport {
         schema: "percuss.map/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -109,7 +104,7 @@ pub fn map(
         edge,
         against: prepared.other_link().map(|id| mechanism.link(id).name().to_owned()),
         conditions: ConditionsRecord::of(&conditions),
-        singular_pose: rank.singular,
+        singular_pose: pose.rank().singular,
         degrees_of_freedom: pose.degrees_of_freedom(),
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         diagnostics,

@@ -8,7 +8,6 @@ use crate::damper::simulators::ExportRecord;
 use crate::evaluation::certificate::mass_certificate;
 use crate::evaluation::friction_thresholds::thresholds_of;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
-use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
@@ -60,12 +59,6 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let drawn = named_contact.iter().filter(|_| !evaluated.prepared.question.gives_pose());
     let found = found.chain(drawn.filter_map(|contact| extension_finding(contact, &motion_ratios)));
     report.diagnostics.extend(found.map(Into::into));
-    let prepared = &evaluated.prepared;
-    if let Some(stops) =
-        PassedStops::of_travels(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
-    {
-        report.diagnostics.extend(stops.findings(&evaluated.pose).into_iter().map(Into::into));
-    }
     Ok(MassReport { motion_ratios, named_contact, other_base: other_base(evaluated)?, ..report })
 }
 

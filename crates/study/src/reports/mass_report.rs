@@ -6,6 +6,7 @@ use crate::evaluation::certificate::MassCertificateRecord;
 use crate::evaluation::estimate::EstimateRecord;
 use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
+use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Input;
@@ -296,7 +297,7 @@ impl MassReport {
         let share_of = |i: usize| shares.map(|s| s.links.get(i).copied().unwrap_or(0.0));
         let rotors = shares.map_or(&[][..], |s| &s.rotors[..]);
         let assumptions = Assumptions::of(prepared, pose);
-        let of_answer = answer.findings.iter().cloned().map(DiagnosticRecord::from);
+        let of_answer = answer_findings(evaluated).into_iter().map(DiagnosticRecord::from);
         let limit_of = |l: &EffectiveMass| limit(l.against_mass(prepared.other_mass()));
         MassReport {
             schema: "percuss.mass/1",

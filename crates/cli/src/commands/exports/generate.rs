@@ -27,6 +27,8 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let folder = code.output.as_deref().unwrap_or_default();
     make_folder(folder)?;
     let report = generate_code(&model, &question, &code)?;
+    let of_pose = report.diagnostics.get(model.diagnostics.len()..).unwrap_or_default();
+    write_diagnostics(of_pose, args.model.reading.strict)?;
     write_files(&report, folder)?;
     write_text(&summary(&report, folder))
 }

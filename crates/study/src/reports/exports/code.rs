@@ -97,6 +97,8 @@ pub fn generate_code(
         additions: asked.additions(),
         system: prepared.system.clone(),
     };
+    let of_pose = prepared.start_findings(&request.pose, &request.contact);
+    let of_pose = of_pose.into_iter().map(DiagnosticRecord::from).collect::<Vec<_>>();
     let generated = generate(&request)?;
     let file = |file: GeneratedFile| TextFile { name: file.name, text: file.text };
     Ok(CodeReport {
@@ -110,6 +112,6 @@ pub fn generate_code(
         angles: generated.angles,
         references: generated.references,
         files: generated.files.into_iter().map(file).collect(),
-        diagnostics: model.diagnostics.clone(),
+        diagnostics: model.diagnostics.iter().cloned().chain(of_pose).collect(),
     })
 }

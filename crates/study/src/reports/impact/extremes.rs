@@ -1,7 +1,7 @@
 //! Extreme effective masses over ranges of joint positions and along paths.
 
 use crate::checks::finding::{Finding, FindingSubject};
-use crate::checks::finding_kind::FindingKind;
+use crate::checks::finding_kind::{FindingKind, FindingScope};
 use crate::checks::joint_limits::many_turns_finding;
 use crate::damper::damping::damper;
 use crate::evaluation::certificate::ExtremesCertificateRecord;
@@ -209,14 +209,30 @@ pub fn extremes(
     let mechanism = &model.mechanism;
     let named = prepared.question.named_contact(mechanism)?;
     let gap = named.and_then(|named| Gap::new(&pose, named));
-    let gap_at = |extreme: &ExtremeMass| {
+    let pose_at = |extreme: &ExtremeMass| {
         let mut configuration = prepared.configuration.clone();
         for (joint, position) in found.joints.iter().zip(&extreme.positions) {
             configuration.replace(mechanism.joint(*joint).name(), &[*position]).ok()?;
         }
-        let there = prepared.system.pose_from(&pose, &configuration).ok()?;
-        Some(gap.as_ref()?.at(&there))
+        prepared.system.pose_from(&pose, &configuration).ok()
     };
+    let gap_at = |extreme: &ExtremeMass| Some(gap.as_ref()?.at(&pose_at(extreme)?));
+    // Positions of the varied joints at the start are no result.
+    let of_range = |finding: &Finding| {
+        matches!(finding.subject(), FindingSubject::Joint(joint) if found.joints.contains(joint))
+            && finding.kind().scope() == FindingScope::Positions
+    };
+    let mut findings = prepared.start_findings(&pose, &contact);
+    findings.retain(|finding| !of_range(finding));
+    for (value, (extreme, _)) in ["smallest", "largest"].into_iter().zip(&found.extremes) {
+        let has_contact = extreme.normal_world.is_none()
+            && matches!(quantity, SearchedQuantity::EffectiveMass | SearchedQuantity::BearingImpulse { .. });
+        let there = pose_at(extreme).filter(|_| has_contact);
+        let result = there.and_then(|there| prepared.evaluate(&there, &prepared.contact_at(&there)).ok());
+        let of_pose = result.into_iter().flat_map(|result| result.findings);
+        let of_pose = of_pose.filter(|finding| finding.kind().scope() == FindingScope::Pose);
+        findings.extend(of_pose.map(|finding| finding.with_place(&format!("at the {value} value"))));
+    }
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
     let record = |(extreme, at): &OnPath| {
         let (status, value) = Status::classify(extreme.effective_mass);
@@ -246,6 +262,9 @@ pub fn extremes(
     };
     let [least, most] = &found.extremes;
     let bearing = requested.joint().unwrap_or_default();
+    let is_told = |record: &DiagnosticRecord| found.diagnostics.iter().any(|told| told.code == record.code);
+    let of_start = findings.into_iter().map(DiagnosticRecord::from).filter(|record| !is_told(record));
+    let of_start = of_start.collect::<Vec<_>>();
     let open_components = open_components(&pose, &contact, quantity, bearing).map(DiagnosticRecord::from);
     Ok(ExtremesReport {
         schema: "percuss.extremes/1",
@@ -265,7 +284,14 @@ pub fn extremes(
             .map(|_| prove(&prepared, &pose, &contact, extremes, false))
             .transpose()?,
         path: found.path,
-        diagnostics: found.diagnostics.into_iter().chain(open_components).collect(),
+        diagnostics: model
+            .diagnostics
+            .iter()
+            .cloned()
+            .chain(of_start)
+            .chain(found.diagnostics)
+            .chain(open_components)
+            .collect(),
     })
 }
 

@@ -5,6 +5,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::finite_mass;
 use crate::damper::sheet_forces::force_beside;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -228,7 +229,7 @@ pub fn identify_contact_of(
     let question = &*question.resolve_contact(&model.mechanism)?;
     question.refuse_moment("contact of measured impacts")?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let EvaluatedQuestion { prepared, result, .. } = &evaluated;
+    let EvaluatedQuestion { prepared, .. } = &evaluated;
     let mass = finite_mass(&evaluated)?;
     let mut report = identify_contact(asked, Some(mass))?;
     if let Some(compared) = report.compared.as_mut().filter(|compared| compared.agrees == Some(false))
@@ -247,7 +248,7 @@ pub fn identify_contact_of(
         compared.explanations = changes;
     }
     report.diagnostics.extend(forces_of_sheet(&evaluated, &report));
-    let findings = result.findings.iter().cloned().map(DiagnosticRecord::from);
+    let findings = answer_findings(&evaluated).into_iter().map(DiagnosticRecord::from);
     let own = std::mem::take(&mut report.diagnostics);
     report.diagnostics = model.diagnostics.iter().cloned().chain(findings).chain(own).collect();
     report.inputs.extend(prepared.inputs());

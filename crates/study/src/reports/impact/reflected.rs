@@ -2,7 +2,9 @@
 
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
-use crate::checks::findings::collect_pose_findings;
+use crate::checks::findings::{
+    collect_pose_findings, condition_findings, guess_findings, point_mass_base_finding,
+};
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::evaluation::status::Status;
@@ -169,7 +171,12 @@ pub fn reflected_inertias(
     let (reflected_inertia, of_drivers) = reflected(&posed, joints)?;
     let (reflected_over, found) = reflected_over(&posed, joints)?;
     let found = of_drivers.into_iter().chain(found);
-    let of_pose = collect_pose_findings(&system, &pose, question.names).into_iter().chain(found);
+    let of_pose = collect_pose_findings(&system, &pose, question.names)
+        .into_iter()
+        .chain(condition_findings(&model.mechanism, question))
+        .chain(guess_findings(&system, &pose, &configuration, &question.guess, question.names))
+        .chain(point_mass_base_finding(&system))
+        .chain(found);
     let mechanism = &model.mechanism;
     let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
     Ok(ReflectedReport {

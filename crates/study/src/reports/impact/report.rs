@@ -233,7 +233,9 @@ pub fn impact(
         None => None,
         Some(law) => {
             let (record, found) = peak_force(&evaluated, &law, &rigid)?;
-            diagnostics = found;
+            let codes: Vec<&str> = found.iter().map(|finding| finding.code).collect();
+            diagnostics.retain(|finding| !codes.contains(&finding.code));
+            diagnostics.extend(found);
             Some(record)
         }
     };
