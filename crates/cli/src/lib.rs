@@ -9,6 +9,7 @@ mod document;
 mod files;
 mod pictures;
 mod terminal;
+mod unread_flags;
 
 /// Surface of a map, for other user interfaces.
 pub use pictures::map_files::skin as map_skin;
@@ -63,6 +64,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => cli,
         Err(error) => return report_usage(&error.format(&mut Cli::definition()), &arguments),
     };
+    if let Err(failure) = unread_flags::refuse_unread(&matches) {
+        return failure.report();
+    }
     report::show_notes(cli.notes);
     report::show_details(cli.details);
     number::use_digits(cli.digits);

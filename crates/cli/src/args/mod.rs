@@ -57,12 +57,11 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line, without the flags of a contact that do not apply to a map, to generated code or to an exported impact.
+    /// Command line, without the flags of a contact that do not apply to a map, to generated code, to an exported impact or to a single number.
     pub fn definition() -> clap::Command {
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
-            "normal" | "along_line" | "turning_normal" | "cable" | "normal_frame" | "estimate" => {
-                argument.hide(true)
-            }
+            "normal" | "along_line" | "turning_normal" | "cable" | "normal_frame" | "estimate"
+            | "ratio_at" => argument.hide(true),
             _ => argument,
         };
         // Fixed name: on Windows the file name has an extension.
@@ -75,8 +74,14 @@ impl Cli {
             | "against_mass" => argument.hide(true),
             _ => argument,
         };
-        Self::command()
+        let command = ["damp", "restitution", "identify", "response", "safe-speed", "extremes"]
+            .into_iter()
+            .fold(Self::command(), |command, name| {
+                command.mut_subcommand(name, |c| c.mut_args(without_reports))
+            });
+        command
             .bin_name("percuss")
+            .mut_subcommand("sweep", |c| c.mut_arg("ratio_at", |argument| argument.hide(true)))
             .mut_subcommand("map", |c| c.mut_args(hidden))
             .mut_subcommand("generate", |c| c.mut_args(without_reports))
             .mut_subcommand("export", |c| c.mut_args(of_impact))

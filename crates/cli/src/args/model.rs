@@ -53,6 +53,9 @@ impl ReadingArgs {
 
     /// Reads a model with the changes of the flags.
     fn load_with(&self, read: ReadModel, path: &str) -> Result<Model, Failure> {
+        refuse_second("link-mass", &self.changes.link_mass)?;
+        refuse_second("link-com", &self.changes.link_com)?;
+        refuse_second("link-inertia", &self.changes.link_inertia)?;
         let worksheet = self.changes.worksheet.as_deref();
         let model = read(path, self.max_size, &self.options(), worksheet)?;
         let changes = self.changes();
@@ -67,5 +70,17 @@ impl ReadingArgs {
     /// Changes to the model: link masses, centres of mass, moved hardpoints.
     pub fn changes(&self) -> Changes {
         self.changes.changes()
+    }
+}
+
+/// Refuses a second change of the same link.
+fn refuse_second<T>(flag: &str, entries: &[(String, T)]) -> Result<(), Failure> {
+    let is_second =
+        |(i, (name, _)): &(usize, &(String, T))| entries[..*i].iter().any(|(other, _)| other == name);
+    match entries.iter().enumerate().find(is_second) {
+        Some((_, (name, _))) => {
+            Err(Failure::bad_input(format!("--{flag}: link \"{name}\" is given twice; give it once")))
+        }
+        None => Ok(()),
     }
 }

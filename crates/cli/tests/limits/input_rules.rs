@@ -113,3 +113,61 @@ fn rows_of_a_file_follow_the_same_rules() {
         assert!(bad.is_empty() || outcome.stderr.contains(".csv:3"), "{bad}: {}", outcome.stderr);
     }
 }
+
+#[test]
+fn changes_of_a_link_are_given_once() {
+    for (flag, values) in
+        [("link-mass", ["1", "2"]), ("link-com", ["0,0,0", "0.1,0,0"]), ("link-inertia", ["1,1,1", "2,2,2"])]
+    {
+        let [first, second] = values.map(|value| format!("--{flag} crank={value}"));
+        let outcome = percuss(&format!("mass models/four_bar.urdf {CONTACT} {first} {second}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains("given twice"), "{flag}: {}", outcome.stderr);
+    }
+}
+
+/// Flags without influence on a result are refused, with the command or the flag that uses them.
+#[test]
+fn flags_without_influence_are_refused() {
+    let scratch = Scratch::new("unread-flags");
+    let data = scratch.write("data.csv", "time,force\n0,0\n1,1\n");
+    let bar = "models/four_bar.urdf";
+    let law = "--restitution 0.3 --stiffness 1e5 --speed 1";
+    let of_model = format!("{bar} {CONTACT}");
+    let estimate = ["--estimate crank", "--ratio-at crank:0,0,0:0,1,0"];
+    let of_file = ["--link-mass crank=2", "--total-mass 3", "--masses shapes", "--move x=1,2,3"];
+    for (line, flags) in [
+        (format!("damp --mass-from {of_model} {law}"), &estimate[..]),
+        (format!("restitution {of_model} --stiffness 1e5 --damping 10 --speed 1"), &estimate),
+        (format!("identify {data} --mass-from {of_model}"), &estimate),
+        (format!("response {of_model}"), &estimate),
+        (format!("safe-speed {of_model} --region chest --force 140"), &estimate),
+        (format!("extremes {of_model}"), &estimate),
+        (
+            format!("map {bar} --link coupler --point 0,0,0 --directions 3"),
+            &["--ratio-at crank:0,0,0:0,1,0", "--normal-frame world", "--unit mm"],
+        ),
+        (format!("compare {bar} {of_model}"), &["--estimate crank", "--title x", "--unit mm"]),
+        (format!("damp --mass 3 {law}"), &of_file),
+        ("restitution --mass 3 --stiffness 1e5 --damping 10 --speed 1".to_owned(), &of_file),
+        ("restitution --mass 3 --stiffness 1e5 --damping 10 --speed 1".to_owned(), &["--parameter k=1"]),
+        (format!("mass {of_model} {law}"), &["--time-step 1e-4", "--diagonal-ratio 2", "--other-own-mass 2"]),
+        (
+            format!("sweep {of_model} --vary crank_hinge=0:1:3"),
+            &["--title x", "--x-limits 0:1", "--ratio-at crank:0,0,0"],
+        ),
+        (
+            "kinematics models/suspensions/double-wishbone.toml".to_owned(),
+            &["--within 5mm", "--inboard-brakes", "--tyre-rate 200N/mm"],
+        ),
+    ] {
+        for flag in flags {
+            let outcome = percuss(&format!("{line} {flag}"));
+            let name = flag.split(' ').next().unwrap_or_default();
+            assert!(
+                outcome.code == 2 && outcome.stderr.contains(&format!("{name}: it has no influence")),
+                "{line} {flag}: {}",
+                outcome.stderr
+            );
+        }
+    }
+}

@@ -4,6 +4,7 @@ use crate::args::{CheckFormat, ImpactArgs};
 use crate::commands::damp::{law_name, stiffness_text};
 use crate::commands::impacts::bearings::{BearingTable, place_name};
 use crate::commands::impacts::{compliant, in_time, reflected, simultaneous};
+use crate::commands::mass::add_estimate;
 use crate::commands::mass::conditions::{facts as mass_facts, place as place_of};
 use crate::document::{self, Document};
 use crate::files::contents::{self, TABLES_AND_PICTURES};
@@ -106,6 +107,7 @@ fn text_document(report: &ImpactReport, view: ImpactView) -> Document<'_> {
         out.table(rate_table(report, false).0);
         out.facts(mass_facts(&report.mass));
     }
+    add_estimate(&report.mass, &mut out);
     out.remark(validity(report));
     out
 }

@@ -58,6 +58,7 @@ fn show_all_contacts(
     damping: Option<&DampingQuestion>,
 ) -> Result<(), Failure> {
     let single = [
+        ("--normal", args.contact.contact.normal.is_some()),
         ("--expect", args.requests.expect.is_some()),
         ("--certify", args.requests.certify),
         ("--explain", args.requests.explain),
@@ -291,7 +292,7 @@ pub fn headline(report: &MassReport) -> String {
 }
 
 /// Adds the classical estimate, its error, and the contributions that it leaves out.
-fn add_estimate(report: &MassReport, out: &mut Document<'_>) {
+pub fn add_estimate(report: &MassReport, out: &mut Document<'_>) {
     let Some(record) = &report.estimate else { return };
     out.section("The classical estimate");
     let first = &record.links[0];
