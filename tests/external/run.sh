@@ -96,6 +96,7 @@ else
   check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$percuss"
   check reports python3 "$here/reports.py" --percuss "$percuss"
   check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30
+  check compliance "$venv/bin/python" "$here/compliance.py" --percuss "$percuss" --count 200 --exudyn
   check linkages "$venv/bin/python" "$here/loops.py" --percuss "$percuss"
   check mjcf "$venv/bin/python" "$here/mjcf.py" --percuss "$percuss"
   check mjcf_models env PYTHONPATH="$here" "$venv/bin/python" "$here/mjcf_models.py" --percuss "$percuss"

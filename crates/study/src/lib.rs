@@ -141,6 +141,7 @@ pub use reports::impact::simultaneous::{
 };
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::errors::KinematicsError;
+pub use reports::kinematics::load_cases::{KinematicLoadCase, KinematicLoads};
 pub use reports::kinematics::report::{KinematicColumn, KinematicsReport, KinematicsRow, kinematics};
 pub use reports::kinematics::target_question::{KinematicTarget, SearchUnknown, TargetSearch};
 pub use reports::kinematics::target_search::{FoundCoordinate, ReachedTarget, TargetReport, search_targets};

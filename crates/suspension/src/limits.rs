@@ -51,6 +51,11 @@ pub(crate) const MAX_POWERS: usize = 10;
 pub(crate) const BUSH_STIFFNESS: RangeInclusive<f64> = 1e4..=1e9;
 /// Largest plausible loss factor of a bush: that of a hydraulic one is 0.5 to 1.
 pub(crate) const MAX_LOSS_FACTOR: f64 = 1.5;
+/// Relative change of the slope of the curve of a bush from which a warning is given: the tolerance of rubber rates is 15 to 20 %.
+pub(crate) const CURVED_BUSH: f64 = 0.2;
+/// Range about zero in which the slope of the curve of a bush is compared, m and rad: usual deflections while driving straight ahead.
+pub(crate) const NEAR_ZERO_LENGTH: f64 = 1e-3;
+pub(crate) const NEAR_ZERO_ANGLE: f64 = std::f64::consts::PI / 180.0;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Plausible radii of a loaded wheel, m: from karts to trucks.

@@ -103,7 +103,7 @@ fn is_own_workbook(_: File) -> bool {
 /// Line below the tables of kinematics as text.
 pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
 /// Starts of the columns of kinematics.
-const KINEMATIC_COLUMNS: [&str; 22] = [
+const KINEMATIC_COLUMNS: [&str; 25] = [
     "wheel_travel_",
     "camber_",
     "toe_",
@@ -126,6 +126,9 @@ const KINEMATIC_COLUMNS: [&str; 22] = [
     "body_frequency_",
     "wheel_hop_frequency_",
     "roll_centre_",
+    "compliance_",
+    "loads",
+    "problem",
 ];
 
 /// True for the first line of a table of kinematics: the travel, if there are several rows, and quantities.

@@ -1,7 +1,7 @@
 //! `percuss kinematics --compliance`: an independent program, reciprocity, the rigid limit.
 
 use super::kinematics::{close, rows, value};
-use crate::support::{Scratch, done, root};
+use crate::support::{Scratch, done, root, run_in};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -27,6 +27,14 @@ fn with_bushes(build: &str, preload: Option<f64>, stiffer: f64) -> String {
     changed
 }
 
+/// Sheet with preloads of bushes beside that of the spring.
+fn with_preloads() -> String {
+    let text = with_bushes("left", Some(5000.0), 1.0);
+    let lower = "preload = [\"300 N\", \"-2 kN\", \"150 N\"]\npreload_torque = [8, \"-15 N·m\", 30]\n";
+    let text = text.replace("[bush.lower_front]\n", &format!("[bush.lower_front]\n{lower}"));
+    text.replace("[bush.upper_back]\n", "[bush.upper_back]\npreload = [-500, 900, 400]\n")
+}
+
 /// Values of an own program: four rigid bodies in maximal coordinates with finite rotations, energies of the bushes in axes of their links, second
 /// derivatives of the Lagrange function by automatic differentiation.
 #[test]
@@ -41,7 +49,7 @@ fn compliance_equals_an_independent_program() {
     ];
     let cases = [
         (
-            None,
+            with_bushes("left", None, 1.0),
             [
                 -8.071455582363953e-07,
                 2.4283206366994455e-06,
@@ -51,7 +59,7 @@ fn compliance_equals_an_independent_program() {
             ],
         ),
         (
-            Some(5000.0),
+            with_bushes("left", Some(5000.0), 1.0),
             [
                 -7.812318799095405e-07,
                 2.3769345241302575e-06,
@@ -60,9 +68,19 @@ fn compliance_equals_an_independent_program() {
                 -4.6910439336077034e-06,
             ],
         ),
+        (
+            with_preloads(),
+            [
+                -7.807053115048067e-07,
+                2.374338721089841e-06,
+                4.287406185886627e-07,
+                6.86140744365846e-05,
+                -4.6910707906667225e-06,
+            ],
+        ),
     ];
-    for (preload, expected) in cases {
-        folder.write("car.toml", &with_bushes("left", preload, 1.0));
+    for (sheet, expected) in cases {
+        folder.write("car.toml", &sheet);
         let row = &rows(&folder, "car.toml", &["--compliance"])[0];
         for (name, expected) in names.into_iter().zip(expected) {
             // Condition of the stiffness, 1e5, and the rounding of both programs.
@@ -73,6 +91,190 @@ fn compliance_equals_an_independent_program() {
             );
         }
     }
+}
+
+/// With preloads of bushes and held wheels: values of the own program. The other side of the vehicle has the mirror image.
+#[test]
+fn preloads_act_on_held_wheels_and_on_both_sides() {
+    let folder = Scratch::new("kinematics-preload");
+    folder.write("car.toml", &with_preloads());
+    let row = &rows(&folder, "car.toml", &["--compliance", "--travel-held"])[0];
+    let expected = [
+        ("toe_per_lateral_force", -7.290655252624142e-07),
+        ("camber_per_braking_force", 2.4945898732153364e-07),
+        ("wheel_centre_x_per_driving_force", 4.2869230040616404e-07),
+        ("toe_per_aligning_torque", -4.688596322751872e-06),
+    ];
+    for (name, expected) in expected {
+        assert!((value(row, name) / expected - 1.0).abs() < 1e-9, "{name}: {} {expected}", value(row, name));
+    }
+    folder.write("car.toml", &with_preloads().replace("build = \"left\"", "build = \"both\""));
+    let row = &rows(&folder, "car.toml", &["--compliance"])[0];
+    for name in ["toe_per_lateral_force", "camber_per_braking_force", "toe_per_aligning_torque"] {
+        let [left, right] = ["left", "right"].map(|side| value(row, &format!("{name}_{side}")));
+        assert!((left / right - 1.0).abs() < 1e-9, "{name}: {left} {right}");
+    }
+    // A preload in the direction of an ideal joint has no stiffness that carries it.
+    let text = with_preloads().replace("torsional = \"60 N·m/rad\"", "torsional = \"0 N·m/rad\"");
+    folder.write("car.toml", &text);
+    let refused = run_in(&folder, &["kinematics", "car.toml", "--compliance"]);
+    assert!(
+        refused.code == 2 && refused.stderr.contains("a preload needs a finite stiffness"),
+        "{}",
+        refused.stderr
+    );
+}
+
+/// Bushing file of Adams/Car: rates k (N/mm) and kt (N·mm/deg), as curves with a jump of the slope beyond ±2 mm.
+fn bush_file(k: [f64; 3], kt: [f64; 3]) -> String {
+    let mut text = "[MDI_HEADER]\n FILE_TYPE = 'bus'\n FILE_VERSION = 4.0\n(COMMENTS)\n{comment_string}\n'a test'\n[UNITS]\n LENGTH = 'mm'\n FORCE = 'newton'\n \
+                    ANGLE = 'degrees'\n MASS = 'kg'\n TIME = 'second'\n[DAMPING]\n FX_DAMPING = 0.8\n FY_DAMPING = 0.8\n FZ_DAMPING = 0.2\n"
+        .to_owned();
+    for (axis, (k, kt)) in ["X", "Y", "Z"].into_iter().zip(k.into_iter().zip(kt)) {
+        for (name, rate) in [("F", k), ("T", kt)] {
+            writeln!(text, "[{name}{axis}_CURVE]\n{{ x f}}").expect("a string");
+            for x in [-6.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 6.0_f64] {
+                let beyond = (x.abs() - 3.0).max(0.0) * x.signum();
+                writeln!(text, " {x} {}", rate * (x + 2.0 * beyond)).expect("a string");
+            }
+        }
+    }
+    text
+}
+
+/// A bushing file gives the same motions as its rates in the sheet; curves, preload, offsets and missing units.
+#[test]
+fn bushing_files_of_adams_are_rates() {
+    let folder = Scratch::new("kinematics-bus");
+    let rates = "radial = [\"9 kN/mm\", \"6 kN/mm\"]\naxial = \"1.1 kN/mm\"\nconical = [\"250 N·m/rad\", \"100 N·m/rad\"]\n\
+                 torsional = \"60 N·m/rad\"\ndamping = [\"800 N·s/m\", \"800 N·s/m\", \"200 N·s/m\"]\nx_axis = [0, 0, 1]\n";
+    let of_sheet = with_bushes("left", Some(5000.0), 1.0);
+    let (head, rest) = of_sheet.split_once("[bush.lower_front]\n").expect("a bush");
+    let rest = &rest[rest.find("[bush.lower_back]").expect("a bush")..];
+    let sheet = |keys: &str| format!("{head}[bush.lower_front]\n{keys}\n{rest}");
+    let degree = std::f64::consts::PI / 180.0 * 1e3;
+    let text = bush_file([9000.0, 6000.0, 1100.0], [250.0 * degree, 100.0 * degree, 60.0 * degree]);
+    let values = |keys: &str, file: &str| {
+        folder.write("car.toml", &sheet(keys));
+        folder.write("front.bus", file);
+        rows(&folder, "car.toml", &["--compliance"])[0].clone()
+    };
+    let by_file = "file = \"front.bus\"\nx_axis = [0, 0, 1]\n";
+    let compared = |expected: &Value, found: &Value, tolerance: f64| {
+        let names = ["toe_per_lateral_force", "camber_per_braking_force", "toe_per_aligning_torque"];
+        names.iter().all(|name| (value(found, name) / value(expected, name) - 1.0).abs() < tolerance)
+    };
+    let expected = values(rates, &text);
+    assert!(compared(&expected, &values(by_file, &text), 1e-9));
+    // In N and inches.
+    let inches = text.replace("'mm'", "'inch'");
+    assert!(!compared(&expected, &values(by_file, &inches), 1e-3));
+    // A force at zero is a preload of the other sign, along the axis z of the hinge; here both are 500 N.
+    let along = |length: f64| [-390.0, 10.0, 10.0].map(|x| x / length);
+    let [x, y, z] = along(f64::hypot(f64::hypot(390.0, 10.0), 10.0)).map(|x| 500.0 * x);
+    let preloaded = values(&format!("{rates}preload = [{x}, {y}, {z}]\n"), &text);
+    let with_preload = text.replace("FZ_DAMPING = 0.2", "FZ_DAMPING = 0.2\n[PRELOAD]\n FZ_PRELOAD = 500");
+    assert!(compared(&preloaded, &values(by_file, &with_preload), 1e-10));
+    assert!(!compared(&expected, &preloaded, 1e-6));
+    let message = |file: &str, keys: &str| values_or_error(&folder, &sheet(keys), file);
+    let curved = text.replace(" 1 9000\n", " 1 15000\n");
+    let (code, warned) = message(&curved, by_file);
+    assert!(code == 0 && warned.contains("the curve FX is not linear"), "{code} {warned}");
+    for (file, keys, expected) in [
+        (
+            text.replace("[DAMPING]", "[OFFSET]\n FX_OFFSET = 2\n[DAMPING]"),
+            by_file,
+            "FX_OFFSET = 2 is not read",
+        ),
+        (text.replace(" FORCE = 'newton'\n", ""), by_file, "no FORCE"),
+        (text.replace("'newton'", "'stone'"), by_file, "FORCE = \"stone\"; expected one of"),
+        (text.replace(" 1 9000\n", " 1 x\n"), by_file, "increasing deflections"),
+        ("[MDI_HEADER]\n FILE_TYPE = 'bus'\n".to_owned(), by_file, "no bushing file"),
+        (text.clone(), "file = \"front.bus\"\n", "x_axis = [x, y, z]"),
+        (text.clone(), "file = \"front.bus\"\nx_axis = [0, 0, 1]\nradial = \"9 kN/mm\"\n", "delete radial"),
+        (text.clone(), "file = \"none.bus\"\n", "none.bus"),
+    ] {
+        let (code, stderr) = message(&file, keys);
+        assert!(code == 2 && stderr.contains(expected), "{expected}: {code} {stderr}");
+    }
+}
+
+/// Exit code and messages of a sheet with a bushing file.
+fn values_or_error(folder: &Scratch, sheet: &str, file: &str) -> (i32, String) {
+    folder.write("car.toml", sheet);
+    folder.write("front.bus", file);
+    let found = run_in(folder, &["kinematics", "car.toml", "--compliance"]);
+    (found.code, found.stderr)
+}
+
+/// A sheet as URDF+ keeps its bushes: the same free and rigid mass and residual stiffness.
+#[test]
+fn bushes_survive_in_a_urdf() {
+    let folder = Scratch::new("compliance-urdf");
+    folder.write("car.toml", &with_preloads());
+    done(&folder, &["import", "car.toml", "-o", "car.urdf"]);
+    let of = |file: &str| -> Value {
+        let words = ["mass", file, "--at", "bump_stop", "--stiffness", "200N/mm", "--format", "json"];
+        let report: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
+        report["compliance"].clone()
+    };
+    let [sheet, urdf] = ["car.toml", "car.urdf"].map(of);
+    for name in ["free_mass", "residual_compliance"] {
+        // Rotations are rounded as angles.
+        close(value(&urdf, name) / value(&sheet, name), 1.0, 1e-9, name);
+    }
+    let text = std::fs::read_to_string(folder.path("car.urdf")).expect("a URDF");
+    assert!(text.contains("<preload ") && text.contains("<bushing name=\"lower_front\""), "{text}");
+    // An elastic joint is a condition of a question.
+    folder.write("car.urdf", &text.replace("</robot>", "<elastic joint=\"spin\" stiffness=\"9\"/></robot>"));
+    let found = run_in(&folder, &["mass", "car.urdf", "--at", "bump_stop"]);
+    assert!(found.stderr.contains("--gear-stiffness"), "{}", found.stderr);
+    folder.write("car.urdf", &text.replace("<stiffness ", "<stiff "));
+    let found = run_in(&folder, &["mass", "car.urdf", "--at", "bump_stop"]);
+    assert!(found.code == 2 && found.stderr.contains("<bushing> has no <stiffness"), "{}", found.stderr);
+}
+
+/// Bushes a million times as stiff leave the impact of the rigid mass, and the steps stay bounded.
+#[test]
+fn stiff_bushes_leave_the_rigid_impact() {
+    let folder = Scratch::new("compliance-stiff");
+    let text = with_bushes("left", None, 1e6).replace("[tyre]\nvertical = \"210 N/mm\"\n", "");
+    folder.write("car.toml", &text.replace("rate = \"42 N/mm\"\n", ""));
+    let words = [
+        "impact",
+        "car.toml",
+        "--at",
+        "bump_stop",
+        "--speed",
+        "1",
+        "--stiffness",
+        "200N/mm",
+        "--restitution",
+        "1",
+    ];
+    let flags = ["--in-time", "--compliance", "--format", "json"];
+    let report: Value = serde_json::from_str(&done(&folder, &[&words[..], &flags].concat())).expect("JSON");
+    let found = &report["in_time"]["compliant"];
+    // P = (1 + e) m̄ v.
+    let mass = value(&report, "impulse") / 2.0;
+    let expected = [
+        ("peak_force", (200e3 * mass).sqrt()),
+        ("duration", std::f64::consts::PI * (mass / 200e3).sqrt()),
+        ("impulse_mass", mass),
+        ("restitution", 1.0),
+    ];
+    for (name, expected) in expected {
+        // 1.3 k/k_res with k_res = 37 MN/mm: 7e-9.
+        assert!(
+            (value(found, name) / expected - 1.0).abs() < 1e-7,
+            "{name}: {} {expected}",
+            value(found, name)
+        );
+    }
+    let bush =
+        found["elements"].as_array().expect("elements").iter().find(|one| one["element"] == "lower_front");
+    let bearing = value(bush.expect("a bush"), "peak_force");
+    assert!(bearing > 100.0 && bearing < value(found, "peak_force"), "{bearing}");
 }
 
 /// Stiff bushes leave the wheel rate of the rigid linkage; the loads and displacements of two points are reciprocal; on two equal sides the

@@ -171,6 +171,7 @@ fn build_mechanism(
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let builder = texts.relations.into_iter().fold(builder, MechanismBuilder::relation);
     let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
+    let builder = texts.bushes.into_iter().fold(builder, MechanismBuilder::bush);
     let builder = texts.screws.into_iter().fold(builder, |builder, ScrewLoop { links, joints, closure }| {
         let builder = links.into_iter().fold(builder, MechanismBuilder::link);
         joints.into_iter().fold(builder, MechanismBuilder::joint).closure(closure)

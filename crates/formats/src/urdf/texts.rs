@@ -2,6 +2,7 @@
 
 use crate::reading::report::Report;
 use crate::reading::xml::Node;
+use crate::urdf::elements::bushing;
 use crate::urdf::elements::closure;
 use crate::urdf::elements::contact;
 use crate::urdf::elements::joints::gazebo_joint::{GazeboJointReader, ScrewLoop, ZeroPoseFrames};
@@ -11,7 +12,9 @@ use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::relation;
 use crate::urdf::elements::survey::is_gazebo_joint;
 use crate::urdf::references::index_by_name;
-use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescription, RelationDescription};
+use percuss_mechanism::{
+    BushDescription, ClosureDescription, ContactDescription, CouplingDescription, RelationDescription,
+};
 
 /// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
 /// [`consistency::resolve_references`](crate::urdf::consistency::resolve_references) checks the references by name.
@@ -22,6 +25,7 @@ pub(crate) struct Texts<'a> {
     pub couplings: Vec<CouplingDescription>,
     pub relations: Vec<RelationDescription>,
     pub contacts: Vec<ContactDescription>,
+    pub bushes: Vec<BushDescription>,
     /// Screws that close loops; their parts follow those of the file.
     pub screws: Vec<ScrewLoop>,
 }
@@ -67,6 +71,7 @@ impl<'a> Texts<'a> {
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),
             contacts: nodes.contacts.iter().map(|n| contact::read_contact(*n, report)).collect(),
+            bushes: nodes.bushes.iter().map(|n| bushing::read_bushing(*n, report)).collect(),
         }
     }
 }

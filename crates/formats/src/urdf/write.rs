@@ -7,8 +7,8 @@ use crate::writing::xml_text::{
     append, escape_attribute, escape_comment, format_number, format_numbers, format_vector, scale_text,
 };
 use percuss_mechanism::{
-    Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link, LinkRatio,
-    LoopFrame, Mechanism, NamedContact,
+    Bush, Closure, ClosureKind, ContactNormal, Coupling, Inertial, Joint, JointId, JointKind, Link,
+    LinkRatio, LoopFrame, Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
@@ -79,6 +79,9 @@ fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) ->
     for contact in mechanism.contacts() {
         write_contact(&mut out, mechanism, contact);
     }
+    for bush in mechanism.bushes().iter().filter(|bush| is_written(bush)) {
+        write_bush(&mut out, bush);
+    }
     out.push_str("</robot>\n");
     out
 }
@@ -88,7 +91,7 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     let parts = model.into();
     let mechanism = parts.mechanism;
     let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
-    let mut changes = common_changes(mechanism);
+    let mut changes = common_changes(mechanism, is_written);
     changes.extend(lost_poses(&parts, "URDF"));
     for joint in mechanism.joints() {
         if joint.kind() == JointKind::Spherical {
@@ -209,6 +212,34 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
         append!(out, "    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n");
     }
     out.push_str("  </joint>\n");
+}
+
+/// True for a bush whose numbers are finite: URDF has no ideal rows.
+fn is_written(bush: &Bush) -> bool {
+    bush.description().stiffness.iter().all(|k| k.is_finite())
+}
+
+fn write_bush(out: &mut String, bush: &Bush) {
+    let of = bush.description();
+    let [name, link, against] = [&of.name, &of.link, &of.against].map(|name| escape_attribute(name));
+    append!(out, "  <bushing name=\"{name}\" parent=\"{link}\" child=\"{against}\">\n");
+    append!(out, "    {}\n", origin_element(&of.frame));
+    let rows = |rows: &[f64; 6]| {
+        format!("xyz=\"{}\" rpy=\"{}\"", format_numbers(&rows[3..]), format_numbers(&rows[..3]))
+    };
+    let factors = [("loss_factor", of.loss_factor), ("dynamic_factor", of.dynamic_factor)]
+        .map(|(key, value)| format!(" {key}=\"{}\"", format_number(value)));
+    append!(out, "    <stiffness {}{}/>\n", rows(&of.stiffness), factors.concat());
+    for (tag, values) in [("damping", of.damping), ("preload", of.preload)] {
+        if values != [0.0; 6] {
+            append!(out, "    <{tag} {}/>\n", rows(&values));
+        }
+    }
+    append!(out, "    <rigid {}/>\n", rows(&of.rigid.map(f64::from)));
+    for joint in &of.replaces {
+        append!(out, "    <joint name=\"{}\"/>\n", escape_attribute(joint));
+    }
+    out.push_str("  </bushing>\n");
 }
 
 fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {

@@ -113,8 +113,8 @@ pub(crate) fn lost_shape(mechanism: &Mechanism, link: LinkId, shape: &Shape, rea
     Change::lost("link", mechanism.link(link).name(), what, reason)
 }
 
-/// Changes that every format has: names with characters that XML forbids, and bushes.
-pub(crate) fn common_changes(mechanism: &Mechanism) -> Vec<Change> {
+/// Changes that every format has: names with characters that XML forbids, and bushes for which `is_written` is false.
+pub(crate) fn common_changes(mechanism: &Mechanism, is_written: impl Fn(&Bush) -> bool) -> Vec<Change> {
     let links = mechanism.links().iter().map(|link| ("link", link.name()));
     let joints = mechanism.joints().iter().map(|joint| ("joint", joint.name()));
     let closures = mechanism.closures().iter().map(|closure| ("loop", closure.name()));
@@ -129,5 +129,6 @@ pub(crate) fn common_changes(mechanism: &Mechanism) -> Vec<Change> {
         let reason = "the file has the ideal joint in its place";
         Change::lost("bush", bush.name(), "stiffness and damping", reason)
     };
-    names.filter(is_changed).map(change).chain(mechanism.bushes().iter().map(lost)).collect()
+    let bushes = mechanism.bushes().iter().filter(|bush| !is_written(bush));
+    names.filter(is_changed).map(change).chain(bushes.map(lost)).collect()
 }

@@ -38,6 +38,13 @@ pub(crate) fn check(
         let numbers =
             finite.into_iter().chain(&bush.damping).chain([&bush.loss_factor, &bush.dynamic_factor]);
         let numbers: Vec<f64> = numbers.copied().collect();
+        let is_lost = |(k, preload): (&f64, &f64)| *preload != 0.0 && (*k == f64::INFINITY || *k == 0.0);
+        if check.is_valid(&subject, "preload", &bush.preload)
+            && bush.stiffness.iter().zip(&bush.preload).any(is_lost)
+        {
+            let why = "a preload needs a finite stiffness above 0 in its direction";
+            check.add(subject.clone(), Problem::BadBush { why: why.to_owned() });
+        }
         if check.is_valid(&subject, "stiffness or damping", &numbers)
             && (numbers.iter().any(|x| *x < 0.0) || bush.dynamic_factor == 0.0)
         {

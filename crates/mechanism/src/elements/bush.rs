@@ -34,6 +34,9 @@ pub struct BushDescription {
     pub loss_factor: f64,
     /// Factor of the stiffness in motions: stiffness in motion divided by the static stiffness.
     pub dynamic_factor: f64,
+    /// Force of each row on `link` at all poses of the rigid mechanism, N·m and N, along the axes of the bush, which move with the link. Static
+    /// displacements have its geometric stiffness, which motions and vibrations leave out.
+    pub preload: [f64; 6],
     /// Rows that the rigid mechanism holds. A torsional rate, a spring or a tyre is no such row.
     pub rigid: [bool; 6],
     /// Names of the tree joints and closures between the two links whose place the bush takes. Of several tree joints the last becomes free.
@@ -52,6 +55,7 @@ impl BushDescription {
             damping: [0.0; 6],
             loss_factor: 0.0,
             dynamic_factor: 1.0,
+            preload: [0.0; 6],
             rigid: [false; 6],
             replaces: Vec::new(),
         }

@@ -1352,6 +1352,33 @@ class KinematicColumn(Record):
     """Reason for the absence of all values; None if a row has a value."""
 
 
+class KinematicLoadCase(Record):
+    """Load on the wheels."""
+
+    name: str
+    """Name in the columns."""
+    acts_at: str
+    """"contact point" or "wheel centre" of a force, "wheel" of a moment."""
+    direction: str
+    """Direction of a positive load, on the left wheel."""
+    left: list[float]
+    """Force (N) or moment (N·m) on the left wheel, axes of the vehicle."""
+    right: list[float]
+    """Force or moment on the right wheel; for "single", that of the columns of the right wheel."""
+
+
+class KinematicLoads(Record):
+    """Loads of the motions per load: elastokinematics."""
+
+    wheels: str
+    """"single": the wheel of the quantity alone, on the right wheel the mirror image of the load on the left; "parallel": both
+    wheels, the same vector; "opposed": both wheels, opposite vectors."""
+    travel_held: bool
+    """True if the heights of the wheel centres are held; false if springs, touched stops and anti-roll bar hold the wheels."""
+    cases: list[KinematicLoadCase]
+    """Loads of the columns. The wheels are locked to their carriers, and the tyres are left out."""
+
+
 class KinematicsReport(Record):
     """Kinematics of a suspension."""
 
@@ -1365,6 +1392,8 @@ class KinematicsReport(Record):
     """Motion of the derivatives: "heave" (all wheels up) or "roll" (left up, right down)."""
     variable: str | None
     """Variable of the rows; None for a single row."""
+    loads: KinematicLoads | None
+    """Loads of the motions per load; None without compliance."""
     columns: list[KinematicColumn]
     """Columns, without the variable."""
     rows: list[dict[str, float | str | None]]

@@ -224,8 +224,7 @@ impl<'t> CornerReader<'_, 't> {
         }
         self.reader.warn_unread_keys(data, &[]);
         let data = BushData::ByJoint { linear, rotational, free };
-        let bush = GivenBush { data, loss_factor: 0.0, dynamic_factor: 1.0, axis: None, spot };
-        self.design.bushes.insert(link.to_owned(), bush);
+        self.design.bushes.insert(link.to_owned(), GivenBush::new(data, spot));
     }
 
     /// Reads the ends of a spring or shock absorber. Force laws are not read: they come in many kinds and do not

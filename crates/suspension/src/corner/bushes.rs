@@ -117,15 +117,39 @@ impl CornerBuilder<'_> {
     /// Adds a bush in place of a joint.
     fn add_bush(&mut self, given: &GivenBush, place: Place<'_>) {
         let Place { name, links: [link, against], replaces, at, held_rotations, axes } = place;
-        let axes = match given.axis.map(any_axes) {
+        let [has_x, has_z] = given.has_axes();
+        let own = given.axis.map(any_axes);
+        let axes = match own {
             Some(own) => self.findings.unwrap_geometry(own, &given.spot, "the axis of the bush is zero"),
-            None if given.is_isotropic() => axes.unwrap_or_else(Matrix3::identity),
-            None => axes.unwrap_or_else(|| {
+            None if has_z => axes.unwrap_or_else(|| {
                 let message = "the stiffness depends on the direction: the axis of the bush is expected, axis = [x, y, z]";
                 self.findings.error("missing-key", &given.spot, message.to_owned());
                 Matrix3::identity()
             }),
+            None => axes.unwrap_or_else(Matrix3::identity),
         };
+        let axes = match given.x_axis {
+            Some(x) => {
+                let z = axes.column(2).into_owned();
+                let own = frames::normal(z, x).and_then(|y| frames::along_z(z, y));
+                self.findings.unwrap_geometry(
+                    own,
+                    &given.spot,
+                    "the x_axis of the bush is zero or along its axis",
+                )
+            }
+            None => {
+                if has_x {
+                    let message = "the values along x and y of the bush differ: its axis x is expected, x_axis = [x, y, z]";
+                    self.findings.error("missing-key", &given.spot, message.to_owned());
+                }
+                axes
+            }
+        };
+        let mut preload = given.own_preload;
+        for (first, vector) in [(3, given.preload[0]), (0, given.preload[1])] {
+            (0..3).for_each(|i| preload[first + i] += axes.column(i).dot(&vector));
+        }
         let (stiffness, damping, rigid) = given.rows(held_rotations);
         let frame = Transform { rotation: axes, translation: at - self.corner.origin(link) };
         self.corner.bushes.push(BushDescription {
@@ -134,6 +158,7 @@ impl CornerBuilder<'_> {
             damping,
             loss_factor: given.loss_factor,
             dynamic_factor: given.dynamic_factor,
+            preload,
             rigid,
             replaces,
             ..BushDescription::new(name, link, against)

@@ -161,16 +161,22 @@ pub(crate) struct GivenBush {
     pub data: BushData,
     pub loss_factor: f64,
     pub dynamic_factor: f64,
-    /// Axis of the bush, of any length; `None`: the axis of the joint.
+    /// Axis z of the bush, of any length; `None`: the axis of the joint.
     pub axis: Option<Vector3<f64>>,
+    /// Direction with the axis x of the bush in its plane with z, of any length; `None`: any.
+    pub x_axis: Option<Vector3<f64>>,
+    /// Force (N) and moment (N·m) of the bush on its link at the design position, axes of the vehicle.
+    pub preload: [Vector3<f64>; 2],
+    /// The same in the axes of the bush, rotations first, from a file.
+    pub own_preload: [f64; 6],
     pub spot: Spot,
 }
 
 /// Stiffness and damping of a bush, SI units.
 #[derive(Clone, Debug)]
 pub(crate) enum BushData {
-    /// Rates in the directions of the bush; damping: radial, axial.
-    Rates { radial: f64, axial: f64, conical: f64, torsional: f64, damping: [f64; 2] },
+    /// Rates in the directions of the bush: conical x and y, torsional, radial x and y, axial.
+    Rates { stiffness: [f64; 6], damping: [f64; 6] },
     /// Chrono: stiffness and damping of translations, of the rotations that the joint holds, and of its free rotations.
     ByJoint { linear: [f64; 2], rotational: [f64; 2], free: [f64; 2] },
 }
@@ -179,34 +185,45 @@ impl GivenBush {
     /// Ball joint without compliance.
     pub fn ball_joint() -> Self {
         let (rigid, free) = (f64::INFINITY, 0.0);
-        let data = BushData::Rates {
-            radial: rigid,
-            axial: rigid,
-            conical: free,
-            torsional: free,
-            damping: [0.0; 2],
-        };
-        Self { data, loss_factor: 0.0, dynamic_factor: 1.0, axis: None, spot: Spot::default() }
+        let stiffness = [free, free, free, rigid, rigid, rigid];
+        Self::new(BushData::Rates { stiffness, damping: [0.0; 6] }, Spot::default())
     }
 
-    /// True if the directions of the bush have no influence.
-    pub fn is_isotropic(&self) -> bool {
-        match self.data {
-            BushData::Rates { radial, axial, conical, torsional, damping: [across, along] } => {
-                radial == axial && conical == torsional && across == along
-            }
-            BushData::ByJoint { .. } => true,
+    /// Bush without loss factor, own axes and preload.
+    pub fn new(data: BushData, spot: Spot) -> Self {
+        Self {
+            data,
+            loss_factor: 0.0,
+            dynamic_factor: 1.0,
+            axis: None,
+            x_axis: None,
+            preload: [Vector3::zeros(); 2],
+            own_preload: [0.0; 6],
+            spot,
         }
+    }
+
+    /// Axes of the bush that have an influence: `[true, true]` for x and z, `[false, true]` for z alone. Values of one axis differ from those of others.
+    pub fn has_axes(&self) -> [bool; 2] {
+        let BushData::Rates { stiffness, damping } = self.data else { return [false; 2] };
+        let differ = |one: usize, other: usize| {
+            [stiffness, damping]
+                .iter()
+                .any(|rows| rows[one] != rows[other] || rows[one + 3] != rows[other + 3])
+        };
+        let own = |row: usize| self.own_preload[row] != 0.0 || self.own_preload[row + 3] != 0.0;
+        let x = differ(0, 1) || own(0) || own(1);
+        [x, x || differ(1, 2) || own(2)]
     }
 
     /// Stiffness, damping and rigid rows of a bush in place of a joint that holds these rotations about x, y and z.
     pub fn rows(&self, held_rotations: [bool; 3]) -> ([f64; 6], [f64; 6], [bool; 6]) {
         match self.data {
-            BushData::Rates { radial, axial, conical, torsional, damping: [across, along] } => (
-                [conical, conical, torsional, radial, radial, axial],
-                [0.0, 0.0, 0.0, across, across, along],
-                // The two bushes of a hinge hold its conical rotations by their distance; that of a rod's end alone holds its spin.
-                [false, false, held_rotations[2] && torsional > 0.0, true, true, true],
+            // The two bushes of a hinge hold its conical rotations by their distance; that of a rod's end alone holds its spin.
+            BushData::Rates { stiffness, damping } => (
+                stiffness,
+                damping,
+                [false, false, held_rotations[2] && stiffness[2] > 0.0, true, true, true],
             ),
             BushData::ByJoint { linear: [k, c], rotational, free } => {
                 let [x, y, z] = held_rotations.map(|is_held| if is_held { rotational } else { free });

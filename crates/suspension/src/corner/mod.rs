@@ -353,9 +353,10 @@ impl Corner {
         }
         for bush in &mut corner.bushes {
             bush.frame.translation = point(&bush.frame.translation) + origin_shift(&bush.link);
-            // The rows have no sense: the reversed y-axis keeps the frame right-handed.
+            // The reversed y-axis keeps the frame right-handed; forces along y and moments about x and z change their sign.
             let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
             bush.frame.rotation = mirror * bush.frame.rotation * mirror;
+            [0, 2, 4].into_iter().for_each(|row| bush.preload[row] = flip(bush.preload[row]));
         }
         let unshared_origins = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
         unshared_origins.for_each(|(_, at)| *at = point(at));

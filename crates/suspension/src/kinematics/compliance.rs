@@ -2,7 +2,7 @@
 
 use crate::kinematics::force_element::ForceElement;
 use crate::kinematics::linkage_motion::Linkage;
-use crate::kinematics::loads::{ComplianceLoads, LoadedWheels};
+use crate::kinematics::loads::{ComplianceLoads, LoadCase, LoadedWheels};
 use crate::kinematics::parts::SuspensionParts;
 use crate::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::kinematics::wheel::{WheelParts, no_radius};
@@ -11,28 +11,7 @@ use nalgebra::{DMatrix, Vector3};
 use percuss_dynamics::{
     Contact, ElasticSystem, ElementMotion, LinearElement, Load, Pose, StaticDisplacement, StaticSystem,
 };
-
-/// Load on a wheel: name, and the force or moment (unit vector) on the left wheel in the axes of the vehicle.
-struct LoadCase {
-    name: &'static str,
-    vector: Vector3<f64>,
-    is_moment: bool,
-    /// True if the load acts at the wheel centre: a driving torque comes from the body by a shaft.
-    is_at_centre: bool,
-}
-
-/// Loads: lateral to the left, braking backward at the contact patch, driving forward at the wheel centre, vertical up, and the aligning torque
-/// about the vertical axis.
-fn load_cases() -> [LoadCase; 5] {
-    let case = |name, vector, is_moment, is_at_centre| LoadCase { name, vector, is_moment, is_at_centre };
-    [
-        case("lateral_force", Vector3::y(), false, false),
-        case("braking_force", -Vector3::x(), false, false),
-        case("driving_force", Vector3::x(), false, true),
-        case("vertical_force", Vector3::z(), false, false),
-        case("aligning_torque", Vector3::z(), true, false),
-    ]
-}
+use percuss_mechanism::Bush;
 
 impl LoadCase {
     /// Load on a wheel of a pose, of 1 N or 1 N·m times `factor`.
@@ -45,12 +24,6 @@ impl LoadCase {
         let (force, moment) = if self.is_moment { (zero, vector) } else { (vector, zero) };
         let point = pose.link(wheel.spindle).inverse_point(&at);
         Ok(Load { moment, ..Load::force(wheel.spindle, point, force) })
-    }
-
-    /// Factor of the mirror image of the load.
-    fn mirrored(&self) -> f64 {
-        // A force across the middle plane, and a moment about an axis in this plane, change their sign.
-        if (self.vector.y != 0.0) != self.is_moment { -1.0 } else { 1.0 }
     }
 }
 
@@ -94,13 +67,15 @@ impl SuspensionParts {
         ElasticSystem::new(pose, &contact, &elements, None).map_err(|error| error.to_string())
     }
 
-    /// Vertical forces on the wheels that balance the springs and touched stops with a known force, at the contact points, which roll.
+    /// Vertical forces on the wheels that balance the springs and touched stops with a known force and the preloads of bushes, at the contact points,
+    /// which roll.
     fn resting_loads(&self, linkage: &Linkage, pose: &Pose) -> Result<Vec<Load>, String> {
         let mut loads = Vec::new();
-        if self
-            .elements
-            .iter()
-            .all(|element| element.as_linear(pose).is_none_or(|spring| spring.force == 0.0))
+        let is_unloaded =
+            |element: &ForceElement| element.as_linear(pose).is_none_or(|spring| spring.force == 0.0);
+        let bushes = pose.mechanism().bushes();
+        if self.elements.iter().all(is_unloaded)
+            && bushes.iter().all(|bush| bush.description().preload == [0.0; 6])
         {
             return Ok(loads);
         }
@@ -114,7 +89,19 @@ impl SuspensionParts {
             let here = wheel.at(pose);
             let at = here.contact.unwrap_or(here.centre);
             let rise = motion.velocity(wheel.on_wheel(at)).z;
-            let force = self.elements.iter().map(power).sum::<f64>() / rise;
+            // Power of the preload of a bush, negative.
+            let of_bush = |bush: &Bush| {
+                let description = bush.description();
+                let frame = pose.link(bush.link()) * description.frame;
+                let rates =
+                    |link| [motion.angular_velocity(link), motion.velocity((Some(link), frame.translation))];
+                let [own, other] =
+                    [rates(bush.link()), rates(bush.against().unwrap_or(pose.mechanism().root()))];
+                let relative = [own[0] - other[0], own[1] - other[1]].map(|rate| frame.inverse_vector(&rate));
+                -(0..6).map(|i| description.preload[i] * relative[i / 3][i % 3]).sum::<f64>()
+            };
+            let compressing = self.elements.iter().map(power).sum::<f64>();
+            let force = (compressing + bushes.iter().map(of_bush).sum::<f64>()) / rise;
             let frame = pose.link(wheel.spindle);
             let force = pose.base().inverse_vector(&(Vector3::z() * force));
             // The contact point stays below the centre of a wheel that rolls.
@@ -141,7 +128,7 @@ impl SuspensionParts {
         });
         for (k, wheel) in self.wheels.iter().enumerate() {
             let here = wheel.at(pose);
-            for case in load_cases() {
+            for case in LoadCase::all() {
                 let found = match &statics {
                     _ if loads.travel_held && case.vector.z != 0.0 && !case.is_moment => {
                         Err("the travel of the wheels is held".to_owned())
@@ -190,8 +177,7 @@ impl SuspensionParts {
             let is_right = parts.sign < 0.0;
             let factor = match loaded {
                 LoadedWheels::Single if k != wheel => continue,
-                LoadedWheels::Single if is_right => case.mirrored(),
-                LoadedWheels::Opposed if is_right => -1.0,
+                _ if is_right => case.factor_on_right(loaded),
                 _ => 1.0,
             };
             acting.push(case.on(pose, parts, factor)?);
@@ -227,7 +213,7 @@ impl SuspensionParts {
         for column in 0..n {
             let wheel = &self.wheels[column / 6];
             let (vector, is_moment) = (Vector3::ith(column % 3, 1.0), column % 6 > 2);
-            let case = LoadCase { name: "", vector, is_moment, is_at_centre: true };
+            let case = LoadCase { name: "", vector, direction: "", is_moment, is_at_centre: true };
             let found = statics.displacement(&[case.on(pose, wheel, 1.0)?]).ok_or(NO_STIFFNESS)?;
             for k in 0..self.wheels.len() {
                 let [turn, centre] = self.of_wheel(&found, pose, k).ok_or(NO_STIFFNESS)?;

@@ -1,5 +1,6 @@
 //! Loads of the elastokinematics, and the anti-roll bar.
 
+use nalgebra::Vector3;
 use percuss_dynamics::{ElementMotion, LinearElement};
 use percuss_mechanism::{JointId, Mechanism};
 
@@ -21,6 +22,51 @@ pub struct ComplianceLoads {
     pub wheels: LoadedWheels,
     /// True if the heights of the wheel centres are held. Otherwise the springs hold the wheels.
     pub travel_held: bool,
+}
+
+/// Unit load on a wheel, in the axes of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadCase {
+    /// Name in the columns.
+    pub name: &'static str,
+    /// Direction of the force or moment on the left wheel.
+    pub vector: Vector3<f64>,
+    /// Direction in words.
+    pub direction: &'static str,
+    /// True for a moment, which acts on the whole wheel.
+    pub is_moment: bool,
+    /// True if the force acts at the wheel centre: a driving torque comes from the body by a shaft. Otherwise it acts at the contact point.
+    pub is_at_centre: bool,
+}
+
+impl LoadCase {
+    /// Loads of the elastokinematics. The wheel is locked to its carrier in all of them.
+    pub fn all() -> [Self; 5] {
+        let case =
+            |name, vector, direction| Self { name, vector, direction, is_moment: false, is_at_centre: false };
+        [
+            case("lateral_force", Vector3::y(), "to the left"),
+            case("braking_force", -Vector3::x(), "backward"),
+            Self { is_at_centre: true, ..case("driving_force", Vector3::x(), "forward") },
+            case("vertical_force", Vector3::z(), "up"),
+            Self { is_moment: true, ..case("aligning_torque", Vector3::z(), "counterclockwise from above") },
+        ]
+    }
+
+    /// Factor of the load on the right wheel, per load on the left wheel or, for a single wheel, per load in its own case.
+    pub fn factor_on_right(&self, wheels: LoadedWheels) -> f64 {
+        match wheels {
+            LoadedWheels::Single => self.mirrored(),
+            LoadedWheels::Parallel => 1.0,
+            LoadedWheels::Opposed => -1.0,
+        }
+    }
+
+    /// Factor of the mirror image of the load.
+    fn mirrored(&self) -> f64 {
+        // A force across the middle plane, and a moment about an axis in this plane, change their sign.
+        if (self.vector.y != 0.0) != self.is_moment { -1.0 } else { 1.0 }
+    }
 }
 
 /// Anti-roll bar with a stiffness.

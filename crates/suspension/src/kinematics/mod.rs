@@ -17,7 +17,7 @@ mod wheel_points;
 pub use determined_system::DeterminedSystem;
 pub use force_element::ForceElement;
 pub use linkage_motion::MotionError;
-pub use loads::{AntiRollBar, ComplianceLoads, LoadedWheels};
+pub use loads::{AntiRollBar, ComplianceLoads, LoadCase, LoadedWheels};
 pub use parts::{MissingWheel, SuspensionParts};
 pub use pose_values::Vehicle;
 pub use values::{KinematicUnit, KinematicValue, KinematicValues};

@@ -18,7 +18,7 @@ use std::path::Path;
 pub(in super::super) type Files = Vec<(String, String)>;
 
 /// File that a sheet names, in the folder of the sheet; `None` after an error. `what`: kind of file, for messages.
-fn read_beside(
+pub(super) fn read_beside(
     source: &Source,
     (path, spot): (&str, &Spot),
     what: &str,

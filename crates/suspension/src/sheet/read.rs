@@ -3,6 +3,7 @@
 use super::catalogue::{self, MASSIVE_PARTS};
 use super::entries::{Entries, Quantity};
 use super::point_table::{self, Files};
+use super::sections::bush_file::BushFile;
 use super::sections::estimates::Estimates;
 use super::sections::{bushes, contacts};
 use super::template::Template;
@@ -82,11 +83,13 @@ pub(in super::super) fn read(
     }
     point_table::read_names(source, options, &mut entries, findings, files);
     point_table::read(source, options, &mut entries, findings, files);
+    let bush_files = bushes::read_files(source, options, &mut entries, findings, files);
     if findings.has_errors() {
         return None;
     }
     entries.masses_optional = options.masses_optional;
-    let sheet = SheetReader { entries: &mut entries, findings, options, estimates: None }.read_sheet();
+    let sheet =
+        SheetReader { entries: &mut entries, findings, options, estimates: None, bush_files }.read_sheet();
     if let Some(sheet) = &sheet {
         let mut known = catalogue::keys_of(sheet.template);
         known.extend(contacts::contact_keys(&entries));
@@ -105,6 +108,8 @@ pub(super) struct SheetReader<'s> {
     pub options: &'s ImportOptions,
     /// Estimates of missing masses, if the sheet requests them.
     pub estimates: Option<Estimates>,
+    /// Bushing files by the names of the bushes.
+    pub bush_files: BTreeMap<String, BushFile>,
 }
 
 impl SheetReader<'_> {
@@ -159,7 +164,13 @@ impl SheetReader<'_> {
         let design = Design {
             unit: frame.unit,
             contacts,
-            bushes: bushes::read_bushes(self.entries, self.findings, template, (frame, points_side)),
+            bushes: bushes::read_bushes(
+                self.entries,
+                self.findings,
+                template,
+                (frame, points_side),
+                &self.bush_files,
+            ),
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,

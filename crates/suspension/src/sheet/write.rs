@@ -390,10 +390,12 @@ pub fn template_keys() -> String {
         "all",
     );
     row(
-        "bush.POINT.radial`, `.axial`, `.torsional`, `.conical`, `.axis`, `.damping`, `.loss_factor`, `.dynamic_factor",
+        "bush.POINT.radial`, `.axial`, `.torsional`, `.conical`, `.axis`, `.x_axis`, `.damping`, `.rotational_damping`, `.loss_factor`, \
+         `.dynamic_factor`, `.preload`, `.preload_torque`, `.file",
         "a bush at this point, where two links are joined ([Bushes](../howto/BUSHES.md)): stiffness across and along its axis with a unit \
          (`\"9 kN/mm\"`); optional: about its axis and across it (`\"60 N·m/rad\"`), the axis (default: of the hinge), damping of the \
-         translations (one number, or radial and axial), loss factor, stiffness in motion divided by the static one",
+         translations (one number, or radial and axial), loss factor, stiffness in motion divided by the static one; force and moment of the bush on its \
+         link at the design position; or the rates from a bushing file of Adams/Car",
         "all",
     );
     let steered = of(&|t| t.has_rack());

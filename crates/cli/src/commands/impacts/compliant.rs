@@ -122,7 +122,7 @@ fn elements(found: &CompliantImpactRecord, all: bool) -> (Table, String) {
     let more = if left > 0 { format!("{left} more and ") } else { String::new() };
     let rest = if all { String::new() } else { format!("{more}the components of the forces: --all · ") };
     let note = format!(
-        "{rest}linear about the touch, loss factors as dampers at {} Hz",
+        "{rest}linear about the touch, without geometric stiffness, loss factors as dampers at {} Hz",
         number(found.loss_frequency)
     );
     (table, note)

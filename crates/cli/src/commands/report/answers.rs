@@ -121,6 +121,9 @@ pub(super) fn add_kinematics(report: &KinematicsReport, study: &StudyFile, page:
         let chosen = [0].into_iter().chain(chosen);
         page.table(&chosen.filter_map(|i| rows.get(i).cloned()).collect::<Vec<_>>());
     }
+    if let Some(loads) = &report.loads {
+        page.paragraph("soft", &format!("Loads: {}.", loads.text()));
+    }
     page.paragraph(
         "soft",
         &format!(

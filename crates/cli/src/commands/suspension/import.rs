@@ -31,8 +31,9 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     imported.inputs.iter().for_each(|path| record_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
-    if !imported.mechanism.bushes().is_empty() {
-        note("the bushes of the sheet are not in the URDF, which has the ideal joints in their place");
+    let is_ideal = |bush: &percuss_mechanism::Bush| bush.description().stiffness.contains(&f64::INFINITY);
+    if imported.mechanism.bushes().iter().any(is_ideal) {
+        note("bushes with ideal directions are not in the URDF, which has the ideal joints in their place");
     }
     let text = append_hash(write_urdf_with(&imported.mechanism, &imported.comments));
     if let (Some(path), Some(ending)) = (&args.picture, picture_ending) {

@@ -15,8 +15,8 @@ use crate::terminal::text::Table;
 use crate::terminal::wrap::{columns, width, wrap_hanging};
 use percuss_render::Picture;
 use percuss_study::{
-    KinematicColumn, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow, Model,
-    SearchUnknown, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    KinematicColumn, KinematicLoads, KinematicsError, KinematicsQuestion, KinematicsReport, KinematicsRow,
+    Model, SearchUnknown, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use percuss_suspension::LengthUnit;
 use percuss_suspension::kinematics::KinematicUnit;
@@ -180,7 +180,8 @@ fn search_text(report: &TargetReport) -> String {
         .collect();
     let count =
         if notes_are_shown() { format!("{} designs evaluated; ", report.evaluations) } else { String::new() };
-    format!("{table}\n{count}as flags, in m and the axes of the sheet:\n  {}\n", moves.join("\n  "))
+    let loads = report.loads.as_ref().map_or_else(String::new, |loads| loads_line(loads) + "\n");
+    format!("{table}\n{loads}{count}as flags, in m and the axes of the sheet:\n  {}\n", moves.join("\n  "))
 }
 
 /// Result of a search as CSV.
@@ -245,15 +246,35 @@ fn cells(report: &KinematicsReport) -> Cells {
     let mut header: Vec<String> =
         report.variable.iter().map(|name| format!("{name}_{}", unit.name())).collect();
     header.extend(report.columns.iter().map(|column| heading(column, unit)));
-    let row = |row: &KinematicsRow| {
+    let loads = report.loads.as_ref().map(KinematicLoads::text);
+    let matrices: &[_] = if report.is_selected { &[] } else { &report.compliance_matrices };
+    let size = matrices.iter().flatten().map(Vec::len).next().unwrap_or(0);
+    let entries: Vec<(usize, usize)> = (0..size).flat_map(|r| (0..size).map(move |c| (r, c))).collect();
+    let entry_unit = |(r, c): (usize, usize)| matrix_unit(r, c).of_table(unit);
+    header.extend(entries.iter().map(|&(r, c)| {
+        let [motion, load] = [matrix_motion(r, size), matrix_load(c, size)];
+        format!("compliance_{motion}_per_{load}_{}", entry_unit((r, c)).0.replace('/', "_per_"))
+            .replace(' ', "_")
+    }));
+    let has_problem = report.rows.iter().any(|row| row.problem.is_some());
+    header.extend(loads.iter().map(|_| "loads".to_owned()));
+    header.extend(has_problem.then(|| "problem".to_owned()));
+    let row = |(k, row): (usize, &KinematicsRow)| {
         let mut cells: Vec<Cell> = row.variable.iter().map(|x| Cell::Number(unit.of_metres(*x))).collect();
         let values = report.columns.iter().zip(&row.values);
         cells.extend(
             values.map(|(column, value)| Cell::from_value(value.map(|x| x * column.unit.of_table(unit).1))),
         );
+        let matrix = matrices.get(k).and_then(Option::as_ref);
+        let entry = |&(r, c): &(usize, usize)| {
+            Cell::from_value(matrix.map(|matrix| matrix[r][c] * entry_unit((r, c)).1))
+        };
+        cells.extend(entries.iter().map(entry));
+        cells.extend(loads.iter().map(|loads| Cell::Text(loads.clone().into())));
+        cells.extend(has_problem.then(|| Cell::Text(row.problem.clone().unwrap_or_default().into())));
         cells
     };
-    (header, report.rows.iter().map(row).collect())
+    (header, report.rows.iter().enumerate().map(row).collect())
 }
 
 /// Text of a value in the unit of tables; – without a value.
@@ -294,6 +315,12 @@ fn tables(report: &KinematicsReport) -> String {
         "\nderivatives along {}, per travel of the wheel\n{KINEMATIC_AXES}",
         report.derivatives
     );
+    if let Some(loads) = &report.loads {
+        let _ = writeln!(out, "{}", loads_line(loads));
+        if report.rows.len() > 1 && !report.is_selected {
+            out += "compliance matrix of the wheel centres at each row: --format csv or json\n";
+        }
+    }
     for (why, names) in reasons {
         let _ = writeln!(out, "{}", wrap_hanging(&format!("not given: {}: {why}", names.join(", ")), 2));
     }
@@ -331,7 +358,66 @@ fn list(report: &KinematicsReport) -> String {
         line.resize(line.len().max(place + 2), String::new());
         line[place + 1] = shown(column.unit, report.length_unit, *value);
     }
-    aligned(&lines) + &loads_table(report, row)
+    aligned(&lines) + &loads_table(report, row) + &matrix_table(report)
+}
+
+/// Loads of the motions per load, as text.
+fn loads_line(loads: &KinematicLoads) -> String {
+    wrap_hanging(&format!("loads: {}", loads.text()), 2)
+}
+
+/// Side of a wheel with 6 rows and columns of a compliance matrix, with a space before it; empty for one wheel.
+fn matrix_side(k: usize, size: usize) -> &'static str {
+    match (size, k) {
+        (6, _) => "",
+        (_, 0..6) => " left",
+        _ => " right",
+    }
+}
+
+/// Name of the motion of a row of a compliance matrix with `size` rows.
+fn matrix_motion(row: usize, size: usize) -> String {
+    let name = ["x", "y", "z", "rotation x", "rotation y", "rotation z"][row % 6];
+    format!("{name}{}", matrix_side(row, size))
+}
+
+/// Name of the load of a column of a compliance matrix with `size` columns.
+fn matrix_load(column: usize, size: usize) -> String {
+    let name = ["force x", "force y", "force z", "moment x", "moment y", "moment z"][column % 6];
+    format!("{name}{}", matrix_side(column, size))
+}
+
+/// Unit of an entry of a compliance matrix.
+fn matrix_unit(row: usize, column: usize) -> KinematicUnit {
+    match (row % 6 < 3, column % 6 < 3) {
+        (true, true) => KinematicUnit::LengthPerForce,
+        (true, false) => KinematicUnit::LengthPerMoment,
+        (false, true) => KinematicUnit::AnglePerForce,
+        (false, false) => KinematicUnit::AnglePerMoment,
+    }
+}
+
+/// Compliance matrix of the wheel centres of a single row as tables, one for each loaded wheel.
+fn matrix_table(report: &KinematicsReport) -> String {
+    let ([Some(matrix)], false) = (&report.compliance_matrices[..], report.is_selected) else {
+        return String::new();
+    };
+    let size = matrix.len();
+    let mut out = String::new();
+    for first in (0..size).step_by(6) {
+        let head = ["force x", "y", "z", "moment x", "y", "z"].map(str::to_owned);
+        let head = [format!("per kN, kN·m{}", matrix_side(first, size))].into_iter().chain(head);
+        let mut lines = vec![head.collect::<Vec<_>>()];
+        for (r, row) in matrix.iter().enumerate() {
+            let unit = if r % 6 < 3 { "mm" } else { "deg" };
+            let cell = |c: usize| shown(matrix_unit(r, c), report.length_unit, row.get(c).copied());
+            let name = [format!("{}, {unit}", matrix_motion(r, size))].into_iter();
+            lines.push(name.chain((first..first + 6).map(cell)).collect());
+        }
+        out += "\ncompliance matrix of the wheel centre\n";
+        out += &aligned(&lines);
+    }
+    out
 }
 
 /// Quantity and load of a column of a motion per load.

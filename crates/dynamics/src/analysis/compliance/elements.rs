@@ -101,7 +101,7 @@ pub(crate) struct ElasticRow {
     pub is_moment: bool,
     /// True if the rigid mechanism holds the row.
     pub is_rigid: bool,
-    /// Force of an element at the pose along its motion, N or N·m.
+    /// Force of an element or preload of a bush at the pose along its motion, N or N·m.
     pub force: f64,
     /// Relative velocity per velocity of each coordinate.
     pub row: DVector<f64>,
@@ -149,7 +149,7 @@ impl Model {
             loss_factor: description.loss_factor,
             is_moment: i < 3,
             is_rigid: description.rigid[i],
-            force: 0.0,
+            force: description.preload[i],
             row: relative[i / 3].tr_mul(&x_rf.rotation.column(i % 3)),
         };
         ElasticDirection::OF_BUSH.into_iter().enumerate().map(row).collect()

@@ -54,13 +54,13 @@ pub struct StaticDisplacement<'s> {
 
 impl ElasticSystem {
     /// Decomposes the static stiffness. `resting`: loads at the pose, which keep their direction and their point of the link. With the forces of
-    /// the elements they are in balance with the forces of the bushes: the pose is that of the loaded mechanism.
+    /// the elements and the preloads of the bushes they are in balance with further forces of the bushes: the pose is that of the loaded mechanism.
     ///
     /// ```text
     /// G = −Nᵀ ∂(Q − Bᵀf − Aᵀλ)/∂u N
     /// ```
     ///
-    /// Q: loads and forces of the elements; f: forces of the bushes, along axes that move with the link of the bush; λ: forces of the ideal rows A. The
+    /// Q: loads, forces of the elements and preloads; f: forces of the bushes, along axes that move with the link of the bush; λ: forces of the ideal rows A. The
     /// whole force vanishes at the pose, so that its derivative does not depend on the coordinates; it is found by differences of fourth order.
     ///
     /// # Errors

@@ -33,7 +33,7 @@ pub struct ElasticOutput {
     pub velocity_input: DVector<f64>,
 }
 
-/// Row of a bush, a spring, a damper or a gear: its force is −(k x + c ẋ).
+/// Row of a bush, a spring, a damper or a gear: its force is preload − (k x + c ẋ).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticRowOutput {
     /// Name of the bush or element.
@@ -48,6 +48,8 @@ pub struct ElasticRowOutput {
     pub stiffness: f64,
     /// c with the equivalent damping of the loss factor, N·s/m or N·m·s/rad.
     pub damping: f64,
+    /// Force of a bush at the touch in the direction of the force −(k x + c ẋ), N or N·m.
+    pub preload: f64,
     /// Displacement and velocity of the row.
     pub output: ElasticOutput,
 }
@@ -277,6 +279,7 @@ impl ElasticSystem {
             is_moment: row.is_moment,
             stiffness: row.stiffness,
             damping: damping_of(row),
+            preload: if row.number.is_none() { row.force } else { 0.0 },
             output: coordinates.output(own),
         };
         let (squares, _) = symmetric_eigen(&k.view((0, 0), (r, r)).into_owned()).ok_or_else(failed)?;

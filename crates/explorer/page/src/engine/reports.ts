@@ -210,10 +210,18 @@ export interface KinematicColumn {
   quantity: string; side: string; unit: string; missing: string | null;
 }
 
+export interface KinematicLoadCase {
+  name: string; acts_at: string; direction: string; left: Triple; right: Triple;
+}
+
+export interface KinematicLoads {
+  wheels: string; travel_held: boolean; cases: KinematicLoadCase[];
+}
+
 export interface KinematicsReport {
   schema: 'percuss.kinematics/1'; percuss: string; inputs: Input[]; derivatives: string; variable: string | null;
-  columns: KinematicColumn[]; rows: (Record<string, number | string | null>)[]; compliance_matrices: (number[][] | null)[];
-  diagnostics: DiagnosticRecord[];
+  loads: KinematicLoads | null; columns: KinematicColumn[]; rows: (Record<string, number | string | null>)[];
+  compliance_matrices: (number[][] | null)[]; diagnostics: DiagnosticRecord[];
 }
 
 export interface LawRecord {

@@ -105,7 +105,7 @@ fn write_file(
     out.push_str("</mujoco>\n");
     let mut changes = tree.changes;
     changes.extend(lost_roles(mechanism, "MJCF"));
-    changes.extend(common_changes(mechanism));
+    changes.extend(common_changes(mechanism, |_| false));
     Ok(ModelText { text: out, changes })
 }
 

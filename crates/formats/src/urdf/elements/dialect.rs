@@ -47,6 +47,11 @@ const IN_ROBOT: &[ElementRule] = &[
     element("coupling", &[("name type", Read)], IN_COUPLING),
     element("relation", &[("name", Read)], IN_RELATION),
     element("contact", &[("name type", Read)], IN_CONTACT),
+    element("bushing", &[("name parent child", Read)], IN_BUSHING),
+    warned(
+        "elastic",
+        "the stiffness of a gear is a condition of a question; the gear is rigid here: give --gear-stiffness JOINT=K,D (gear_stiffness in a study)",
+    ),
     unread("constraint", write_instead!("a <loop> or a <coupling>")),
     refused(
         "drake:joint",
@@ -109,6 +114,13 @@ const IN_CONTACT: &[ElementRule] = &[
     leaf("other", &[("link", Read)]),
     leaf("normal toward away", &[("xyz", Read)]),
     leaf("gap", &[("value", Read)]),
+];
+
+const IN_BUSHING: &[ElementRule] = &[
+    ORIGIN,
+    leaf("stiffness", &[("xyz rpy loss_factor dynamic_factor", Read)]),
+    leaf("damping preload rigid", &[("xyz rpy", Read)]),
+    element("joint", &[("name", Read)], &[]),
 ];
 
 const IN_LINK: &[ElementRule] = &[

@@ -1,5 +1,6 @@
 //! Elements of a URDF file.
 
+pub(crate) mod bushing;
 pub(crate) mod closure;
 pub(crate) mod contact;
 pub(crate) mod dialect;

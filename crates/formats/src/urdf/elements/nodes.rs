@@ -17,6 +17,7 @@ pub(crate) struct Nodes<'a> {
     pub couplings: Vec<Node<'a>>,
     pub relations: Vec<Node<'a>>,
     pub contacts: Vec<Node<'a>>,
+    pub bushes: Vec<Node<'a>>,
 }
 
 impl<'a> Nodes<'a> {
@@ -59,6 +60,7 @@ impl<'a> Nodes<'a> {
                 })
                 .collect(),
             contacts: children(robot, "contact").collect(),
+            bushes: children(robot, "bushing").collect(),
         }
     }
 
@@ -71,6 +73,7 @@ impl<'a> Nodes<'a> {
             ("couplings", self.couplings.len()),
             ("relations", self.relations.len()),
             ("contacts", self.contacts.len()),
+            ("bushings", self.bushes.len()),
         ];
         let excess = counts.into_iter().find(|(_, count)| *count > MAX_ELEMENTS_PER_KIND);
         if let Some((kind, count)) = excess {
@@ -84,7 +87,8 @@ impl<'a> Nodes<'a> {
     /// Position in the file of a problem that the builder found.
     pub fn locate(&self, robot: Node<'a>, subject: &Subject, problem: &Problem) -> Place<'a, 'a> {
         let node = match subject {
-            Subject::Mechanism | Subject::Bush { .. } => Some(robot),
+            Subject::Mechanism => Some(robot),
+            Subject::Bush { index, .. } => self.bushes.get(*index).copied(),
             Subject::Link { index, .. } => self.links.get(*index).copied(),
             Subject::Joint { index, .. } => self.joints.get(*index).copied(),
             Subject::Closure { index, .. } => self.closures.get(*index).copied(),

@@ -50,11 +50,12 @@ pub(super) struct Quantity {
     rows: Vec<RowForce>,
 }
 
-/// Force of a row: k x + c ẋ and the value of an input.
+/// Force of a row: k x + c ẋ − preload and the value of an input.
 struct RowForce {
     row: usize,
     stiffness: f64,
     damping: f64,
+    preload: f64,
     input: Option<usize>,
 }
 
@@ -64,7 +65,7 @@ impl Quantity {
         let force = |row: usize| {
             let of = &motion.rows[row];
             let input = of.number.and_then(&input_of);
-            RowForce { row, stiffness: of.stiffness, damping: of.damping, input }
+            RowForce { row, stiffness: of.stiffness, damping: of.damping, preload: of.preload, input }
         };
         let acts = |row: &usize| {
             let force = force(*row);
@@ -106,7 +107,7 @@ impl Quantity {
         let inputs = flow.inputs(forces);
         let force = |row: &RowForce| {
             let (x, v) = flow.rows[row.row].at(state, forces);
-            row.stiffness * x + row.damping * v + row.input.map_or(0.0, |input| inputs[input])
+            row.stiffness * x + row.damping * v - row.preload + row.input.map_or(0.0, |input| inputs[input])
         };
         match &self.rows[..] {
             [row] if self.direction.is_some() => force(row),

@@ -9,6 +9,7 @@ use crate::question::tables::kinematics::{KinematicVariable, KinematicsQuestion}
 use crate::question::travel::moved::WheelMotion;
 use crate::reports::kinematics::column_names::{column_name, is_of_every_contact, unknown_column};
 use crate::reports::kinematics::errors::KinematicsError;
+use crate::reports::kinematics::load_cases::KinematicLoads;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::values::quantities::schema_of;
 use crate::values::value::NumberOrText;
@@ -90,6 +91,8 @@ pub struct KinematicsReport {
     pub derivatives: &'static str,
     /// Variable of the rows; null for a single row.
     pub variable: Option<&'static str>,
+    /// Loads of the motions per load; null without compliance.
+    pub loads: Option<KinematicLoads>,
     /// Columns, without the variable.
     pub columns: Vec<KinematicColumn>,
     /// Rows.
@@ -99,6 +102,9 @@ pub struct KinematicsReport {
     pub compliance_matrices: Vec<Option<Vec<Vec<f64>>>>,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
+    /// True if the question names the columns.
+    #[serde(skip)]
+    pub is_selected: bool,
     /// Unit of lengths in tables and figures.
     #[serde(skip)]
     pub length_unit: LengthUnit,
@@ -138,6 +144,7 @@ impl KinematicsReport {
             row.columns = Arc::clone(&columns);
         }
         self.columns = columns.to_vec();
+        self.is_selected = true;
         Ok(self)
     }
 }
@@ -212,10 +219,12 @@ pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<Kinema
         inputs: model.inputs.clone(),
         derivatives: if rolls(question) { "roll" } else { "heave" },
         variable: variable.map(KinematicVariable::name),
+        loads: question.vehicle.vehicle().loads.map(KinematicLoads::of),
         columns: columns.to_vec(),
         rows,
         compliance_matrices,
         diagnostics,
+        is_selected: false,
         length_unit: model.length_unit(),
     };
     report.with_columns(&question.columns)

@@ -11,6 +11,7 @@ use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::reports::kinematics::column_names::{target_column, unknown_column};
 use crate::reports::kinematics::contact_values::{CONTACT_IMPACT, CONTACT_MASS, impact_values, mass_value};
 use crate::reports::kinematics::errors::KinematicsError;
+use crate::reports::kinematics::load_cases::KinematicLoads;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::target_question::{KinematicTarget, QUOTIENTS, SearchUnknown, TargetSearch};
@@ -68,6 +69,8 @@ pub struct TargetReport {
     pub is_reached: bool,
     /// Largest change of a coordinate, m.
     pub within: f64,
+    /// Loads of the motions per load; null without compliance.
+    pub loads: Option<KinematicLoads>,
     /// Coordinates.
     pub coordinates: Vec<FoundCoordinate>,
     /// Quantities.
@@ -566,6 +569,7 @@ pub fn search_targets(
         inputs: model.inputs.clone(),
         is_reached: found.error() <= TARGET_ACCURACY,
         within: search.within,
+        loads: question.vehicle.vehicle().loads.map(KinematicLoads::of),
         coordinates: search.unknowns.iter().enumerate().map(coordinate).collect(),
         targets: search.targets.iter().enumerate().map(reached).collect(),
         evaluations: designs.evaluations,

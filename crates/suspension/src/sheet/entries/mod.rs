@@ -81,8 +81,12 @@ pub(super) enum Quantity {
     Stiffness,
     /// Stiffness about an axis; the unit is mandatory.
     RotationalStiffness,
+    /// Damping about an axis; the unit is mandatory.
+    RotationalDamping,
     /// Force; N for values without a unit.
     Force,
+    /// Moment of a force; N·m for values without a unit.
+    Moment,
     /// Speed; m/s for values without a unit.
     Speed,
     /// Damping; the unit is mandatory.
@@ -99,7 +103,9 @@ impl Quantity {
             Quantity::Component => Dimension::Plain,
             Quantity::Stiffness => Dimension::Stiffness,
             Quantity::RotationalStiffness => Dimension::RotationalStiffness,
+            Quantity::RotationalDamping => Dimension::RotationalDamping,
             Quantity::Force => Dimension::Force,
+            Quantity::Moment => Dimension::Moment,
             Quantity::Speed => Dimension::Speed,
             Quantity::Damping => Dimension::Damping,
         }
@@ -117,6 +123,8 @@ impl Quantity {
             Quantity::RotationalStiffness => {
                 "a torsional stiffness with its unit, such as \"12 N·m/deg\"".to_owned()
             }
+            Quantity::RotationalDamping => "a damping with its unit, such as \"2 N·m·s/rad\"".to_owned(),
+            Quantity::Moment => "a moment in N·m, such as 12 or \"12 N·m\"".to_owned(),
             Quantity::Force => "a force in N, such as 3200 or \"3.2 kN\"".to_owned(),
             Quantity::Speed => "a speed in m/s, such as 0.1 or \"100 mm/s\"".to_owned(),
             Quantity::Damping => "a damping with its unit, such as \"1500 N·s/m\"".to_owned(),
@@ -135,10 +143,17 @@ impl Quantity {
         };
         let value = match (self, unit) {
             (Quantity::Length(default), "") => default.to_metres(number),
-            (Quantity::Mass | Quantity::Component | Quantity::Force | Quantity::Speed, "") => number,
+            (
+                Quantity::Mass | Quantity::Component | Quantity::Force | Quantity::Moment | Quantity::Speed,
+                "",
+            ) => number,
             (Quantity::Inertia(default), "") => default.to_si(number),
             (
-                Quantity::Angle | Quantity::Stiffness | Quantity::RotationalStiffness | Quantity::Damping,
+                Quantity::Angle
+                | Quantity::Stiffness
+                | Quantity::RotationalStiffness
+                | Quantity::Damping
+                | Quantity::RotationalDamping,
                 "",
             ) => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
@@ -316,7 +331,18 @@ impl Entries {
         frame: Frame,
         points_side: Side,
     ) -> Option<(Vector3<f64>, Spot)> {
-        let (values, spot) = self.numbers(findings, key, Quantity::Component, &[3])?;
+        self.vector(findings, (key, Quantity::Component), frame, points_side)
+    }
+
+    /// Reads a vector of a quantity as [`direction`](Self::direction).
+    pub fn vector(
+        &mut self,
+        findings: &mut Findings,
+        (key, kind): (&str, Quantity),
+        frame: Frame,
+        points_side: Side,
+    ) -> Option<(Vector3<f64>, Spot)> {
+        let (values, spot) = self.numbers(findings, key, kind, &[3])?;
         let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
         let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
         Some((Vector3::new(along.x, mirror * along.y, along.z), spot))
