@@ -276,8 +276,11 @@ def compare(percuss, case, folder):
     if len(found["modes"]) != len(expected["frequencies"]):
         wrong.append(f"{len(found['modes'])} modes for {len(expected['frequencies'])}")
     for mode, f in zip(found["modes"], expected["frequencies"]):
-        # A motion without stiffness is zero to the square root of the rounding.
-        close("frequency", mode["frequency"], f if f > 1e-5 * highest else 0.0, FREQUENCY, max(f, 1e-5 * highest))
+        # The rounding here is that of the largest square; a motion without stiffness is zero to the square root of the rounding.
+        if f > 1e-5 * highest:
+            close("frequency", mode["frequency"], f, FREQUENCY + 1e-15 * (highest / f) ** 2)
+        else:
+            close("frequency", mode["frequency"], 0.0, 1.0, 1e-5 * highest)
     close("participations", sum(m["participation"] for m in found["modes"]), expected["participation"].sum(), LIMITS)
     for k, h in enumerate(expected["h"]):
         got = complex(found["mobility"]["real"][k], found["mobility"]["imaginary"][k]) / (1j * omegas[k])

@@ -186,6 +186,31 @@
 #define PERCUSS_AXLE_REAR 2
 
 /*
+ No motions per load.
+ */
+#define PERCUSS_LOADS_NONE 0
+
+/*
+ Loads on a single wheel, on the right wheel the mirror image.
+ */
+#define PERCUSS_LOADS_SINGLE 1
+
+/*
+ The same load on both wheels.
+ */
+#define PERCUSS_LOADS_PARALLEL 2
+
+/*
+ Opposite loads on both wheels, positive on the left.
+ */
+#define PERCUSS_LOADS_OPPOSED 3
+
+/*
+ Added to PERCUSS_LOADS_SINGLE and the following: the heights of the wheel centres are held.
+ */
+#define PERCUSS_TRAVEL_HELD 8
+
+/*
  Value of an option of percuss_matrix_options for its default.
  */
 #define PERCUSS_DEFAULT -1.0
@@ -783,9 +808,10 @@ typedef struct percuss_vehicle {
    */
   int32_t inboard_drive;
   /*
-   Not used.
+   PERCUSS_LOADS_…, plus PERCUSS_TRAVEL_HELD to hold the heights of the wheel centres: columns of the motions per load (rad/N, m/N, rad/(N·m),
+   m/(N·m)) with the bushes of the sheet, such as toe_per_lateral_force.
    */
-  int32_t reserved;
+  int32_t loads;
   /*
    Share of the front axle in the braking force, 0 to 1; NaN if unknown.
    */

@@ -12,7 +12,7 @@ use crate::boundary::status::{
 use crate::setup::model::{DiagnosticTexts, Model, input_document, percuss_model};
 use percuss::study::{
     self, AxlePosition, KinematicVariable, KinematicsQuestion, KinematicsReport, PositiveMass, VehicleData,
-    WheelMotion, kinematics,
+    WheelLoads, WheelMotion, kinematics,
 };
 use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source};
 use std::ffi::{CString, c_char};
@@ -96,6 +96,17 @@ pub const PERCUSS_AXLE_FRONT: i32 = 1;
 /// Rear axle.
 pub const PERCUSS_AXLE_REAR: i32 = 2;
 
+/// No motions per load.
+pub const PERCUSS_LOADS_NONE: i32 = 0;
+/// Loads on a single wheel, on the right wheel the mirror image.
+pub const PERCUSS_LOADS_SINGLE: i32 = 1;
+/// The same load on both wheels.
+pub const PERCUSS_LOADS_PARALLEL: i32 = 2;
+/// Opposite loads on both wheels, positive on the left.
+pub const PERCUSS_LOADS_OPPOSED: i32 = 3;
+/// Added to PERCUSS_LOADS_SINGLE and the following: the heights of the wheel centres are held.
+pub const PERCUSS_TRAVEL_HELD: i32 = 8;
+
 /// State of a suspension apart from the variable of the rows, and data of the vehicle.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -114,8 +125,9 @@ pub struct percuss_vehicle {
     pub inboard_brakes: i32,
     /// 1 for a drive whose torque acts on the vehicle body.
     pub inboard_drive: i32,
-    /// Not used.
-    pub reserved: i32,
+    /// PERCUSS_LOADS_…, plus PERCUSS_TRAVEL_HELD to hold the heights of the wheel centres: columns of the motions per load (rad/N, m/N, rad/(N·m),
+    /// m/(N·m)) with the bushes of the sheet, such as toe_per_lateral_force.
+    pub loads: i32,
     /// Share of the front axle in the braking force, 0 to 1; NaN if unknown.
     pub brake_bias: f64,
     /// Share of this axle in the driving force, 0 to 1; NaN if unknown.
@@ -150,7 +162,7 @@ const UNKNOWN: percuss_vehicle = percuss_vehicle {
     axle: PERCUSS_AXLE_UNKNOWN,
     inboard_brakes: 0,
     inboard_drive: 0,
-    reserved: 0,
+    loads: PERCUSS_LOADS_NONE,
     brake_bias: f64::NAN,
     drive_share: f64::NAN,
     cg_height: f64::NAN,
@@ -184,6 +196,13 @@ impl percuss_vehicle {
     fn data(&self) -> Result<VehicleData, Failure> {
         let positive = |value, name| known(value, name, |x| x > 0.0, "more than 0");
         let share = |value, name| known(value, name, |x| (0.0..=1.0).contains(&x), "a share from 0 to 1");
+        let travel_held = self.loads & PERCUSS_TRAVEL_HELD != 0;
+        let wheels = [None, Some(WheelLoads::Single), Some(WheelLoads::Parallel), Some(WheelLoads::Opposed)];
+        let compliance = enumeration_value(&wheels, self.loads & !PERCUSS_TRAVEL_HELD, "loads")?;
+        if travel_held && compliance.is_none() {
+            let message = "loads is PERCUSS_TRAVEL_HELD alone; expected PERCUSS_LOADS_SINGLE or a following one with it";
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
         let axles = [None, Some(AxlePosition::Front), Some(AxlePosition::Rear)];
         Ok(VehicleData {
             axle: enumeration_value(&axles, self.axle, "axle")?,
@@ -195,7 +214,8 @@ impl percuss_vehicle {
             inboard_drive: self.inboard_drive != 0,
             sprung_mass: positive(self.sprung_mass, "sprung_mass")?.map(PositiveMass),
             tyre_rate: positive(self.tyre_rate, "tyre_rate")?.map(Into::into),
-            ..VehicleData::default()
+            compliance,
+            travel_held,
         })
     }
 

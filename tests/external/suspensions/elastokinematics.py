@@ -204,7 +204,9 @@ def main():
                 table, matrix = answer(sheet, bushes, spring, held)
                 loaded = spring[1] != 0 or any(forces.any() for _, _, forces in bushes.values())
                 limit = PRELOADED if loaded else TOLERANCE
-                largest = {name: max(abs(value) for key, value in table.items() if key.startswith(name)) for name in QUANTITIES}
+                # A held height does not move.
+                sizes = {name: max(abs(value) for key, value in table.items() if key.startswith(name)) for name in QUANTITIES}
+                largest = {name: max(size, 1e-3 * sizes["wheel_centre_y"]) for name, size in sizes.items()}
                 for key, value in table.items():
                     got = report["rows"][0][key]
                     scale = largest[key.split("_per_")[0]]

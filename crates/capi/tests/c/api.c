@@ -433,6 +433,15 @@ static void suspensions(void)
   FAILS(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 3, &vehicle, &table), PERCUSS_ERROR_ARGUMENT,
         "heave");
   vehicle.heave = 0.0;
+  /* Motions per load: the sheet has no bushes. */
+  vehicle.loads = PERCUSS_TRAVEL_HELD;
+  FAILS(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 3, &vehicle, &table), PERCUSS_ERROR_ARGUMENT,
+        "loads");
+  vehicle.loads = PERCUSS_LOADS_SINGLE + PERCUSS_TRAVEL_HELD;
+  OK(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 1, &vehicle, &table));
+  OK(percuss_kinematics_column(table, column_of(table, "toe_per_lateral_force"), &column));
+  CHECK(strcmp(column.unit, "rad/N") == 0 && strstr(column.missing, "no bush") != NULL);
+  OK(percuss_kinematics_free(&table));
   FAILS(percuss_suspension_kinematics(suspension, PERCUSS_STEER, travels, 3, NULL, &table), PERCUSS_ERROR_ASSEMBLY,
         "no tie rod");
   FAILS(percuss_suspension_kinematics(suspension, 7, travels, 3, NULL, &table), PERCUSS_ERROR_ARGUMENT, "variable");

@@ -103,9 +103,10 @@ impl SuspensionParts {
             let compressing = self.elements.iter().map(power).sum::<f64>();
             let force = (compressing + bushes.iter().map(of_bush).sum::<f64>()) / rise;
             let frame = pose.link(wheel.spindle);
+            // The contact point stays below the centre of a wheel that rolls, also under a force downward.
+            let radius = wheel.radius.map(|radius| radius.copysign(force));
+            let disc = radius.map(|radius| (frame.inverse_vector(&here.outward), radius));
             let force = pose.base().inverse_vector(&(Vector3::z() * force));
-            // The contact point stays below the centre of a wheel that rolls.
-            let disc = wheel.radius.map(|radius| (frame.inverse_vector(&here.outward), radius));
             let centre = frame.inverse_point(&here.centre);
             loads.push(Load { disc, ..Load::force(wheel.spindle, centre, force) });
         }

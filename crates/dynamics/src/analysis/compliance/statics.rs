@@ -21,7 +21,7 @@ pub struct Load {
     /// Moment, N·m.
     pub moment: Vector3<f64>,
     /// Axis (unit vector, link frame) and radius (m) of a disc about the point: the force acts at the point of its circumference that is farthest against
-    /// the force, such as the contact point of a rolling wheel. `None`: the force acts at the point.
+    /// the force, such as the contact point of a rolling wheel; with a negative radius at the opposite point. `None`: the force acts at the point.
     pub disc: Option<(Vector3<f64>, f64)>,
 }
 
