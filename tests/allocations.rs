@@ -120,7 +120,8 @@ fn a_map_allocates_nothing() {
         let contacts = ContactColumns { points: [x, y, z], normals: [nx, ny, nz] };
         let (mut masses, mut errors) = (vec![0.0; 1000], vec![0.0; 1000]);
         let mut statuses = vec![ContactStatus::Finite; 1000];
-        let mut answers = MapAnswers { masses: &mut masses, errors: &mut errors, statuses: &mut statuses };
+        let mut answers =
+            MapAnswers { masses: &mut masses, relative_errors: &mut errors, statuses: &mut statuses };
         let before = allocations();
         map.fill_answers(contacts, &mut answers).expect("columns of one length");
         let allocated = allocations() - before;

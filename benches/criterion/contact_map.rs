@@ -37,7 +37,7 @@ fn of_pose(criterion: &mut Criterion<CpuTime>, name: &str, pose: &Pose, contact:
         group.bench_function(format!("{name}/{}", set.name()), |bencher| {
             bencher.iter(|| {
                 let mut answers =
-                    MapAnswers { masses: &mut masses, errors: &mut errors, statuses: &mut statuses };
+                    MapAnswers { masses: &mut masses, relative_errors: &mut errors, statuses: &mut statuses };
                 map.fill_answers(black_box(contacts), &mut answers).expect("columns of one length");
             });
         });

@@ -69,7 +69,7 @@ ran=0
 jobs=()
 for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
   # With MuJoCo's header and library, or with arguments: below.
-  case $(basename "$source") in mujoco_coupling.c | real_time.c) continue ;; esac
+  case $(basename "$source") in mujoco_*.c | real_time.c) continue ;; esac
   (check "$source") &
   jobs+=($!)
 done
@@ -78,16 +78,18 @@ for job in "${jobs[@]}"; do
   ran=$((ran + 1))
 done
 [ "$ran" -ge 9 ] || { echo "only $ran programs were found"; exit 1; }
-# The coupling to MuJoCo, with the library of its Python package, where run.sh or PERCUSS_MUJOCO (a folder with include and
+# The couplings to MuJoCo, with the library of its Python package, where run.sh or PERCUSS_MUJOCO (a folder with include and
 # libmujoco.so.*) has it.
 mujoco=${PERCUSS_MUJOCO:-$(find "$root/target/external/venv/lib" -maxdepth 3 -type d -name mujoco 2> /dev/null | head -n 1 || true)}
 if [ -n "$mujoco" ] && [ -f "$mujoco/include/mujoco/mujoco.h" ]; then
   library=$(find "$mujoco" -maxdepth 1 -name 'libmujoco.so*' | head -n 1)
-  # MuJoCo's headers are not those of a C11 program without extensions.
-  # shellcheck disable=SC2046
-  gcc -std=gnu11 -O1 -Wall -Wextra -Werror -isystem "$mujoco/include" crates/capi/examples/mujoco_coupling.c \
-    $(pkg-config --cflags --libs percuss) "$library" -Wl,-rpath,"$mujoco" -lm -o "$work/mujoco_coupling"
-  "$work/mujoco_coupling" || { echo "the coupling to MuJoCo fails"; exit 1; }
+  for name in mujoco_coupling mujoco_contacts; do
+    # MuJoCo's headers are not those of a C11 program without extensions.
+    # shellcheck disable=SC2046
+    gcc -std=gnu11 -O1 -Wall -Wextra -Werror -isystem "$mujoco/include" "crates/capi/examples/$name.c" \
+      $(pkg-config --cflags --libs percuss) "$library" -Wl,-rpath,"$mujoco" -lm -o "$work/$name"
+    "$work/$name" || { echo "the coupling to MuJoCo fails: $name"; exit 1; }
+  done
 else
   echo "C interface: MuJoCo is not installed, the coupling is not run"
 fi

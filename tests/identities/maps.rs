@@ -65,8 +65,11 @@ fn filled(map: &ContactMap<'_>, columns: &Columns) -> Filled {
         errors: vec![0.0; count],
         statuses: vec![ContactStatus::Finite; count],
     };
-    let mut answers =
-        MapAnswers { masses: &mut filled.masses, errors: &mut filled.errors, statuses: &mut filled.statuses };
+    let mut answers = MapAnswers {
+        masses: &mut filled.masses,
+        relative_errors: &mut filled.errors,
+        statuses: &mut filled.statuses,
+    };
     map.fill_answers(columns.contacts(), &mut answers).expect("columns of one length");
     filled
 }
@@ -243,6 +246,14 @@ fn principal_masses_make_the_mass_in_every_direction() {
             EffectiveMass::Immovable => Some(0.0),
             EffectiveMass::Massless => None,
         };
+        let alone = subject.pose.principal_masses(subject.contact.link, None, point).expect("a point");
+        for (a, b) in principal.iter().zip(alone.expect("masses")) {
+            assert_eq!(a.direction, b.direction, "{}", subject.name);
+            match (inverse(a.mass), inverse(b.mass)) {
+                (Some(a), Some(b)) => assert!((a - b).abs() <= 1e-7 * a.max(b), "{}: {a} {b}", subject.name),
+                (a, b) => assert_eq!(a, b, "{}", subject.name),
+            }
+        }
         for (i, a) in principal.iter().enumerate() {
             for b in &principal[..i] {
                 assert!(a.direction.dot(&b.direction).abs() < 1e-9, "{}", subject.name);

@@ -3,7 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{
-    EffectiveMass, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, Remark, effective_mass,
+    EffectiveMass, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, RegularMatrices,
+    Remark, effective_mass,
 };
 use percuss_tests::gauge::Gauge;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
@@ -151,6 +152,30 @@ fn slides_over_many_decades_are_within_the_stated_error() {
     for outcome in ["finite", "lost in rounding", "immovable", "massless"] {
         assert!(counts.get(outcome).is_some_and(|count| *count > 20), "{outcome}: {counts:?}");
     }
+}
+
+/// The quick solution has the exact m̄ within its stated error, which is at most ten times that of the other solution. Only finite masses
+/// have one.
+#[test]
+fn regular_slides_are_within_the_stated_error() {
+    let mut rng = StdRng::seed_from_u64(2025);
+    let (mut regular, mut solved) = (RegularMatrices::default(), 0);
+    for number in 0..20_000 {
+        let slides = Slides { row_decades: 0.0, ..Slides::random(&mut rng, f64::from(number % 13)) };
+        let (mass, rows) = (slides.mass(), slides.rows());
+        let row: Vec<f64> = slides.bodies.row(slides.masses.len() - 1).iter().copied().collect();
+        let options = MatrixOptions::new().accuracy(16.0 * f64::EPSILON);
+        let found = regular.solve(&(&mass).into(), &(&row).into(), Some(&(&rows).into()), &options);
+        let Some((found, error)) = found else { continue };
+        let name = format!("slides {number}, masses {:?}, ratios {:?}", slides.masses, slides.ratios);
+        let EffectiveMass::Finite(exact) = slides.exact() else { panic!("{name}: {found} kg") };
+        assert!((found - exact).abs() <= error, "{name}: {found} ± {error}, exactly {exact}");
+        let other = effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order");
+        assert!(other.error.is_some_and(|other| error <= 10.0 * other), "{name}: {error}, {:?}", other.error);
+        solved += 1;
+    }
+    println!("{solved} of 20000");
+    assert!(solved > 1_000, "{solved} of 20000");
 }
 
 /// The matrix in another storage: column by column, row by row with gaps, or reversed.

@@ -191,7 +191,7 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
         // Each kind runs first in half of the blocks.
         let (r, s) = if block % 2 == 0 {
             let r = time(|i| {
-                black_box(by_rust(i));
+                let _ = black_box(by_rust(i));
             });
             (
                 r,
@@ -205,7 +205,7 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
             });
             (
                 time(|i| {
-                    black_box(by_rust(i));
+                    let _ = black_box(by_rust(i));
                 }),
                 s,
             )

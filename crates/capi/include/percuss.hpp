@@ -27,7 +27,7 @@ class Error : public std::runtime_error {
  public:
   Error(percuss_status status, const std::string &message) : std::runtime_error(message), status_(status) {}
   /// One of PERCUSS_ERROR_….
-  percuss_status status() const noexcept { return status_; }
+  [[nodiscard]] percuss_status status() const noexcept { return status_; }
 
  private:
   percuss_status status_;
@@ -61,13 +61,13 @@ using Vector3 = std::array<double, 3>;
 class Model {
  public:
   /// Reads a file.
-  static Model load_file(const std::string &path) {
+  [[nodiscard]] static Model load_file(const std::string &path) {
     percuss_model *handle = nullptr;
     check(percuss_model_load_file(path.c_str(), &handle));
     return Model(handle);
   }
   /// Reads the text of a model file; name replaces the file name in messages.
-  static Model load_text(std::string_view text, const std::string &name = "text.urdf") {
+  [[nodiscard]] static Model load_text(std::string_view text, const std::string &name = "text.urdf") {
     percuss_model *handle = nullptr;
     check(percuss_model_load_memory(name.c_str(), text.data(), text.size(), &handle));
     return Model(handle);
@@ -76,35 +76,35 @@ class Model {
   struct Counts {
     std::size_t links, joints, positions, velocities;
   };
-  Counts counts() const {
+  [[nodiscard]] Counts counts() const {
     Counts counts{};
     check(percuss_model_counts(get(), &counts.links, &counts.joints, &counts.positions, &counts.velocities));
     return counts;
   }
-  std::size_t find_link(const std::string &name) const {
+  [[nodiscard]] std::size_t find_link(const std::string &name) const {
     std::size_t index = 0;
     check(percuss_model_find_link(get(), name.c_str(), &index));
     return index;
   }
-  std::size_t find_joint(const std::string &name) const {
+  [[nodiscard]] std::size_t find_joint(const std::string &name) const {
     std::size_t index = 0;
     check(percuss_model_find_joint(get(), name.c_str(), &index));
     return index;
   }
   /// The name of a link; valid as long as the model.
-  const char *link_name(std::size_t index) const {
+  [[nodiscard]] const char *link_name(std::size_t index) const {
     const char *name = nullptr;
     check(percuss_model_link_name(get(), index, &name));
     return name;
   }
   /// A joint; its name is valid as long as the model.
-  percuss_joint joint(std::size_t index) const {
+  [[nodiscard]] percuss_joint joint(std::size_t index) const {
     percuss_joint joint{};
     check(percuss_model_joint(get(), index, &joint));
     return joint;
   }
   /// Notes and warnings; their texts are valid as long as the model.
-  std::vector<percuss_diagnostic> diagnostics() const {
+  [[nodiscard]] std::vector<percuss_diagnostic> diagnostics() const {
     std::size_t count = 0;
     check(percuss_model_diagnostic_count(get(), &count));
     std::vector<percuss_diagnostic> all(count);
@@ -112,7 +112,7 @@ class Model {
     return all;
   }
   /// Names of the named poses (keyframes of MJCF).
-  std::vector<std::string> pose_names() const {
+  [[nodiscard]] std::vector<std::string> pose_names() const {
     std::size_t count = 0;
     check(percuss_model_pose_count(get(), &count));
     std::vector<std::string> names(count);
@@ -124,19 +124,19 @@ class Model {
     return names;
   }
   /// Positions of all joints at a named pose, for Configuration::set_positions.
-  std::vector<double> pose_positions(const std::string &name) const {
+  [[nodiscard]] std::vector<double> pose_positions(const std::string &name) const {
     std::vector<double> positions(counts().positions);
     check(percuss_model_pose_positions(get(), name.c_str(), positions.data(), positions.size()));
     return positions;
   }
   /// The positions of all joints for the positions qpos of MuJoCo, of a model that was read from its MJCF.
-  std::vector<double> positions_of_qpos(const std::vector<double> &qpos) const {
+  [[nodiscard]] std::vector<double> positions_of_qpos(const std::vector<double> &qpos) const {
     std::vector<double> positions(counts().positions);
     check(percuss_model_positions_of_qpos(get(), qpos.data(), qpos.size(), positions.data(), positions.size()));
     return positions;
   }
   /// A contact of a point (m) of a link with the ground, along a normal out of the link, both in the link's frame.
-  Contact contact(const std::string &link, const Vector3 &point, const Vector3 &normal) const {
+  [[nodiscard]] Contact contact(const std::string &link, const Vector3 &point, const Vector3 &normal) const {
     Contact contact;
     check(percuss_contact_init(&contact));
     contact.link = find_link(link);
@@ -147,20 +147,20 @@ class Model {
     return contact;
   }
   /// The named contact of the model: a stop, the seat of a spring or damper, a contact patch.
-  Contact named_contact(const std::string &name) const {
+  [[nodiscard]] Contact named_contact(const std::string &name) const {
     Contact contact;
     check(percuss_model_find_contact(get(), name.c_str(), &contact, nullptr));
     return contact;
   }
   /// The gap of a named contact with all joints at 0, m; 0 if the parts always touch.
-  double gap_as_drawn(const std::string &name) const {
+  [[nodiscard]] double gap_as_drawn(const std::string &name) const {
     Contact contact;
     double gap = 0.0;
     check(percuss_model_find_contact(get(), name.c_str(), &contact, &gap));
     return gap;
   }
   /// The results of the tables of a request, JSON: percuss_ask.
-  std::string ask(const std::string &request) const {
+  [[nodiscard]] std::string ask(const std::string &request) const {
     percuss_report *handle = nullptr;
     check(percuss_ask(get(), request.c_str(), &handle));
     detail::Owner<percuss_report, percuss_report_free> report(handle);
@@ -214,7 +214,7 @@ class ModelBuilder {
     return *this;
   }
   /// The model; the builder stays usable.
-  Model model() const {
+  [[nodiscard]] Model model() const {
     percuss_model *handle = nullptr;
     check(percuss_builder_model(handle_.get(), &handle));
     return Model(handle);
@@ -230,19 +230,19 @@ class Kinematics {
   /// A column; the texts are valid as long as this object, missing is null if a row has a value.
   using Column = percuss_column;
 
-  std::size_t rows() const noexcept { return rows_; }
-  const std::vector<Column> &columns() const noexcept { return columns_; }
+  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+  [[nodiscard]] const std::vector<Column> &columns() const noexcept { return columns_; }
   /// The number of the column of this name, such as camber or toe_left.
-  std::size_t find_column(std::string_view name) const {
+  [[nodiscard]] std::size_t find_column(std::string_view name) const {
     for (std::size_t i = 0; i < columns_.size(); i++) {
       if (columns_[i].name == name) return i;
     }
     throw Error(PERCUSS_ERROR_NAME, "no column is named " + std::string(name));
   }
   /// SI units; NaN for a missing value.
-  double operator()(std::size_t row, std::size_t column) const { return values_.at(row * columns_.size() + column); }
+  [[nodiscard]] double operator()(std::size_t row, std::size_t column) const { return values_.at(row * columns_.size() + column); }
   /// The reason why a row has no pose; null for a row with a pose.
-  const char *problem(std::size_t row) const {
+  [[nodiscard]] const char *problem(std::size_t row) const {
     const char *problem = nullptr;
     check(percuss_kinematics_problem(handle_.get(), row, &problem));
     return problem;
@@ -268,25 +268,25 @@ class Kinematics {
 class Suspension {
  public:
   /// Reads a sheet, a table or a JSON file.
-  static Suspension load_file(const std::string &path) {
+  [[nodiscard]] static Suspension load_file(const std::string &path) {
     percuss_suspension *handle = nullptr;
     check(percuss_suspension_load_file(path.c_str(), &handle));
     return Suspension(handle);
   }
   /// Reads text; the ending of name determines the format.
-  static Suspension load_text(std::string_view text, const std::string &name = "sheet.toml") {
+  [[nodiscard]] static Suspension load_text(std::string_view text, const std::string &name = "sheet.toml") {
     percuss_suspension *handle = nullptr;
     check(percuss_suspension_load_memory(name.c_str(), text.data(), text.size(), &handle));
     return Suspension(handle);
   }
   /// The mechanism, with its named contacts.
-  Model model() const {
+  [[nodiscard]] Model model() const {
     percuss_model *handle = nullptr;
     check(percuss_suspension_model(get(), &handle));
     return Model(handle);
   }
   /// Data of a vehicle of which nothing is known.
-  static percuss_vehicle unknown_vehicle() {
+  [[nodiscard]] static percuss_vehicle unknown_vehicle() {
     percuss_vehicle vehicle;
     check(percuss_vehicle_init(&vehicle));
     return vehicle;
@@ -434,25 +434,25 @@ class Configuration {
 /// The full response to a contact.
 class Response {
  public:
-  Mass mass() const {
+  [[nodiscard]] Mass mass() const {
     Mass mass;
     check(percuss_response_mass(get(), &mass));
     return mass;
   }
   /// m̄ and its error with a free mass (kg) as the other side.
-  Mass against_mass(double other) const {
+  [[nodiscard]] Mass against_mass(double other) const {
     Mass mass;
     check(percuss_response_against_mass(get(), other, &mass));
     return mass;
   }
   /// v*: the velocities of all joints at unit closing speed, in joint order.
-  std::vector<double> velocities() const {
+  [[nodiscard]] std::vector<double> velocities() const {
     std::vector<double> all(counts_.velocities);
     check(percuss_response_velocities(get(), all.data(), all.size()));
     return all;
   }
   /// v* of a floating root link: angular, then linear, in its axes.
-  std::array<double, 6> base_velocity() const {
+  [[nodiscard]] std::array<double, 6> base_velocity() const {
     std::array<double, 6> twist{};
     check(percuss_response_base_velocity(get(), twist.data()));
     return twist;
@@ -461,7 +461,7 @@ class Response {
   struct Contributions {
     std::vector<double> links, rotors;
   };
-  Contributions contributions() const {
+  [[nodiscard]] Contributions contributions() const {
     Contributions all{std::vector<double>(counts_.links), std::vector<double>(counts_.joints)};
     check(percuss_response_contributions(get(), all.links.data(), all.links.size(), all.rotors.data(),
                                          all.rotors.size()));
@@ -480,9 +480,9 @@ class Response {
 struct Matrix {
   std::size_t rows = 0, columns = 0;
   std::vector<double> values;
-  double operator()(std::size_t r, std::size_t c) const { return values[c * rows + r]; }
+  [[nodiscard]] double operator()(std::size_t r, std::size_t c) const { return values[c * rows + r]; }
   /// The matrix in the form of percuss_effective_mass.
-  percuss_matrix view() const {
+  [[nodiscard]] percuss_matrix view() const {
     return {values.data(), values.size(), rows, columns, rows, PERCUSS_COLUMN_MAJOR, 0};
   }
 };
@@ -490,36 +490,36 @@ struct Matrix {
 /// A mechanism at one configuration with closed loops.
 class Pose {
  public:
-  Mass effective_mass(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
+  [[nodiscard]] Mass effective_mass(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
     Mass mass;
     check(percuss_pose_effective_mass(get(), &contact, route, &mass));
     return mass;
   }
-  Response respond(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
+  [[nodiscard]] Response respond(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
     percuss_response *handle = nullptr;
     check(percuss_pose_respond(get(), &contact, route, &handle));
     return Response(handle, counts_);
   }
   /// The positions of all joints, in joint order.
-  std::vector<double> positions() const {
+  [[nodiscard]] std::vector<double> positions() const {
     std::vector<double> all(counts_.positions);
     check(percuss_pose_positions(get(), all.data(), all.size()));
     return all;
   }
   /// The pose at a configuration, followed along the branch of this pose.
-  Pose follow(const Configuration &configuration) const {
+  [[nodiscard]] Pose follow(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
     check(percuss_pose_follow(get(), configuration.get(), &handle));
     return Pose(handle, counts_, coordinates_);
   }
   /// M, n×n.
-  Matrix mass_matrix() const {
+  [[nodiscard]] Matrix mass_matrix() const {
     Matrix m{coordinates_, coordinates_, std::vector<double>(coordinates_ * coordinates_)};
     check(percuss_pose_mass_matrix(get(), m.values.data(), m.values.size(), PERCUSS_COLUMN_MAJOR, m.rows));
     return m;
   }
   /// A, rows×n.
-  Matrix constraint_matrix() const {
+  [[nodiscard]] Matrix constraint_matrix() const {
     std::size_t rows = 0;
     check(percuss_pose_constraint_rows(get(), &rows));
     Matrix a{rows, coordinates_, std::vector<double>(rows * coordinates_)};
@@ -527,7 +527,7 @@ class Pose {
     return a;
   }
   /// j, n numbers.
-  std::vector<double> contact_row(const Contact &contact) const {
+  [[nodiscard]] std::vector<double> contact_row(const Contact &contact) const {
     std::vector<double> row(coordinates_);
     check(percuss_pose_contact_row(get(), &contact, row.data(), row.size()));
     return row;
@@ -539,25 +539,25 @@ class Pose {
     std::array<double, 3> origin;
   };
   /// Frame of a link in the world.
-  Frame link_frame(std::size_t link) const {
+  [[nodiscard]] Frame link_frame(std::size_t link) const {
     Frame frame{};
     check(percuss_pose_link_frame(get(), link, frame.rotation.data(), frame.origin.data()));
     return frame;
   }
   /// Gradient of m̄ by the velocities of all joints, kg/rad or kg/m; NaN unless m̄ is finite with an error of at most 1e-6 m̄.
-  std::vector<double> gradient(const Contact &contact) const {
+  [[nodiscard]] std::vector<double> gradient(const Contact &contact) const {
     std::vector<double> all(counts_.velocities);
     check(percuss_pose_gradient(get(), &contact, all.data(), all.size(), nullptr, nullptr));
     return all;
   }
   /// Φ of the contact link at the contact point: 6×6, row by row, root axes, angular part first.
-  std::array<double, 36> inverse_inertia(const Contact &contact) const {
+  [[nodiscard]] std::array<double, 36> inverse_inertia(const Contact &contact) const {
     std::array<double, 36> values{};
     check(percuss_pose_inverse_inertia(get(), &contact, values.data()));
     return values;
   }
   /// Degrees of freedom, rank, findings and closing of the loops.
-  percuss_pose_state state() const {
+  [[nodiscard]] percuss_pose_state state() const {
     percuss_pose_state state{};
     check(percuss_pose_describe(get(), &state));
     return state;
@@ -663,7 +663,7 @@ class Batch {
   using Watch = std::function<bool(std::size_t)>;
 
   /// m̄ at count configurations; positions holds the positions of all joints, one configuration after another.
-  Answers run(const std::vector<double> &positions, std::size_t count, const Watch &watch = {}) const {
+  [[nodiscard]] Answers run(const std::vector<double> &positions, std::size_t count, const Watch &watch = {}) const {
     return run(positions.data(), positions.size(), PERCUSS_ROW_MAJOR, positions_, count, watch);
   }
   /// As percuss_batch_run.
@@ -738,23 +738,23 @@ class Assembly {
   struct Mobility {
     std::size_t degrees_of_freedom, redundant_constraints;
   };
-  Mobility mobility() const {
+  [[nodiscard]] Mobility mobility() const {
     Mobility mobility{};
     check(percuss_assembly_mobility(get(), &mobility.degrees_of_freedom, &mobility.redundant_constraints));
     return mobility;
   }
-  Pose pose(const Configuration &configuration) const {
+  [[nodiscard]] Pose pose(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
     check(percuss_assembly_pose(get(), configuration.get(), &handle));
     return Pose(handle, counts_, coordinates_);
   }
-  Workspace workspace() const {
+  [[nodiscard]] Workspace workspace() const {
     percuss_workspace *handle = nullptr;
     check(percuss_workspace_new(get(), &handle));
     return Workspace(handle, counts_.positions, counts_.velocities);
   }
   /// threads: 1: the calling thread alone; 0: one per processor of the machine.
-  Batch batch(const Contact &contact, std::size_t threads = 0) const {
+  [[nodiscard]] Batch batch(const Contact &contact, std::size_t threads = 0) const {
     percuss_batch *handle = nullptr;
     check(percuss_batch_new(get(), &contact, threads, &handle));
     return Batch(handle, counts_.positions, counts_.velocities);
@@ -776,18 +776,18 @@ class System {
   /// Fixed base, every joint free.
   explicit System(const Model &model) : System(model, nullptr) {}
   System(const Model &model, const Conditions &conditions) : System(model, conditions.get()) {}
-  std::size_t coordinates() const noexcept { return coordinates_; }
+  [[nodiscard]] std::size_t coordinates() const noexcept { return coordinates_; }
   /// Assembles the loops from all joints at 0.
   Assembly assemble() const { return assemble(nullptr); }
   /// Assembles the loops from guesses.
   Assembly assemble(const Configuration &guesses) const { return assemble(guesses.get()); }
-  Pose pose(const Configuration &configuration) const {
+  [[nodiscard]] Pose pose(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
     check(percuss_pose_new(get(), configuration.get(), &handle));
     return Pose(handle, counts_, coordinates_);
   }
   /// The pose at which a stop touches, with its contact in `contact`: the name of a contact, or JOINT:lower or JOINT:upper.
-  Pose touch(const Configuration &configuration, const std::string &stop, Contact &contact) const {
+  [[nodiscard]] Pose touch(const Configuration &configuration, const std::string &stop, Contact &contact) const {
     percuss_pose *handle = nullptr;
     check(percuss_pose_touch(get(), configuration.get(), stop.c_str(), &handle, &contact));
     return Pose(handle, counts_, coordinates_);
@@ -801,7 +801,7 @@ class System {
     handle_.reset(handle);
     check(percuss_system_coordinates(get(), &coordinates_));
   }
-  Assembly assemble(const percuss_configuration *guesses) const {
+  [[nodiscard]] Assembly assemble(const percuss_configuration *guesses) const {
     percuss_assembly *handle = nullptr;
     check(percuss_assembly_new(get(), guesses, &handle));
     return Assembly(handle, counts_, coordinates_);

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
 #   install.sh --prefix DIR [--libraries DIR | --without-suspensions]
-# Without --libraries they are built with link-time optimisation; --crate-type omits the Rust library, with which cargo would skip it.
+# Without --libraries they are built in the profile `dist`, with link-time optimisation; --crate-type omits the Rust library, with which cargo
+# would skip it. Both are installed without information for debuggers.
 # --without-suspensions omits percuss_suspension_…, percuss_kinematics_…, percuss_pose_touch and percuss_ask. Linux and macOS.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -20,8 +21,8 @@ done
 root=$(cd "$here/../../.." && pwd)
 if [ -z "$libraries" ]; then
   # shellcheck disable=SC2086
-  cargo rustc --locked --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib $features --crate-type staticlib,cdylib
-  libraries=${CARGO_TARGET_DIR:-$root/target}/release
+  cargo rustc --locked --profile dist --manifest-path "$root/Cargo.toml" -p percuss-capi --lib $features --crate-type staticlib,cdylib
+  libraries=${CARGO_TARGET_DIR:-$root/target}/dist
 fi
 header=$here/../include/percuss.h
 version=$(sed -n 's/^#define PERCUSS_VERSION "\(.*\)"$/\1/p' "$header")
@@ -35,6 +36,8 @@ if [ "$(uname)" = Darwin ]; then
   cp "$libraries/libpercuss_c.dylib" "$prefix/lib/$shared"
   install_name_tool -id "$prefix/lib/$shared" "$prefix/lib/$shared"
   ln -sf "$shared" "$prefix/lib/libpercuss.dylib"
+  strip -S "$prefix/lib/libpercuss.a" "$prefix/lib/$shared"
+  unused=-Wl,-dead_strip
   system="-framework CoreFoundation -liconv -lm"
 else
   # Programs look for the second version number; the first changes less often still.
@@ -44,9 +47,13 @@ else
   ln -sf "$shared" "$prefix/lib/libpercuss.so"
   # The unwinder is the compiler's own: libgcc_s, or libgcc_eh with -static.
   system="-lutil -lrt -lpthread -lm -ldl"
+  strip --strip-debug "$prefix/lib/libpercuss.a"
+  strip --strip-unneeded "$prefix/lib/libpercuss.so.$version"
+  # The linker omits the parts of the static library that a program does not call.
+  unused=-Wl,--gc-sections
 fi
 for file in percuss.pc:pkgconfig percuss-static.pc:pkgconfig percuss-config.cmake:cmake/percuss percuss-config-version.cmake:cmake/percuss; do
   name=${file%:*}
   sed -e "s|@PREFIX@|$prefix|g" -e "s|@VERSION@|$version|g" -e "s|@INTERFACE@|$interface|g" -e "s|@SHARED@|$shared|g" \
-    -e "s|@SYSTEM@|$system|g" "$here/$name.in" > "$prefix/lib/${file#*:}/$name"
+    -e "s|@SYSTEM@|$system|g" -e "s|@UNUSED@|$unused|g" "$here/$name.in" > "$prefix/lib/${file#*:}/$name"
 done

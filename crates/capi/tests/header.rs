@@ -15,6 +15,12 @@ fn crate_folder() -> &'static Path {
 const NOTICE: &str = "/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by \
                       hand. docs/howto/C.md says how it is used. */";
 
+/// Attribute of all functions with a status, except those that free a handle.
+const NODISCARD: &str = "/* A compiler of C++17 or C23 warns of a status that is not read. */\n#ifndef PERCUSS_NODISCARD\n\
+                         #if (defined(__cplusplus) && __cplusplus >= 201703L) || \
+                         (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)\n\
+                         #define PERCUSS_NODISCARD [[nodiscard]]\n#else\n#define PERCUSS_NODISCARD\n#endif\n#endif\n\n";
+
 fn versions() -> String {
     let (major, minor, patch) =
         (env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH"));
@@ -23,6 +29,7 @@ fn versions() -> String {
         "\n/* The version of this header. While the first number is 0, the second changes with every change that programs must be\n   \
          compiled again for. */\n#define PERCUSS_VERSION \"{version}\"\n#define PERCUSS_VERSION_MAJOR {major}\n\
          #define PERCUSS_VERSION_MINOR {minor}\n#define PERCUSS_VERSION_PATCH {patch}\n\n\
+         {NODISCARD}\
          /* No link: the ground. */\n#define PERCUSS_GROUND SIZE_MAX\n\n\
          /* No link is given: the link of a contact before it is set. */\n#define PERCUSS_NO_LINK (SIZE_MAX - 1)"
     )
@@ -81,7 +88,14 @@ fn generated() -> String {
     let mut bytes = Vec::new();
     builder.generate().expect("sources that cbindgen reads").write(&mut bytes);
     let text = String::from_utf8(bytes).expect("UTF-8");
-    text.replace(" # Safety\n", " Pointers:\n")
+    let is_checked = |line: &str| {
+        let name = line.strip_prefix("percuss_status percuss_").and_then(|rest| rest.split('(').next());
+        name.is_some_and(|name| !name.ends_with("_free"))
+    };
+    let marked = |line: &str| {
+        if is_checked(line) { format!("PERCUSS_NODISCARD {line}\n") } else { format!("{line}\n") }
+    };
+    text.replace(" # Safety\n", " Pointers:\n").lines().map(marked).collect()
 }
 
 fn names(header: &str) -> BTreeSet<String> {

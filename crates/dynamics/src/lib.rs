@@ -45,7 +45,7 @@ pub use batch::rows::Batch;
 pub use batch::workspace::{ResponseAtPose, Workspace, WorkspaceResponse};
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
-    effective_mass,
+    RegularMatrices, effective_mass,
 };
 pub use error::budget::ErrorBudget;
 pub use kinematics::contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};

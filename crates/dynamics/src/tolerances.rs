@@ -452,6 +452,22 @@ pub(crate) const MOST_ACCURACY: f64 = 1e-3;
 pub(crate) const ROW_NOISE: f64 = 1e-14;
 /// Zero threshold for singular values of A, as a multiple of the accuracy of the entries.
 pub(crate) const FLOOR_ACCURACY: f64 = 10.0;
+/// Largest number of coordinates of matrices in a batch that are solved in small arrays.
+pub(crate) const MOST_REGULAR: usize = 32;
+/// Largest relative error of entries in the quick solution: single precision.
+pub(crate) const REGULAR_ACCURACY: f64 = 1e-7;
+/// Least diagonal entry of M in the quick solution; its inverse does not overflow.
+pub(crate) const LEAST_DIAGONAL: f64 = 1e-90;
+/// Least part of the rows across each other, as a product of ratios, in the quick solution. Singular values are then above 6e-4, far
+/// from [`RANK_FLOOR`] and [`NEARLY_IMMOVABLE`].
+pub(crate) const CLEAR_ROWS: f64 = 1e-3;
+/// Least ratio of two rows of A in the quick solution: no row may be rounding of others.
+pub(crate) const SIMILAR_ROWS: f64 = 1e-5;
+/// Largest loss of digits in the quick solution: error of the entries times the condition. Terms of second order in an error are then
+/// below a hundredth of the error, which [`SECOND_ORDER`] adds.
+pub(crate) const REGULAR_LOSS: f64 = 1e-4;
+/// Factor for terms of second order.
+pub(crate) const SECOND_ORDER: f64 = 1.01;
 /// Largest accepted difference of M from its transpose, relative to √(M_rr M_cc). Two methods of summation differ by
 /// about 1e-13.
 pub(crate) const SYMMETRIC: f64 = 1e-9;

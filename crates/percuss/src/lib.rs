@@ -17,6 +17,23 @@
 //!
 //! With the feature `suspension`, `suspension::import` reads hardpoints from the same [`Source`].
 //!
+//! # Tasks
+//!
+//! | task | items |
+//! |---|---|
+//! | read or build a mechanism | [`load_file`], [`load`] with [`LoadOptions`], [`MechanismBuilder`]; write it: [`write_urdf`], [`write_mjcf`], [`write_sdf`] |
+//! | base, locks, held points, rotors | [`Conditions`], then [`System`] |
+//! | m̄ at a contact of one pose, its error, v*, shares | [`Configuration`], [`Pose::respond`], [`ContactResponse`] |
+//! | m̄ in a time loop, without allocation | [`Workspace`] |
+//! | one contact at many configurations; gradients and Λ⁻¹ of each | [`Batch`] |
+//! | many contacts of a link at one pose | [`ContactMap`] |
+//! | M, A, j for another solver; m̄ from its matrices | [`Pose::mass_matrix`], [`Pose::constraint_matrix`], [`Pose::contact_row`]; [`effective_mass()`], [`RegularMatrices`] |
+//! | gradient of m̄ | [`Pose::effective_mass_gradient`] |
+//! | impacts | [`impact::state_impact`] and its module |
+//! | contact laws, safe speeds, parameters of simulators | [`contact`] |
+//! | positions of MuJoCo | [`QposLayout`] |
+//! | proved bounds | [`Pose::certify`] |
+//!
 //! # Steps of the computation
 //!
 //! Each step is an immutable value: [`System`] (a mechanism under [`Conditions`]) → [`Assembly`] (loops closed) → [`Pose`] →
@@ -25,12 +42,13 @@
 //!
 //! [`impact`] has rigid impacts: impulses, rates after the impact, and the reactions in all joints and loops. [`contact`] has
 //! the contact laws and the parameters of simulators. Matrices and vectors are those of [`nalgebra`], which is
-//! re-exported. Every type has exactly one name. The guide `docs/howto/RUST.md` of the repository has more examples.
+//! re-exported. Every type has one name; [`prelude`] has those of most programs. The guide `docs/howto/RUST.md` of the repository has more examples.
 
 // Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
 // crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.
 pub use nalgebra;
 pub use percuss_contact as contact;
+pub mod prelude;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,
@@ -43,10 +61,11 @@ pub use percuss_dynamics::{
     Gap, GivenPositions, InverseOperationalInertia, LayoutError, LinearElement, Load, LocatedContact,
     LoopState, LowestPoint, MapAnswers, MapError, MassCertificate, MassGradient, MatrixError, MatrixName,
     MatrixOptions, MatrixResponse, MatrixView, Mode, NoCertificate, PathAnswer, PointForce, PointVelocity,
-    Pose, PoseRank, PrincipalMass, RangeProof, Receptance, Remark, RemarkFlags, ResidualCompliance,
-    ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer, RowColumns,
-    RowHandler, RowPath, RowResults, RowShare, Singularity, StateSizeError, StaticDisplacement, StaticSystem,
-    System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
+    Pose, PoseRank, PrincipalMass, RangeProof, Receptance, RegularMatrices, Remark, RemarkFlags,
+    ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer,
+    RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity, StateSizeError, StaticDisplacement,
+    StaticSystem, System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input,
+    interruption,
 };
 #[cfg(feature = "urdf-rs")]
 #[doc(no_inline)]

@@ -24,7 +24,7 @@ def main() -> None:
     )
     conditions = percuss.Conditions(estimate=(["wheel", "spindle", "upright"], [0, 0, 0], [0, 0, 1]))
     travel = "travel:wheel:0,0,0:0,0,1=-40mm:40mm:9"
-    report = percuss.sweep_report(corner, spring, conditions, vary=travel)
+    report = percuss.reports.sweep_report(corner, spring, conditions, vary=travel)
     print("travel (mm)   effective mass (kg)   estimate (kg)   motion ratio")
     for row in report.rows:
         (where,) = row["varied"].values()

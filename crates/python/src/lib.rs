@@ -44,7 +44,7 @@ mod module {
         reflected_inertias, run_study, safe_speed, starting_study, study_schema, sweep_report,
     };
     #[pymodule_export]
-    use crate::sweep::impacts::impact_rows;
+    use crate::sweep::impacts::{friction_rows, impact_rows};
     #[pymodule_export]
     use crate::sweep::result::{Sweep, sweep_of_parts};
     #[pymodule_export]

@@ -84,19 +84,19 @@ CASES: dict[str, Call] = {
     "suspension.templates": Call(percuss.suspension.templates, {}),
     "contact_law.laws": Call(percuss.contact_law.laws, {}),
     "contact_law.tools": Call(percuss.contact_law.tools, {}),
-    "regions": Call(percuss.regions, {}),
+    "regions": Call(percuss.reports.regions, {}),
     "study.schema": Call(percuss.study.schema, {}),
     "set_threads": Call(percuss.set_threads, {"threads": 2}),
-    "check": Call(percuss.check, {"model": ARM}),
+    "check": Call(percuss.reports.check, {"model": ARM}),
     "mass": Call(percuss.mass, {"model": ARM, "contact": TOOL, "conditions": None, "damping": None}),
     "sweep_report": Call(
-        percuss.sweep_report, {"model": ARM, "contact": TOOL, "conditions": None, **ROWS, "gradient": False}
+        percuss.reports.sweep_report, {"model": ARM, "contact": TOOL, "conditions": None, **ROWS, "gradient": False}
     ),
     "map": Call(
         percuss.map,
         {"model": SHAPED, "conditions": None, "against": None, "links": ["finger"], "shapes": "auto", "edge": 0.05, "packages": {}},
     ),
-    "map_point": Call(percuss.map_point, {"model": ARM, "contact": TOOL, "directions": 20, "conditions": None}),
+    "map_point": Call(percuss.reports.map_point, {"model": ARM, "contact": TOOL, "directions": 20, "conditions": None}),
     "contact_law.damp": Call(percuss.contact_law.damp, {"mass": 2.0, "damping": DAMPING}),
     "contact_law.damp_contact": Call(
         percuss.contact_law.damp_contact, {"model": CORNER, "contact": "bump_stop", "damping": DAMPING, "conditions": None}
@@ -105,13 +105,13 @@ CASES: dict[str, Call] = {
         percuss.contact_law.damp_stop, {"model": ARM, "joint": "elbow", "damping": DAMPING, "conditions": None, "end": "upper"}
     ),
     "contact_law.impact_history": Call(percuss.contact_law.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
-    "explain": Call(percuss.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
-    "friction_thresholds": Call(percuss.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "explain": Call(percuss.reports.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "friction_thresholds": Call(percuss.reports.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
     "reflected_inertias": Call(
-        percuss.reflected_inertias, {"model": BAR, "joints": ["crank_hinge"], "conditions": None}
+        percuss.reports.reflected_inertias, {"model": BAR, "joints": ["crank_hinge"], "conditions": None}
     ),
     "tolerate": Call(
-        percuss.tolerate,
+        percuss.reports.tolerate,
         {"model": ARM, "contact": TOOL, "tolerance": "mass=2%", "conditions": None, "samples": 5, "seed": 0},
     ),
     "study.compare": Call(
@@ -137,7 +137,7 @@ CASES: dict[str, Call] = {
         percuss.safe_speed, {"model": ARM, "contact": TOOL, "region": "chest", "conditions": None, **LIMITS, **ROWS}
     ),
     "safe_speed_directions": Call(
-        percuss.safe_speed_directions,
+        percuss.reports.safe_speed_directions,
         {"model": ARM, "contact": TOOL, "region": "chest", "directions": [[0, 1, 0]], "conditions": None, "worst": False, **LIMITS},
     ),
     "suspension.kinematics": Call(
@@ -160,7 +160,7 @@ CASES: dict[str, Call] = {
          "threads": 1, "progress": None},
     ),
     "safe_speeds": Call(percuss.safe_speeds, {"mass": [1.0, 2.0], "region": "chest", **{name: LIMITS[name] for name in list(LIMITS)[:5]}}),
-    "position_gradient": Call(percuss.position_gradient, {"model": ARM, "q": Q[:1], "gradient": np.ones((1, 6))}),
+    "position_gradient": Call(percuss.converters.position_gradient, {"model": ARM, "q": Q[:1], "gradient": np.ones((1, 6))}),
     "effective_mass": Call(percuss.effective_mass, MATRICES),
     "effective_masses": Call(percuss.effective_masses, {**MATRICES, "M": np.stack([MASS, MASS]), "A": None}),
     "Conditions": Call(
@@ -225,7 +225,7 @@ CASES: dict[str, Call] = {
     "Pose.outside_limits": Call(POSE.outside_limits, {}),
     "Pose.rank": Call(POSE.rank, {}),
     "Pose.respond": Call(POSE.respond, {"contact": TOOL, "route": "auto"}),
-    "Travel": Call(percuss.Travel, {"pose": CLOSED, "link": "coupler", "point": [0, 0, 0], "direction": [0, 1, 0]}),
+    "Travel": Call(percuss.suspension.Travel, {"pose": CLOSED, "link": "coupler", "point": [0, 0, 0], "direction": [0, 1, 0]}),
     "Travel.displacement": Call(TRAVEL.displacement, {"pose": CLOSED}),
     "Travel.rate": Call(TRAVEL.rate, {"pose": CLOSED, "joint": "crank_hinge"}),
     "Travel.driver": Call(TRAVEL.driver, {"pose": CLOSED, "set": []}),

@@ -110,7 +110,7 @@ def test_gradients_by_quaternions_are_differences() -> None:
     q /= np.linalg.norm(q)
     swept = percuss.sweep(model, contact, q, gradient=True)
     assert swept.gradient is not None
-    gradient = percuss.position_gradient(model, q, swept.gradient)[0]
+    gradient = percuss.converters.position_gradient(model, q, swept.gradient)[0]
     assert gradient @ q[0] == pytest.approx(0, abs=1e-12)
     step = 1e-6
     for k in range(4):

@@ -28,14 +28,14 @@ def test_gradients_are_those_of_poses_and_of_differences() -> None:
     assert swept.gradient.shape == (300, len(ARM.velocity_names))
     plain = percuss.sweep(ARM, TOOL, q)
     assert (plain.effective_mass == swept.effective_mass).all() and not hasattr(plain, "gradient")
-    with pytest.raises(percuss.NotComputedError, match=r"gradient was not requested; call percuss.sweep\(…, gradient=True\)"):
+    with pytest.raises(percuss.errors.NotComputedError, match=r"gradient was not requested; call percuss.sweep\(…, gradient=True\)"):
         print(plain.gradient)
     for row in range(0, 300, 60):
         expected = ARM.pose(q[row]).effective_mass_gradient(TOOL)
         assert expected is not None
         wanted = np.concatenate([expected[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
         assert np.abs(swept.gradient[row] - wanted).max() <= POSE * np.abs(wanted).max()
-    by_position = percuss.position_gradient(ARM, q, swept.gradient)
+    by_position = percuss.converters.position_gradient(ARM, q, swept.gradient)
     for column in range(ARM.position_count):
         step = np.zeros(ARM.position_count)
         step[column] = STEP

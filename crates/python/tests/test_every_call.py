@@ -55,7 +55,7 @@ COUPLER = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
 SYSTEM, ASSEMBLY = ARM.system(), BAR.assemble()
 POSE, CLOSED = ARM.pose({"elbow": 0.3}), BAR.pose({"crank_hinge": 0.2})
 RESPONSE = CLOSED.respond(COUPLER)
-TRAVEL = percuss.Travel(BAR.pose(), "coupler", [0.35, 0.1, 0], [0, 1, 0])
+TRAVEL = percuss.suspension.Travel(BAR.pose(), "coupler", [0.35, 0.1, 0], [0, 1, 0])
 DAMPING = percuss.contact_law.Damping(0.5, 2e5, speed=1.0)
 DESIGNS = [percuss.study.Design("a", CORNER, "bump_stop"), percuss.study.Design("b", CORNER, "spring")]
 MASS, ROW = np.array([[2.0, 0.3], [0.3, 1.0]]), np.array([1.0, -0.5])
@@ -74,7 +74,7 @@ def workspace() -> percuss.Workspace:
     return made
 
 
-def diagnostic() -> percuss.Diagnostic:
+def diagnostic() -> percuss.results.Diagnostic:
     try:
         percuss.loads("<robot/>")
     except percuss.LoadError as error:
@@ -91,34 +91,34 @@ CASES: dict[str, Callable[[], Any]] = {
     "suspension.templates": percuss.suspension.templates,
     "contact_law.laws": percuss.contact_law.laws,
     "contact_law.tools": percuss.contact_law.tools,
-    "regions": percuss.regions,
+    "regions": percuss.reports.regions,
     "set_threads": lambda: percuss.set_threads(None),
-    "check": lambda: percuss.check(ARM).total_mass,
+    "check": lambda: percuss.reports.check(ARM).total_mass,
     "mass": lambda: percuss.mass(CORNER, "bump_stop").effective_mass,
-    "sweep_report": lambda: percuss.sweep_report(BAR, COUPLER, vary="crank_hinge=0:0.2:5", gradient=True).rows,
+    "sweep_report": lambda: percuss.reports.sweep_report(BAR, COUPLER, vary="crank_hinge=0:0.2:5", gradient=True).rows,
     "map": lambda: percuss.map(SHAPED, links=["finger"]).links,
-    "map_point": lambda: percuss.map_point(ARM, TOOL, 20).principal,
+    "map_point": lambda: percuss.reports.map_point(ARM, TOOL, 20).principal,
     "contact_law.damp": lambda: percuss.contact_law.damp(2.0, DAMPING).damping,
     "contact_law.damp_contact": lambda: percuss.contact_law.damp_contact(CORNER, "bump_stop", DAMPING).damping,
     "contact_law.damp_stop": lambda: percuss.contact_law.damp_stop(ARM, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper").damping,
     "contact_law.impact_history": lambda: percuss.contact_law.impact_history(2.0, DAMPING, 20).tolist(),
-    "explain": lambda: percuss.explain(ARM, TOOL),
-    "friction_thresholds": lambda: percuss.friction_thresholds(ARM, TOOL),
-    "reflected_inertias": lambda: percuss.reflected_inertias(BAR, ["crank_hinge"]),
-    "tolerate": lambda: percuss.tolerate(ARM, TOOL, "mass=2%", samples=20),
+    "explain": lambda: percuss.reports.explain(ARM, TOOL),
+    "friction_thresholds": lambda: percuss.reports.friction_thresholds(ARM, TOOL),
+    "reflected_inertias": lambda: percuss.reports.reflected_inertias(BAR, ["crank_hinge"]),
+    "tolerate": lambda: percuss.reports.tolerate(ARM, TOOL, "mass=2%", samples=20),
     "study.compare": lambda: percuss.study.compare(DESIGNS).designs,
     "study.compare_study": lambda: percuss.study.compare_study(ROOT / "models/studies/variants.toml").designs,
     "impact": lambda: percuss.impact(ARM, TOOL, 0.5, speed=1.0).impulse,
     "extremes": lambda: percuss.extremes(ARM, TOOL, ranges={"elbow": (-1.0, 1.0)}, starts=2).least,
     "safe_speed": lambda: percuss.safe_speed(ARM, TOOL, "chest", force=140.0).reflected,
-    "safe_speed_directions": lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0),
+    "safe_speed_directions": lambda: percuss.reports.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0),
     "suspension.kinematics": lambda: percuss.suspension.kinematics(CORNER, wheel_travel=[0.0, 0.01]).values["camber"].tolist(),
     "study.ask": lambda: percuss.study.ask(ARM, {"contact": {"link": "tool", "point": [0.08, 0, 0], "normal": [0, 1, 0]}}).mass,
     "study.run": lambda: percuss.study.run(STUDY).schema,
     "study.starting": lambda: percuss.study.starting(BAR, "four_bar.urdf"),
     "study.schema": percuss.study.schema,
     "sweep": lambda: percuss.sweep(ARM, TOOL, Q, points=POINTS, gradient=True, inverse_operational_inertia=True).effective_mass.sum(),
-    "position_gradient": lambda: percuss.position_gradient(ARM, Q[:1], np.ones((1, 6))).tolist(),
+    "position_gradient": lambda: percuss.converters.position_gradient(ARM, Q[:1], np.ones((1, 6))).tolist(),
     "effective_mass": lambda: percuss.effective_mass(MASS, ROW).effective_mass,
     "effective_masses": lambda: percuss.effective_masses(np.stack([MASS, MASS]), ROW).effective_mass.tolist(),
     "MatrixBatch": lambda: [str(f) for f in percuss.effective_masses(np.stack([MASS, MASS]), ROW).findings],
@@ -179,7 +179,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "Pose.outside_limits": POSE.outside_limits,
     "Pose.rank": CLOSED.rank,
     "Pose.respond": lambda: POSE.respond(TOOL).effective_mass,
-    "Travel": lambda: percuss.Travel(CLOSED, "coupler", [0, 0, 0], [0, 1, 0]).link,
+    "Travel": lambda: percuss.suspension.Travel(CLOSED, "coupler", [0, 0, 0], [0, 1, 0]).link,
     "Travel.displacement": lambda: TRAVEL.displacement(CLOSED),
     "Travel.rate": lambda: TRAVEL.rate(CLOSED, "crank_hinge"),
     "Travel.driver": lambda: TRAVEL.driver(CLOSED),

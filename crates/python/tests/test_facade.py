@@ -96,12 +96,12 @@ NAMES: dict[str, object] = {
 }  # fmt: skip
 PUBLIC = {
     f"{owner.__name__}.{name}": getattr(owner, name)
-    for owner in (percuss, percuss.suspension, percuss.study, percuss.contact_law)
+    for owner in (percuss, percuss.suspension, percuss.study, percuss.contact_law, percuss.reports, percuss.results, percuss.converters)
     for name in owner.__all__
 }
 EXAMPLES = {
     name: item for name, item in PUBLIC.items()
-    if callable(item) and not (isinstance(item, type) and issubclass(item, (Exception, percuss.Report)))
+    if callable(item) and not (isinstance(item, type) and issubclass(item, (Exception, percuss.reports.Report)))
 }  # fmt: skip
 
 

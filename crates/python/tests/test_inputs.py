@@ -33,12 +33,12 @@ ON_BALL = percuss.Contact("body", [0.3, 0.1, 0.5], [1, 2, 0])
 
 def finite(value: Any) -> float:
     """The first number of a result; fails if the result has no number."""
-    if isinstance(value, percuss.Sweep):
+    if isinstance(value, percuss.results.Sweep):
         assert (value.status != percuss.Status.NO_ANSWER).all()
         return float(value.effective_mass[0])
     if isinstance(value, tuple):
         return float(value[0][0])
-    if isinstance(value, (percuss.Response, percuss.MatrixResponse)):
+    if isinstance(value, (percuss.results.Response, percuss.results.MatrixResponse)):
         assert value.effective_mass is not None
         return value.effective_mass
     return float(np.ravel(np.asarray(value))[0])
@@ -101,10 +101,10 @@ ENTRIES: Mapping[str, Entry] = {
         lambda p: HOME.respond(TOOL).point_velocity("tool", p), [0.08, 0.0, 0.01], VECTOR
     ),
     "Travel, point": Entry(
-        lambda p: percuss.Travel(HOME, "tool", p, [0, 1, 0]).point, [0.08, 0.0, 0.01], VECTOR
+        lambda p: percuss.suspension.Travel(HOME, "tool", p, [0, 1, 0]).point, [0.08, 0.0, 0.01], VECTOR
     ),
     "Travel, direction": Entry(
-        lambda d: percuss.Travel(HOME, "tool", [0.08, 0, 0], d).direction, [0.1, 1.0, 0.2], VECTOR
+        lambda d: percuss.suspension.Travel(HOME, "tool", [0.08, 0, 0], d).direction, [0.1, 1.0, 0.2], VECTOR
     ),
     "accelerations, gravity": Entry(
         lambda g: HOME.accelerations(gravity=g).joints["elbow"], [0.3, 0.0, -9.81], VECTOR
@@ -286,7 +286,7 @@ def without_number(call: Any, model: percuss.Model, contact: percuss.Contact, q:
         found = call(model, contact, q)
     except percuss.PercussError:
         return
-    assert isinstance(found, percuss.Sweep) and list(found.status) == [percuss.Status.NO_ANSWER]
+    assert isinstance(found, percuss.results.Sweep) and list(found.status) == [percuss.Status.NO_ANSWER]
     assert np.isnan(found.effective_mass).all()
 
 
@@ -355,7 +355,7 @@ def test_base_poses_that_mean_nothing() -> None:
             ARM.pose(base_pose=bad)  # type: ignore[arg-type]
 
 
-def codes(found: list[percuss.Diagnostic] | None) -> list[str]:
+def codes(found: list[percuss.results.Diagnostic] | None) -> list[str]:
     assert found is not None
     return [finding.code for finding in found]
 
@@ -385,7 +385,7 @@ def test_another_assembly_mode_is_asked_for() -> None:
     driver = model.assemble().drivers[0]
     beyond = np.deg2rad([80.0, 85.0, 90.0])
     for angle in beyond:
-        with pytest.raises(percuss.AssemblyError, match="on another assembly mode"):
+        with pytest.raises(percuss.errors.AssemblyError, match="on another assembly mode"):
             model.pose({driver: angle})
         found = model.pose({driver: angle}, other_assembly=True).respond(contact)
         assert found.effective_mass is not None

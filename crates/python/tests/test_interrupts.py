@@ -17,19 +17,19 @@ from cases import ROOT
 
 #: Calls that take longer than 3 s, after the preparations of PROGRAM.
 CALLS = {
-    "tolerate": 'percuss.tolerate(arm, tool, "mass=2%,com=1mm", samples=100_000)',
-    "tolerate a sheet": 'percuss.tolerate(corner, "bump_stop", "mass=2%,point=0.5mm", samples=100_000)',
+    "tolerate": 'percuss.reports.tolerate(arm, tool, "mass=2%,com=1mm", samples=100_000)',
+    "tolerate a sheet": 'percuss.reports.tolerate(corner, "bump_stop", "mass=2%,point=0.5mm", samples=100_000)',
     "compare": 'percuss.study.compare([percuss.study.Design("a", arm, tool), percuss.study.Design("b", arm, tool)], random=3_000_000)',
     "compare poses": 'percuss.study.compare([percuss.study.Design(str(k), corner, "bump_stop") for k in range(2000)])',
     "safe_speed": 'percuss.safe_speed(arm, tool, "chest", force=140.0, random=30_000_000)',
-    "sweep_report": "percuss.sweep_report(arm, tool, random=10_000_000)",
-    "sweep_report of loops": 'percuss.sweep_report(corner, "bump_stop", vary="wheel-travel=-60mm:60mm:1000000")',
+    "sweep_report": "percuss.reports.sweep_report(arm, tool, random=10_000_000)",
+    "sweep_report of loops": 'percuss.reports.sweep_report(corner, "bump_stop", vary="wheel-travel=-60mm:60mm:1000000")',
     "extremes": '[percuss.extremes(arm, tool, ranges={"yaw": (-3, 3), "shoulder": (-2, 2), "elbow": (-2, 2)}, starts=2000) for _ in range(100)]',
     "impact in time": "[percuss.impact(chain, percuss.Contact('link_59', [0.1, 0, 0], [0, 0, 1]), 0.5, speed=1.0, stiffness=1e5, "
     "in_time=True, gravity=[0, 0, -9.81]) for _ in range(100)]",
     "impact_history": "[percuss.contact_law.impact_history(2.0, percuss.contact_law.Damping(0.5, 1e5, speed=1.0), 1_000_000) for _ in range(1000)]",
     "kinematics": "percuss.suspension.kinematics(corner, wheel_travel=np.linspace(-0.05, 0.05, 1_000_000))",
-    "map_point": "percuss.map_point(percuss.loads(urdf(200)), percuss.Contact('link_99', [0, 0, 0], [0, 0, 1]), 1_000_000)",
+    "map_point": "percuss.reports.map_point(percuss.loads(urdf(200)), percuss.Contact('link_99', [0, 0, 0], [0, 0, 1]), 1_000_000)",
     "map": "[percuss.map(shaped, edge=0.002) for _ in range(100)]",
     "map of small facets": "percuss.map(shaped, edge=0.0005)",
     "sweep": "percuss.sweep(arm, tool, np.zeros((20_000_000, arm.position_count)), gradient=True)",

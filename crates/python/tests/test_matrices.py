@@ -76,9 +76,10 @@ def test_batches() -> None:
     assert masses.shape == errors.shape == status.shape == (700,) and not status.any()
     for at in (0, 300, 699):
         one = percuss.effective_mass(M[at], j[at], A[at])
-        assert (masses[at], errors[at]) == (one.effective_mass, one.error)
+        assert one.error is not None and one.effective_mass is not None
+        assert abs(masses[at] - one.effective_mass) <= errors[at] + one.error and errors[at] <= 10 * one.error
     same, _, _ = percuss.effective_masses(np.asfortranarray(M), j[3], A[3])
-    assert same[5] == percuss.effective_mass(M[5], j[3], A[3]).effective_mass
+    assert same[5] == pytest.approx(percuss.effective_mass(M[5], j[3], A[3]).effective_mass, rel=1e-12)
     backwards, _, _ = percuss.effective_masses(M[::-1], j[::-1], A[::-1])
     assert np.array_equal(backwards, masses[::-1])
     _, _, outcomes = percuss.effective_masses(
@@ -106,7 +107,7 @@ def test_a_batch_has_the_findings_of_its_problems() -> None:
     assert found["massless-motions"].severity == "note"
     assert found["massless-motions"].message.endswith(" (number 1, and 1 more)")
     for other in (copy.deepcopy(batch), pickle.loads(pickle.dumps(batch))):
-        assert type(other) is percuss.MatrixBatch
+        assert type(other) is percuss.results.MatrixBatch
         for copied, column in zip(other, batch):
             np.testing.assert_array_equal(copied, column)
         assert [str(finding) for finding in other.findings] == [str(finding) for finding in batch.findings]

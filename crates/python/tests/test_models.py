@@ -114,7 +114,7 @@ def test_the_command_reads_standard_input_and_a_closed_output_is_no_error() -> N
 @pytest.mark.parametrize("path", MODELS, ids=lambda path: path.stem)
 def test_what_a_model_tells(path: Path) -> None:
     model = percuss.load(path)
-    report = percuss.check(model)
+    report = percuss.reports.check(model)
     assert model.name == report.name and model.links == [link["name"] for link in report.links]
     assert model.total_mass == pytest.approx(report.total_mass)
     assert [joint.name for joint in model.joints] == [joint["name"] for joint in report.joints]
@@ -299,7 +299,7 @@ def test_every_finding_of_a_bad_file_is_an_object() -> None:
 def test_what_does_not_assemble() -> None:
     model = percuss.load(ROOT / "models/double_wishbone.urdf")
     driver = model.assemble().drivers[0]
-    with pytest.raises(percuss.AssemblyError, match=driver):
+    with pytest.raises(percuss.errors.AssemblyError, match=driver):
         model.pose({driver: 3.0})
-    with pytest.raises(percuss.AssemblyError, match=driver):
+    with pytest.raises(percuss.errors.AssemblyError, match=driver):
         percuss.mass(model, percuss.Contact("wheel_centre", [0, 0, 0], [0, 0, -1]), percuss.Conditions(set={driver: 3.0}))

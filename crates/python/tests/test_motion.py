@@ -92,7 +92,7 @@ LINKAGES = [
 def test_travels(name: str, link: str, direction: list[float], distance: float) -> None:
     model = percuss.load(ROOT / f"models/{name}.urdf")
     start = model.pose({"crank_hinge": 0.4}) if name in ("four_bar", "slider_crank") else model.pose()
-    travel = percuss.Travel(start, link, [0.05, 0.1, 0.02], np.multiply(direction, 3.0))
+    travel = percuss.suspension.Travel(start, link, [0.05, 0.1, 0.02], np.multiply(direction, 3.0))
     assert travel.link == link and travel.displacement(start) == 0 and link in repr(travel)
     assert travel.direction == pytest.approx(direction) and travel.point == pytest.approx([0.05, 0.1, 0.02])
     driver = travel.driver(start)
@@ -112,7 +112,7 @@ def test_travels(name: str, link: str, direction: list[float], distance: float) 
     with pytest.raises(percuss.InputError, match="another model"):
         travel.displacement(percuss.load(ROOT / "models/physical_pendulum.urdf").pose())
     with pytest.raises(percuss.InputError, match="no length"):
-        percuss.Travel(start, link, [0, 0, 0], [0, 0, 0])
+        percuss.suspension.Travel(start, link, [0, 0, 0], [0, 0, 0])
 
 
 def seeded(model: percuss.Model, seed: int) -> Iterator[tuple[dict[str, float], dict[str, float]]]:
@@ -246,7 +246,7 @@ def changed_masses(model: percuss.Model, contact: percuss.Contact, link: str, ma
 def test_what_a_mass_depends_on() -> None:
     model = percuss.load(ROOT / "models/six_r_arm.urdf")
     contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
-    found = percuss.explain(model, contact)
+    found = percuss.reports.explain(model, contact)
     assert found is not None
     m = model.pose().respond(contact).effective_mass
     assert found.effective_mass == pytest.approx(m, rel=1e-12)
@@ -255,17 +255,17 @@ def test_what_a_mass_depends_on() -> None:
         h = 1e-4 * link["mass"]
         ends = changed_masses(model, contact, link["link"], link["mass"], h)
         assert link["per_kilogram"] == pytest.approx((ends[0] - ends[1]) / (2 * h), rel=1e-5, abs=1e-7)
-    left = percuss.tolerate(model, contact, "mass=2%", samples=400, seed=5)
+    left = percuss.reports.tolerate(model, contact, "mass=2%", samples=400, seed=5)
     assert m is not None and left is not None and left.samples is not None and left.samples.count == 400
     assert m - left.worst_case * 1.01 <= left.samples.least <= left.samples.greatest <= m + left.worst_case * 1.01
     # Uniform numbers: the standard deviation is the root sum square over √3.
     assert left.samples.standard_deviation == pytest.approx(left.root_sum_square / np.sqrt(3), rel=0.15)
     pendulum = percuss.load(ROOT / "models/physical_pendulum.urdf")
     along = percuss.Contact("body", [0, 0, -0.5], [0, 0, 1])
-    assert percuss.explain(pendulum, along) is None and percuss.tolerate(pendulum, along, "mass=1%") is None
+    assert percuss.reports.explain(pendulum, along) is None and percuss.reports.tolerate(pendulum, along, "mass=1%") is None
     for wrong in ("mass", "mass=200%", "weight=1%"):
         with pytest.raises(percuss.InputError, match=wrong.split("=")[0]):
-            percuss.tolerate(model, contact, wrong)
+            percuss.reports.tolerate(model, contact, wrong)
 
 
 def test_designs_side_by_side() -> None:
@@ -279,7 +279,7 @@ def test_designs_side_by_side() -> None:
         point = sheet.hardpoints[0]
         moved = sheet.changed(move={point: [0.0, 0.0, 0.005]})
         heavy = moved.changed(link_mass={"upright": 30.0})
-    assert percuss.check(heavy).total_mass != percuss.check(sheet).total_mass
+    assert percuss.reports.check(heavy).total_mass != percuss.reports.check(sheet).total_mass
     contact = percuss.Contact("spring_seat", [0, 0, 0], toward=("spring_chassis_seat", [0, 0, 0]), against="chassis")
     designs = [percuss.study.Design("as drawn", sheet, contact), percuss.study.Design("moved", moved, contact), percuss.study.Design("heavy", heavy, contact)]
     report = percuss.study.compare(designs, vary="travel:wheel:0,0,0:0,0,1=-10mm:10mm:3")
@@ -321,8 +321,8 @@ def test_studies_of_a_model(tmp_path) -> None:  # type: ignore[no-untyped-def]
 
 def test_safe_speeds_by_energy_momentum_and_rows() -> None:
     model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
-    region = percuss.regions()[0][0]
-    of_region = {name: mass for name, _, mass, _ in percuss.regions()}[region]
+    region = percuss.reports.regions()[0][0]
+    of_region = {name: mass for name, _, mass, _ in percuss.reports.regions()}[region]
     energy = percuss.safe_speed(model, contact, region, energy=2.0)
     robot = energy.reflected["robot_mass"]
     reduced = 1 / (1 / robot + 1 / of_region)
@@ -339,11 +339,11 @@ def test_safe_speeds_by_energy_momentum_and_rows() -> None:
     ]
     assert along["slowest"]["speed"] == pytest.approx(min(each), rel=1e-9) and along["row"] == int(np.argmin(each))
     directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.3, -0.8, 0.5]]
-    *some, worst = percuss.safe_speed_directions(model, contact, region, directions, force=140.0, worst=True)
+    *some, worst = percuss.reports.safe_speed_directions(model, contact, region, directions, force=140.0, worst=True)
     assert len(some) == 4 and worst.reflected["speed"] <= min(one.reflected["speed"] for one in some) * (1 + 1e-9)
     for limit in ({}, {"force": 1.0, "energy": 1.0}, {"pressure": 1e6}):
         with pytest.raises(percuss.InputError, match="one limit is required"):
-            percuss.safe_speed(model, contact, region, **limit)  # type: ignore[arg-type]
+            percuss.safe_speed(model, contact, region, **limit)  # type: ignore[call-overload]
 
 
 def test_the_gradient_gives_every_rate() -> None:

@@ -58,7 +58,7 @@ def test_workspaces_and_travels(again: Callable[[Any], Any]) -> None:
     pose = model.pose({"crank_hinge": 0.2})
     workspace = model.assemble().workspace(contact)
     assert again(workspace).effective_mass(pose.positions) == workspace.effective_mass(pose.positions)
-    travel = percuss.Travel(pose, "coupler", [0.35, 0.1, 0], [0, 1, 0])
+    travel = percuss.suspension.Travel(pose, "coupler", [0.35, 0.1, 0], [0, 1, 0])
     moved = travel.pose(pose, 0.01)
     sent_travel, sent_pose = again((travel, moved))
     assert sent_travel.link == "coupler" and sent_pose.positions == pytest.approx(moved.positions, abs=1e-12)

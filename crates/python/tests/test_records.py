@@ -31,29 +31,29 @@ DESIGNS = [percuss.study.Design("a", CORNER, "bump_stop"), percuss.study.Design(
 
 #: Calls with their type, and text in repr of their result.
 CALLS: dict[str, tuple[Callable[[], Any], str, str]] = {
-    "check": (lambda: percuss.check(CORNER), "CheckReport", "kg"),
+    "check": (lambda: percuss.reports.check(CORNER), "CheckReport", "kg"),
     "mass": (lambda: percuss.mass(CORNER, "bump_stop", damping=DAMPING), "MassReport", "kg, status: finite"),
     "mass of an arm": (lambda: percuss.mass(ARM, TOOL, GUESS), "MassReport", "effective_mass: 3."),
-    "sweep": (lambda: percuss.sweep_report(ARM, TOOL, random=3), "SweepReport", "rows: 3"),
-    "sweep of a stop": (lambda: percuss.sweep_report(CORNER, "bump_stop", vary=TRAVEL), "SweepReport", "rows: 3"),
+    "sweep": (lambda: percuss.reports.sweep_report(ARM, TOOL, random=3), "SweepReport", "rows: 3"),
+    "sweep of a stop": (lambda: percuss.reports.sweep_report(CORNER, "bump_stop", vary=TRAVEL), "SweepReport", "rows: 3"),
     "map": (lambda: percuss.map(percuss.load(ROOT / "models/shaped_arm.urdf")), "MapReport", "links: "),
-    "map of a point": (lambda: percuss.map_point(ARM, TOOL, 10), "PointMapReport", "directions: 10"),
+    "map of a point": (lambda: percuss.reports.map_point(ARM, TOOL, 10), "PointMapReport", "directions: 10"),
     "damp": (lambda: percuss.contact_law.damp(2.0, DAMPING), "DampingReport", "peak_force: "),
     "damp a contact": (lambda: percuss.contact_law.damp_contact(CORNER, "bump_stop", DAMPING), "DampingReport", " N"),
     "damp a stop": (lambda: percuss.contact_law.damp_stop(ARM, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper"), "DampingReport", " N"),
-    "explain": (lambda: percuss.explain(CORNER, "bump_stop"), "Explanation", "links"),
-    "friction_thresholds": (lambda: percuss.friction_thresholds(CORNER, "bump_stop"), "FrictionThresholdsRecord", "jamming"),
+    "explain": (lambda: percuss.reports.explain(CORNER, "bump_stop"), "Explanation", "links"),
+    "friction_thresholds": (lambda: percuss.reports.friction_thresholds(CORNER, "bump_stop"), "FrictionThresholdsRecord", "jamming"),
     "reflected_inertias": (
-        lambda: percuss.reflected_inertias(ARM, ["elbow", "elbow=0:1:3"]), "ReflectedReport", "reflected_over",
+        lambda: percuss.reports.reflected_inertias(ARM, ["elbow", "elbow=0:1:3"]), "ReflectedReport", "reflected_over",
     ),
-    "tolerate": (lambda: percuss.tolerate(CORNER, "bump_stop", "mass=2%,point=0.5mm", samples=10), "ToleranceReport", "worst_case"),
+    "tolerate": (lambda: percuss.reports.tolerate(CORNER, "bump_stop", "mass=2%,point=0.5mm", samples=10), "ToleranceReport", "worst_case"),
     "compare": (lambda: percuss.study.compare(DESIGNS, vary=TRAVEL), "ComparisonReport", "designs: 2"),
     "impact": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, **MORE, **AT_ONCE), "ImpactReport", "impulse: 5."),
     "impact in time": (lambda: percuss.impact(ARM, TOOL, 0.5, **HIT, in_time=True), "ImpactReport", "impulse: 5."),
     "extremes": (lambda: percuss.extremes(ARM, TOOL, ranges=WIDE, starts=3), "ExtremesReport", "least.effective_mass: 3."),
     "safe speed": (lambda: percuss.safe_speed(ARM, TOOL, "chest", force=140.0, random=10), "SafeSpeedReport", "m/s"),
     "directions": (
-        lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0)[0], "SafeSpeedReport", "m/s"
+        lambda: percuss.reports.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0)[0], "SafeSpeedReport", "m/s"
     ),
     "kinematics": (lambda: percuss.suspension.kinematics(CORNER, wheel_travel=[-0.01, 0, 0.01]).report, "KinematicsReport", "rows: 3"),
     "study": (lambda: percuss.study.run(ROOT / "models/four_bar.toml"), "", ""),

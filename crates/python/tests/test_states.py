@@ -84,6 +84,39 @@ def test_states_of_dicts() -> None:
         percuss.load(ROOT / "models/planar_2r.urdf").pose(state)
 
 
+def test_states_refuse_numbers_that_are_not_finite() -> None:
+    q = np.zeros((3, ARM.position_count))
+    q[1, 2] = np.nan
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"positions": q}, r"positions\[1, 2\] is nan"), ({"positions": {"elbow": np.inf}}, r"positions\[\d\] is inf"),
+        ({"velocities": {"elbow": np.nan}}, "velocities"), ({"base_twist": [np.nan] * 6}, r"base_twist\[0\] is nan"),
+        ({"base_pose": [0, 0, 0, 0, 0, 0, 0]}, "norm 0; expected a unit quaternion"), ({"nan": "keep"}, '"refuse" or "no answer"'),
+    ]  # fmt: skip
+    for arguments, message in wrong:
+        with pytest.raises(percuss.InputError, match=message):
+            percuss.State(ARM, **arguments)
+    kept = percuss.State(ARM, q, nan="no answer")
+    assert percuss.sweep(ARM, WORLD, kept[1:], nan="no answer").status.tolist() == [percuss.Status.NO_ANSWER, percuss.Status.FINITE]
+    with pytest.raises(percuss.InputError, match="a report takes one state"):
+        percuss.mass(states(2), WORLD)
+
+
+def test_names_of_locked_joints() -> None:
+    """A free body has m̄ = 1/(n M⁻¹ nᵀ) with the 6×6 mass matrix of all links together."""
+    heavy = ARM.changed(link_mass={"pedestal": 5.0}, link_inertia={"pedestal": [0.2, 0.3, 0.1]})
+    free = heavy.system(base="floating", lock="all")
+    assert free.coordinates == 6 and ARM.system(lock="elbow").coordinates == ARM.system(lock=["elbow"]).coordinates == 5
+    pose = free.pose()
+    row = pose.contact_row(WORLD)
+    expected = 1 / (row @ np.linalg.solve(pose.mass_matrix(), row))
+    assert pose.respond(WORLD).effective_mass == pytest.approx(expected, rel=1e-10)
+    for lock in ("all", ["all"]):
+        report = percuss.mass(heavy, WORLD, percuss.Conditions(base="floating", lock=lock), certify=True)
+        assert report.effective_mass == pytest.approx(expected, rel=1e-10) and report.certificate is not None
+    with pytest.raises(percuss.InputError, match="lock"):
+        ARM.system(lock=3)  # type: ignore[arg-type]
+
+
 def moved(state: percuss.State, h: float) -> percuss.State:
     """The states after h seconds of their velocities; a quaternion moves by its rate, to second order."""
     assert state.base_pose is not None and state.velocities is not None
@@ -108,7 +141,7 @@ def test_gradients_with_a_moving_root_link(system: percuss.Model | percuss.Syste
     assert np.abs(of_poses - rate).max() <= 1e-7 * scale
     swept = percuss.sweep(system, contact, state, gradient=True)
     if contact is AGAINST:
-        with pytest.raises(percuss.NotComputedError, match=r"Pose\.base_gradient"):
+        with pytest.raises(percuss.errors.NotComputedError, match=r"Pose\.base_gradient"):
             swept.base_gradient  # noqa: B018
         return
     assert (swept.base_gradient[:, 3:] == 0).all() and swept.base_gradient.any() == (contact.normal_frame == "world")
@@ -157,6 +190,24 @@ def test_rows_of_a_sweep() -> None:
     bar, hit = percuss.load(ROOT / "models/four_bar.urdf"), percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
     path = percuss.sweep(bar, hit, [[0.1], [np.nan], [0.2]], joints=["crank_hinge"], nan="no answer")
     assert path.status.tolist() == [0, 3, 0] and percuss.RemarkFlags(int(path.remarks[1])) == percuss.RemarkFlags.NOT_FINITE
+
+
+def test_thresholds_of_friction_are_those_of_the_reports() -> None:
+    state = states(6)
+    found = percuss.contact_law.friction_thresholds(ARM, WORLD, state)
+    assert np.isnan(found.slope).all()
+    for row, one in enumerate(state):
+        report = percuss.reports.friction_thresholds(ARM.pose(one), WORLD)
+        assert report is not None
+        assert (found.sticking[row], found.jamming[row]) == pytest.approx((report.sticking, report.jamming), rel=ROUNDING)
+    bar, hit = percuss.load(ROOT / "models/four_bar.urdf"), percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    pose = bar.pose({"crank_hinge": 0.4})
+    of_bar = percuss.contact_law.friction_thresholds(bar, hit, pose.positions)
+    expected = percuss.reports.friction_thresholds(pose, hit)
+    assert expected is not None and np.isnan(of_bar.sticking).all()
+    assert (of_bar.slope[0], of_bar.jamming[0]) == pytest.approx((expected.slope, expected.jamming), rel=ROUNDING)
+    with pytest.raises(percuss.InputError, match="moment"):
+        percuss.contact_law.friction_thresholds(ARM, AXIS, state)
 
 
 def corners() -> list[percuss.Contact]:
@@ -231,7 +282,7 @@ def test_impacts_of_states_and_reports_agree() -> None:
 def test_safe_speeds_of_masses() -> None:
     contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
     swept = percuss.sweep(ARM, contact, states(6).positions)
-    mass, stiffness = next((mass, stiffness) for name, _, mass, stiffness in percuss.regions() if name == "chest")
+    mass, stiffness = next((mass, stiffness) for name, _, mass, stiffness in percuss.reports.regions() if name == "chest")
     expected = 140.0 * np.sqrt((1 / mass + 1 / swept.effective_mass) / stiffness)
     assert percuss.safe_speeds(swept, "chest", force=140.0) == pytest.approx(expected, rel=1e-9)
     one = percuss.safe_speed(percuss.State(ARM, states(6).positions[2]), contact, "chest", force=140.0)

@@ -173,7 +173,7 @@ def test_drivers_alone(model: str, contact: percuss.Contact, drivers: list[str] 
     report = [found.pose(dict(zip(drivers, row))).respond(contact).effective_mass for row in q[::23]]
     assert swept.effective_mass[::23] == pytest.approx(report, rel=1e-8)
     if len(drivers) == 1:
-        rows = percuss.sweep_report(found, contact, vary=(drivers[0], 0.0, span, 300)).rows
+        rows = percuss.reports.sweep_report(found, contact, vary=(drivers[0], 0.0, span, 300)).rows
         assert [row["effective_mass"] for row in rows] == pytest.approx(list(swept.effective_mass), rel=1e-8)
     assert np.array_equal(
         percuss.sweep(found, contact, np.asfortranarray(q), joints=drivers).effective_mass, swept.effective_mass
@@ -279,7 +279,7 @@ def test_a_sweep_comes_from_another_process() -> None:
             assert np.array_equal(getattr(found, name), getattr(swept, name))
 
 
-def codes(swept: percuss.Sweep) -> list[str]:
+def codes(swept: percuss.results.Sweep) -> list[str]:
     return sorted(finding.code for finding in swept.findings)
 
 
@@ -327,7 +327,7 @@ def test_limits_are_found_on_a_path_and_a_wide_gap_in_every_row() -> None:
     outside = path.remarks & percuss.RemarkFlags.OUTSIDE_LIMITS != 0
     assert np.array_equal(outside, angles[:, 0] > 0.2005) and 0 < outside.sum() < len(outside)
     assert codes(path) == ["outside-limits"] and "row 21" in path.findings[0].message
-    report = percuss.sweep_report(percuss.loads(limited), contact, vary=("crank_hinge", 0.0, 0.4, 41))
+    report = percuss.reports.sweep_report(percuss.loads(limited), contact, vary=("crank_hinge", 0.0, 0.4, 41))
     assert "outside-limits" in [finding["code"] for finding in report.diagnostics]
 
 
@@ -389,7 +389,7 @@ def test_forked_processes_have_threads_of_their_own() -> None:
         q = np.random.default_rng(0).uniform(-1, 1, (5000, 6))
         def work(_):
             swept = percuss.sweep(model, contact, q)
-            rows = percuss.sweep_report(model, contact, random=50).rows
+            rows = percuss.reports.sweep_report(model, contact, random=50).rows
             masses, _, _ = percuss.effective_masses(np.broadcast_to(np.eye(3), (600, 3, 3)), np.ones(3))
             return swept, len(rows), masses.sum()
         here = work(0)
@@ -420,7 +420,7 @@ def test_a_forked_process_without_threads_is_an_error() -> None:
             resource.setrlimit(resource.RLIMIT_AS, (size + (1 << 20), size + (1 << 20)))
             calls = [
                 lambda: percuss.sweep(model, contact, q),
-                lambda: percuss.sweep_report(model, contact, random=5),
+                lambda: percuss.reports.sweep_report(model, contact, random=5),
                 lambda: percuss.mass(model, contact),
             ]
             for call in calls:
@@ -512,7 +512,7 @@ def test_ctrl_c_stops_it(what: str) -> None:
         try:
             if {what!r} == "whole": percuss.sweep(model, contact, q)
             if {what!r} == "drivers": percuss.sweep(model, contact, q, joints=["crank_hinge"])
-            if {what!r} == "report": percuss.sweep_report(model, contact, vary=("crank_hinge", 0.0, 0.5, 1_000_000))
+            if {what!r} == "report": percuss.reports.sweep_report(model, contact, vary=("crank_hinge", 0.0, 0.5, 1_000_000))
             if {what!r} == "matrices":
                 M = np.broadcast_to(np.eye(40), (50_000, 40, 40))
                 percuss.effective_masses(M, np.ones(40))

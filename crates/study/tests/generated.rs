@@ -216,7 +216,7 @@ fn page() -> String {
     page
 }
 
-/// Class of a record in Python. `percuss.MapReport` has arrays also.
+/// Class of a record in Python. `percuss.reports.MapReport` has arrays also.
 fn python_class(name: &str) -> &str {
     if name == "MapReport" { "MapRecord" } else { name }
 }

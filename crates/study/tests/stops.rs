@@ -241,7 +241,7 @@ fn the_pose_at_a_stop_is_that_of_the_question() {
                 assert_eq!(own(pose.respond(&contact).expect("a contact").remark_flags()), expected);
                 let mut workspace = pose.assembly().workspace();
                 workspace.set_positions(pose.positions()).expect("positions");
-                workspace.effective_mass(&contact).expect("a contact");
+                let _ = workspace.effective_mass(&contact).expect("a contact");
                 assert_eq!(own(workspace.remarks()), expected);
                 let mut batch = pose.assembly().batch(&contact).expect("a contact");
                 assert_eq!(own(batch.effective_mass(pose.positions()).expect("positions").remarks), expected);

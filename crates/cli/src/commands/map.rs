@@ -1,6 +1,7 @@
 //! Command `percuss map`.
 
 use crate::args::{MapArgs, MassFormat};
+use crate::commands::mass::conditions::base_text;
 use crate::commands::sweep::use_threads;
 use crate::document::Document;
 use crate::files::output::{Output, check_writable, record_input};
@@ -190,7 +191,7 @@ fn surfaces_document(answer: &MapAnswer) -> Document<'_> {
     });
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     let worst = worst.map(|worst| ("relative errors", format!("below {}", upper_bound(worst))));
-    out.facts([("against", against), ("base", report.conditions.base.to_owned())].into_iter().chain(worst));
+    out.facts([("against", against), ("base", base_text(&report.conditions))].into_iter().chain(worst));
     out.paragraph(
         "Not included: friction, compliance of the links, several impacts at once.\n\
          See docs/explanation/EFFECTIVE_MASS.md and docs/howto/MAPS.md.",

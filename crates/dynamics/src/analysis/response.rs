@@ -18,6 +18,7 @@ use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
 
 /// Result for a contact at a pose.
+#[must_use]
 #[derive(Clone, Debug)]
 pub struct ContactResponse {
     /// m̄, or the reason for m̄ not being finite.
@@ -46,6 +47,13 @@ pub struct ContactResponse {
     pub base_velocity: Twist<f64>,
     /// Contribution of each link. Links, rotors and the other mass sum to 1. `None` unless m̄ is finite.
     pub contributions: Option<Contributions>,
+}
+
+impl ContactResponse {
+    /// Unit of m̄ and of its error: `kg`, or `kg·m²` for a moment about an axis.
+    pub fn unit(&self) -> &'static str {
+        if self.contact.is_moment { "kg·m²" } else { "kg" }
+    }
 }
 
 /// Contributions to the effective mass: shares of twice the kinetic energy at unit closing speed, divided by m̄.

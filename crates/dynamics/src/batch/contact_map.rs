@@ -40,7 +40,7 @@ pub struct MapAnswers<'a> {
     /// m̄, kg; 0 if massless, NaN if the status is neither finite nor massless.
     pub masses: &'a mut [f64],
     /// Relative error of m̄; NaN if m̄ is not finite or the error is unknown.
-    pub errors: &'a mut [f64],
+    pub relative_errors: &'a mut [f64],
     /// Status of each contact.
     pub statuses: &'a mut [ContactStatus],
 }
@@ -72,6 +72,8 @@ pub struct ContactMap<'a> {
     massless_wrenches: FreeWrenches,
     /// True if no eigenvalue of Φ is ambiguous: what Φ leaves of a wrench is either rounding or clearly larger.
     is_clear: bool,
+    /// True if Φ is known.
+    has_inertia: bool,
     uses_inertia: bool,
     instructions: Instructions,
 }
@@ -93,7 +95,34 @@ impl Pose {
         centre: impl Into<Vector3<f64>>,
         reach: f64,
     ) -> Result<ContactMap<'_>, ContactError> {
-        let centre = centre.into();
+        let mut map = self.uncalibrated_map(link, against, centre.into(), reach)?;
+        map.uses_inertia = map.has_inertia && map.calibrate_errors();
+        Ok(map)
+    }
+
+    /// Principal masses at a point (m, frame of the contact link), as [`ContactMap::principal_masses`]; each mass is that of
+    /// [`respond`](Self::respond). Cost: the recursion with six unit wrenches, and three contacts.
+    ///
+    /// # Errors
+    /// [`ContactError`], as for [`contact_map`](Self::contact_map).
+    pub fn principal_masses(
+        &self,
+        link: LinkId,
+        against: Option<LinkId>,
+        point: impl Into<Vector3<f64>>,
+    ) -> Result<Option<[PrincipalMass; 3]>, ContactError> {
+        let point = point.into();
+        Ok(self.uncalibrated_map(link, against, point, 0.0)?.principal_masses(&point))
+    }
+
+    /// Map of which each contact is computed separately.
+    fn uncalibrated_map(
+        &self,
+        link: LinkId,
+        against: Option<LinkId>,
+        centre: Vector3<f64>,
+        reach: f64,
+    ) -> Result<ContactMap<'_>, ContactError> {
         let model = self.assembly.model();
         let any = Contact { against, ..Contact::new(link, centre, Vector3::x()) };
         model.check_contact(&any)?;
@@ -109,6 +138,7 @@ impl Pose {
             constants: Constants::new(centre, reach),
             massless_wrenches: FreeWrenches::default(),
             is_clear: false,
+            has_inertia: false,
             uses_inertia: false,
             instructions: Instructions::best(),
         };
@@ -157,7 +187,7 @@ impl Pose {
             };
             let mut answers = MapAnswers {
                 masses: &mut results.masses[rows.clone()],
-                errors: &mut results.errors[rows.clone()],
+                relative_errors: &mut results.errors[rows.clone()],
                 statuses: &mut results.statuses[rows.clone()],
             };
             map.fill_answers(contacts, &mut answers)?;
@@ -206,7 +236,7 @@ impl ContactMap<'_> {
     ) -> Result<(), MapError> {
         let expected = contacts.points[0].len();
         let lengths = contacts.points.iter().chain(&contacts.normals).map(|column| column.len());
-        let outputs = [answers.masses.len(), answers.errors.len(), answers.statuses.len()];
+        let outputs = [answers.masses.len(), answers.relative_errors.len(), answers.statuses.len()];
         if let Some(got) = lengths.chain(outputs).find(|length| *length != expected) {
             return Err(MapError::Lengths { got, expected });
         }
@@ -216,7 +246,7 @@ impl ContactMap<'_> {
             let end = (first + MAP_PORTION).min(expected);
             let portion = contacts.slice(first, end);
             let masses = &mut answers.masses[first..end];
-            let errors = &mut answers.errors[first..end];
+            let errors = &mut answers.relative_errors[first..end];
             let statuses = &mut answers.statuses[first..end];
             statuses.fill(ContactStatus::Finite);
             if !self.uses_inertia || self.evaluate(portion, masses, errors) || !portion.has_points() {
@@ -232,7 +262,8 @@ impl ContactMap<'_> {
         let (mut mass, mut error, mut status) = ([0.0], [0.0], [ContactStatus::Finite]);
         let (p, n) = (point, normal);
         let contacts = ContactColumns { points: [&[p.x], &[p.y], &[p.z]], normals: [&[n.x], &[n.y], &[n.z]] };
-        let mut answers = MapAnswers { masses: &mut mass, errors: &mut error, statuses: &mut status };
+        let mut answers =
+            MapAnswers { masses: &mut mass, relative_errors: &mut error, statuses: &mut status };
         // All columns have length one, so no error is possible.
         let _ = self.fill_answers(contacts, &mut answers);
         let mass = match status[0] {
@@ -307,7 +338,7 @@ impl ContactMap<'_> {
         forces.transpose() * forces
     }
 
-    /// Computes Φ and calibrates its errors.
+    /// Computes Φ.
     fn compute_inertia(&mut self) {
         let pose = self.pose;
         let model = pose.assembly.model();
@@ -343,7 +374,7 @@ impl ContactMap<'_> {
         self.is_clear = factor.is_clear();
         self.constants.set_factor(&factor);
         self.massless_wrenches = factor.into_massless_wrenches();
-        self.uses_inertia = self.calibrate_errors();
+        self.has_inertia = true;
     }
 
     /// Computes m̄ and relative errors from Φ. Returns true if some contacts need a second check.

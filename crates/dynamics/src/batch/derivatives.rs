@@ -1,6 +1,6 @@
 //! Derivatives of one contact at many configurations: the gradient of m̄, and the inverse operational inertia.
 //!
-//! Trees whose joints are hinges, slides, balls and free joints are computed in SIMD lanes. A lane with a small pivot, or of which m̄
+//! Trees whose joints are hinges, slides, balls and free joints are computed in SIMD lanes, with most mimic joints. A lane with a small pivot, or of which m̄
 //! differs from that of the batch, is computed again at its pose, as are all configurations of other mechanisms.
 
 use crate::analysis::assembly::Assembly;
@@ -46,8 +46,8 @@ impl BatchDerivatives {
     /// Prepares the derivatives of a contact.
     pub fn new(assembly: &Assembly, contact: &Contact) -> Self {
         let model = assembly.model();
-        // Loops, couplings and mimics are left to the pose.
-        let is_tree = model.groups.is_empty() && !model.has_active_mimics;
+        // Loops and couplings are left to the pose.
+        let is_tree = model.groups.is_empty();
         let kernel = is_tree
             .then(|| mechanism(model))
             .zip(kernel_contact(model, contact))

@@ -36,6 +36,7 @@ impl From<ContactStatus> for i32 {
 }
 
 /// Result for one configuration.
+#[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchAnswer {
     /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`](crate::Workspace::effective_mass) at the
@@ -169,6 +170,7 @@ impl<S: From<ContactStatus>> RowColumns<'_, S> {
 }
 
 /// Results of rows, with their memory.
+#[must_use]
 #[derive(Clone, Debug)]
 pub struct RowResults {
     /// m̄, kg; NaN unless finite.

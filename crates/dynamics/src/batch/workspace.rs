@@ -60,6 +60,7 @@ pub struct Workspace {
 }
 
 /// Response of a [`Workspace`] to a contact.
+#[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkspaceResponse {
     /// m̄.

@@ -8,6 +8,7 @@ use percuss_mechanism::JointId;
 use std::fmt;
 
 /// Resistance of the mechanism to the contact along its normal.
+#[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EffectiveMass {
     /// m̄, kg.
@@ -19,8 +20,15 @@ pub enum EffectiveMass {
 }
 
 impl EffectiveMass {
-    /// m̄ in kilograms; `None` if the contact is immovable or massless.
+    /// m̄ in kilograms; `None` if the contact is immovable or massless. For a moment about an axis, the number is in kg·m²: see
+    /// [`value`](Self::value).
     pub fn kilograms(self) -> Option<f64> {
+        self.value()
+    }
+
+    /// m̄ in the unit of the contact ([`ContactResponse::unit`](crate::ContactResponse::unit)): kg, or kg·m² for a moment about an axis; `None`
+    /// if the contact is immovable or massless.
+    pub fn value(self) -> Option<f64> {
         match self {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable | EffectiveMass::Massless => None,

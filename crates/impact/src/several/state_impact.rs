@@ -23,6 +23,7 @@ pub enum ContactsLaw {
 }
 
 /// Impact of several contacts at one state.
+#[must_use]
 #[derive(Clone, Debug)]
 pub struct StateImpact {
     /// Opening speed and two tangential speeds of each contact before the impact, m/s (rad/s for a moment): 3k.

@@ -3,6 +3,7 @@
 //! In root axes about the contact point, unlike [`crate::tree`]: both results need the twists of the bodies. A lane
 //! of which a pivot is small compared with its terms is left to the pose.
 
+mod clusters;
 mod plan;
 mod recursion;
 
@@ -64,11 +65,17 @@ impl DerivativeKernel {
         }
         path.reverse();
         let on_path = (0..plan.steps.len()).map(|b| path.contains(&b)).collect();
+        let mut ends = vec![None; plan.steps.len()];
+        for &b in &path {
+            if let Some(member) = plan.steps[b].member {
+                ends[member.head] = Some(b);
+            }
+        }
         let numbers = plan.steps.len() * BODY_NUMBERS + plan.columns * VELOCITY_NUMBERS;
         let [point, normal] = conversion.convert(&contact.point, &normal);
         Some(Self {
             plan: Arc::new(plan),
-            selection: Selection { body, turns: frame == NormalFrame::Link, active, path, on_path },
+            selection: Selection { body, turns: frame == NormalFrame::Link, active, path, on_path, ends },
             conversion,
             point,
             normal,

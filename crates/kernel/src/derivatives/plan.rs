@@ -1,6 +1,6 @@
 //! Plan of the derivative kernel: one step per body, with the joint axis along z.
 
-use crate::mechanism::{JointMotion, Mechanism};
+use crate::mechanism::{Body, Cluster, JointMotion, Mechanism};
 use nalgebra::{Matrix3, Unit, Vector3};
 use percuss_spatial::{PackedInertia, SpatialInertia, Transform, plane_basis};
 
@@ -22,6 +22,19 @@ pub(super) enum StepMotion {
     Floating { q: usize },
     /// Floating base: the root link defines the axes.
     Base,
+}
+
+/// Body of a cluster: all its joints follow one coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Member {
+    /// First body of the cluster.
+    pub head: usize,
+    /// Parent body, if it is in the cluster.
+    pub parent: Option<usize>,
+    /// Parent body of the cluster; `None` for the ground.
+    pub outside: Option<usize>,
+    /// Velocity of the joint per rate of the coordinate.
+    pub multiplier: f64,
 }
 
 /// Body with its joint, in a frame of which z is the axis of the joint.
@@ -46,6 +59,10 @@ pub(super) struct Step {
     pub column: usize,
     /// Body on the ground from which the body descends.
     pub subtree_root: usize,
+    /// Multiplier and offset of the position of a mimic joint.
+    pub mimic: Option<[f64; 2]>,
+    /// Part in a cluster of mimic joints.
+    pub member: Option<Member>,
 }
 
 /// Compiled tree.
@@ -60,14 +77,16 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Plan of a tree; `None` for loops, held contacts, mimics, planar joints and negative masses.
+    /// Plan of a tree; `None` for loops, held contacts, planar joints, negative masses, and clusters of mimic joints with several coordinates,
+    /// with locked joints, with joints of several velocities, or with several bodies on the ground.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
-        if !mechanism.is_positive() || mechanism.bodies.iter().any(|body| body.mimic.is_some()) {
+        let is_still = |body: &Body| body.velocities.iter().any(|velocity| velocity.coordinate.is_none());
+        if !mechanism.is_positive() || mechanism.bodies.iter().any(is_still) {
             return None;
         }
         let mut plan = Self { steps: Vec::new(), frames: Vec::new(), columns: 0 };
         for (number, body) in mechanism.bodies.iter().enumerate() {
-            let q = body.q;
+            let q = body.mimic.map_or(body.q, |mimic| mimic.q);
             let motion = match body.motion {
                 JointMotion::Base => StepMotion::Base,
                 JointMotion::Revolute => StepMotion::Turn { q },
@@ -104,9 +123,31 @@ impl Plan {
                 output: body.output,
                 column,
                 subtree_root: body.parent.map_or(number, |p| plan.steps[p].subtree_root),
+                mimic: body.mimic.map(|mimic| [mimic.multiplier, mimic.offset]),
+                member: None,
             });
         }
+        mechanism.clusters.iter().try_for_each(|cluster| plan.add_cluster(mechanism, cluster))?;
         Some(plan)
+    }
+
+    /// Marks the bodies of a cluster; `None` if it is not supported.
+    fn add_cluster(&mut self, mechanism: &Mechanism, cluster: &Cluster) -> Option<()> {
+        let roots = cluster.parents.iter().filter(|parent| parent.is_none()).count();
+        if cluster.coordinates != 1 || cluster.parent.is_none() && roots > 1 {
+            return None;
+        }
+        let head = *cluster.bodies.iter().min()?;
+        for (&number, parent) in cluster.bodies.iter().zip(&cluster.parents) {
+            let [velocity] = &mechanism.bodies[number].velocities[..] else { return None };
+            self.steps[number].member = Some(Member {
+                head,
+                parent: parent.map(|at| cluster.bodies[at]),
+                outside: cluster.parent,
+                multiplier: velocity.multiplier,
+            });
+        }
+        Some(())
     }
 }
 

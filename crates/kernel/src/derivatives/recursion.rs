@@ -8,7 +8,9 @@
 //! inwards:   R = I_body V − F + Σ R_children;          g = 2 m̄² (R · (V_p × s) + Q · s)
 //! ```
 //!
-//! Q is the wrench of a normal that does not turn with the contact link (see [`crate::motion::mass_gradient`], which computes g for
+//! The joints of a cluster of mimics follow one coordinate. The reach s′ of a body is its twist at a unit rate with the parent of the cluster
+//! at rest; then U = Σ I s′ and D = Σ (s′·I s′ + m² armature) over the bodies, each with the inertias beyond it and outside the cluster, which
+//! the parent of the cluster receives. Q is the wrench of a normal that does not turn with the contact link (see [`crate::motion::mass_gradient`], which computes g for
 //! every mechanism), Φ the propagation of the inverse operational inertia (Featherstone 2008, §8; Wensing, Featherstone and Orin 2012).
 
 use super::plan::{Plan, Step, StepMotion};
@@ -24,17 +26,17 @@ pub(super) const BODY_NUMBERS: usize = 56;
 const ORIGIN: usize = 9;
 const MOMENTS: usize = 12;
 const FIRST_MOMENT: usize = 18;
-const INERTIA: usize = 21;
+pub(super) const INERTIA: usize = 21;
 const TWIST: usize = 42;
 const IMPULSE: usize = 48;
 /// Sums over the rigid subtree: trace of the moments of inertia, mass.
-const SIZES: usize = 54;
+pub(super) const SIZES: usize = 54;
 /// Numbers of a velocity in the scratch memory: s, U, 1/D, t.
 pub(super) const VELOCITY_NUMBERS: usize = 14;
-const AXIS: usize = 0;
-const PRODUCT: usize = 6;
+pub(super) const AXIS: usize = 0;
+pub(super) const PRODUCT: usize = 6;
 /// 1/D, then t.
-const OVER_PIVOT: usize = 12;
+pub(super) const OVER_PIVOT: usize = 12;
 
 /// Numbers of Φ per configuration: 6×6.
 pub const INERTIA_NUMBERS: usize = 36;
@@ -60,6 +62,8 @@ pub(super) struct Selection {
     pub path: Vec<usize>,
     /// For each body: true if it is on this path.
     pub on_path: Vec<bool>,
+    /// For the first body of each cluster: last body of the cluster on this path.
+    pub ends: Vec<Option<usize>>,
 }
 
 /// Results of the lanes before their last step.
@@ -75,7 +79,7 @@ pub(super) struct LaneState<'a, T> {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
+pub(super) fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
@@ -89,13 +93,13 @@ fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn add<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+pub(super) fn add<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 /// Reads `N` numbers of the lanes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn load<T: Lanes, const N: usize>(from: &[f64]) -> [T; N] {
+pub(super) fn load<T: Lanes, const N: usize>(from: &[f64]) -> [T; N] {
     let mut numbers = [T::zero(); N];
     let mut k = 0;
     while k < N {
@@ -106,7 +110,7 @@ fn load<T: Lanes, const N: usize>(from: &[f64]) -> [T; N] {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn store<T: Lanes, const N: usize>(numbers: &[T; N], to: &mut [f64]) {
+pub(super) fn store<T: Lanes, const N: usize>(numbers: &[T; N], to: &mut [f64]) {
     let mut k = 0;
     while k < N {
         numbers[k].store(&mut to[k * T::WIDTH..]);
@@ -121,19 +125,19 @@ fn load_rows<T: Lanes>(from: &[f64]) -> [[T; 3]; 3] {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn load_twist<T: Lanes>(from: &[f64]) -> PackedTwist<T> {
+pub(super) fn load_twist<T: Lanes>(from: &[f64]) -> PackedTwist<T> {
     let [a, b, c, d, e, f] = load::<T, 6>(from);
     PackedTwist { angular: [a, b, c], linear: [d, e, f] }
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn load_wrench<T: Lanes>(from: &[f64]) -> PackedWrench<T> {
+pub(super) fn load_wrench<T: Lanes>(from: &[f64]) -> PackedWrench<T> {
     let [a, b, c, d, e, f] = load::<T, 6>(from);
     PackedWrench { moment: [a, b, c], force: [d, e, f] }
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn store_screw<T: Lanes>(angular: &[T; 3], linear: &[T; 3], to: &mut [f64]) {
+pub(super) fn store_screw<T: Lanes>(angular: &[T; 3], linear: &[T; 3], to: &mut [f64]) {
     store(angular, to);
     store(linear, &mut to[3 * T::WIDTH..]);
 }
@@ -162,7 +166,7 @@ fn column<T: Lanes>(r: &[[T; 3]; 3], k: usize) -> [T; 3] {
 
 /// I v, with I an inertia.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn apply<T: Lanes>(i: &PackedInertia<T>, v: &PackedTwist<T>) -> PackedWrench<T> {
+pub(super) fn apply<T: Lanes>(i: &PackedInertia<T>, v: &PackedTwist<T>) -> PackedWrench<T> {
     let (a, c, l) = (&i.angular, &i.coupling, &i.linear);
     let (ω, v) = (&v.angular, &v.linear);
     let moment = [
@@ -210,24 +214,24 @@ impl<'a, T: Lanes> LaneState<'a, T> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn body(&self, number: usize) -> &[f64] {
+    pub(super) fn body(&self, number: usize) -> &[f64] {
         &self.scratch[number * BODY_NUMBERS * T::WIDTH..][..BODY_NUMBERS * T::WIDTH]
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn body_mut(&mut self, number: usize) -> &mut [f64] {
+    pub(super) fn body_mut(&mut self, number: usize) -> &mut [f64] {
         &mut self.scratch[number * BODY_NUMBERS * T::WIDTH..][..BODY_NUMBERS * T::WIDTH]
     }
 
     /// Numbers of a velocity.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn velocity(&self, step: &Step, k: usize) -> &[f64] {
+    pub(super) fn velocity(&self, step: &Step, k: usize) -> &[f64] {
         let start = self.plan.steps.len() * BODY_NUMBERS + (step.column + k) * VELOCITY_NUMBERS;
         &self.scratch[start * T::WIDTH..][..VELOCITY_NUMBERS * T::WIDTH]
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn velocity_mut(&mut self, step: &Step, k: usize) -> &mut [f64] {
+    pub(super) fn velocity_mut(&mut self, step: &Step, k: usize) -> &mut [f64] {
         let start = self.plan.steps.len() * BODY_NUMBERS + (step.column + k) * VELOCITY_NUMBERS;
         &mut self.scratch[start * T::WIDTH..][..VELOCITY_NUMBERS * T::WIDTH]
     }
@@ -248,7 +252,7 @@ impl<'a, T: Lanes> LaneState<'a, T> {
         }
         match step.motion {
             StepMotion::Turn { q } => {
-                let (s, c) = columns.at::<T>(q, first).sin_cos();
+                let (s, c) = step_position::<T>(step, columns, q, first).sin_cos();
                 let mut i = 0;
                 while i < 3 {
                     let (a, b) = (r[i][0], r[i][1]);
@@ -258,7 +262,7 @@ impl<'a, T: Lanes> LaneState<'a, T> {
                 }
             }
             StepMotion::Slide { q } => {
-                let travel: T = columns.at(q, first);
+                let travel: T = step_position(step, columns, q, first);
                 let axis = column(&r, 2);
                 p = [
                     axis[0].mul_add(travel, p[0]),
@@ -331,6 +335,9 @@ impl<'a, T: Lanes> LaneState<'a, T> {
             store_screw(&angular, &linear, &mut self.velocity_mut(step, k)[AXIS * T::WIDTH..]);
             k += 1;
         }
+        if let Some(member) = &step.member {
+            self.fill_reach(number, member);
+        }
     }
 
     /// Eliminates the velocities of a body and adds the remaining inertia to its parent's.
@@ -338,6 +345,9 @@ impl<'a, T: Lanes> LaneState<'a, T> {
     fn eliminate(&mut self, number: usize, wrench: &mut PackedWrench<T>) {
         let plan = self.plan;
         let step = &plan.steps[number];
+        if let Some(member) = &step.member {
+            return self.eliminate_member(number, member, wrench);
+        }
         let on_path = self.selection.on_path[number];
         let own = self.body(number);
         let mut inertia = PackedInertia::<T>::load(&own[INERTIA * T::WIDTH..]);
@@ -398,9 +408,13 @@ impl<'a, T: Lanes> LaneState<'a, T> {
                 place -= 1;
                 let from = self.velocity(step, step.velocity(place));
                 let axis = load_twist::<T>(&from[AXIS * T::WIDTH..]);
-                let u = load_wrench::<T>(&from[PRODUCT * T::WIDTH..]);
-                let [over, load] = load::<T, 2>(&from[OVER_PIVOT * T::WIDTH..]);
-                let rate = (load - twist.power(&u)) * over;
+                let rate = if let Some(member) = &step.member {
+                    T::from_f64(member.multiplier) * self.cluster_rate(number, member, &twist)
+                } else {
+                    let u = load_wrench::<T>(&from[PRODUCT * T::WIDTH..]);
+                    let [over, load] = load::<T, 2>(&from[OVER_PIVOT * T::WIDTH..]);
+                    (load - twist.power(&u)) * over
+                };
                 let mut i = 0;
                 while i < 3 {
                     twist.angular[i] = axis.angular[i].mul_add(rate, twist.angular[i]);
@@ -464,12 +478,22 @@ impl<'a, T: Lanes> LaneState<'a, T> {
         let o = T::zero();
         let mut φ = PackedInertia { angular: [o; 6], coupling: [[o; 3]; 3], linear: [o; 6] };
         for &number in &self.selection.path {
-            let step = &self.plan.steps[number];
+            let mut step = &self.plan.steps[number];
             let mut place = step.velocities;
+            let member = step.member.as_ref();
+            if let Some(member) = member {
+                if self.selection.ends[member.head] != Some(number) {
+                    continue;
+                }
+                step = &self.plan.steps[member.head];
+            }
             while place > 0 {
                 place -= 1;
                 let from = self.velocity(step, step.velocity(place));
-                let s = load_twist::<T>(&from[AXIS * T::WIDTH..]);
+                let s = match member {
+                    Some(_) => self.reach(number),
+                    None => load_twist::<T>(&from[AXIS * T::WIDTH..]),
+                };
                 let u = load_wrench::<T>(&from[PRODUCT * T::WIDTH..]);
                 let [over, _] = load::<T, 2>(&from[OVER_PIVOT * T::WIDTH..]);
                 // y = Φ U;  Φ − (s yᵀ + y sᵀ)/D + s sᵀ (1 + Uᵀy/D)/D = Φ − s zᵀ − z sᵀ with z below.
@@ -500,6 +524,16 @@ impl<'a, T: Lanes> LaneState<'a, T> {
             }
             i += 1;
         }
+    }
+}
+
+/// Position of a joint: that of its master, for a mimic.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn step_position<T: Lanes>(step: &Step, columns: PositionColumns<'_>, q: usize, first: usize) -> T {
+    let position = columns.at::<T>(q, first);
+    match step.mimic {
+        Some([multiplier, offset]) => position.mul_add(T::from_f64(multiplier), T::from_f64(offset)),
+        None => position,
     }
 }
 

@@ -7,8 +7,9 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. State, impacts, safe_speeds: states of other programs, impacts and safe speeds in arrays. mass, sweep_report, map, impact, extremes,
-safe_speed, explain: the reports of the command line. suspension, study, contact_law: modules of these names. SI units throughout; quaternions are w, x, y, z.
+solver. State, impacts, safe_speeds: states of other programs, impacts and safe speeds in arrays. mass, map, impact, extremes, safe_speed: reports
+of the command line; reports has the others. suspension, study, contact_law, converters, errors, results, records: modules of these names. SI units
+throughout; quaternions are w, x, y, z.
 """
 
 from __future__ import annotations
@@ -22,39 +23,19 @@ from . import _arguments, _percuss
 
 _arguments.convert_all(_percuss, [name for name in _percuss.__all__ if name != "Workspace"])
 
-from . import contact_law, converters, records, study, suspension
-from ._errors import (
-    ArgumentTypeError,
-    AssemblyError,
-    InputError,
-    LoadError,
-    ModelWarning,
-    NoAnswerError,
-    NotComputedError,
-    PercussError,
-)
-from ._gradients import position_gradient
-from ._impacts import Impacts, impacts, safe_speeds
-from ._matrices import MatrixBatch
+from . import contact_law, converters, errors, records, reports, results, study, suspension
+from ._impacts import impacts, safe_speeds
 from ._percuss import (
-    Accelerations,
     Assembly,
     Contact,
-    Diagnostic,
-    Joint,
-    MatrixResponse,
     Model,
     Pose,
-    Response,
-    Sweep,
     System,
-    Travel,
     Workspace,
     effective_mass,
     effective_masses,
     load,
     loads,
-    regions,
     set_threads,
     sweep,
 )
@@ -63,69 +44,38 @@ from ._percuss import joint_of_parts as _joint
 from ._percuss import model_of_bytes as _model_of_bytes
 from ._percuss import sweep_of_parts as _sweep_of_parts
 from ._remarks import RemarkFlags
-from ._reports import (
-    MapReport,
-    Report,
-    check,
-    explain,
-    extremes,
-    friction_thresholds,
-    impact,
-    map,
-    map_point,
-    mass,
-    reflected_inertias,
-    safe_speed,
-    safe_speed_directions,
-    sweep_report,
-    tolerate,
-)
 from ._request import Conditions
-from ._sweeps import Status, SweepRow
+from ._sweeps import Status
 from .converters import from_mujoco, from_pinocchio
+from .errors import InputError, LoadError, ModelWarning, NoAnswerError, PercussError
+from .reports import extremes, impact, map, mass, safe_speed
+from .results import Sweep as _Sweep
 from .state import State
 
 __version__ = _version("percuss")
 
 __all__ = [
-    "Accelerations",
-    "ArgumentTypeError",
     "Assembly",
-    "AssemblyError",
     "Conditions",
     "Contact",
-    "Diagnostic",
-    "Impacts",
     "InputError",
-    "Joint",
     "LoadError",
-    "MapReport",
-    "MatrixBatch",
-    "MatrixResponse",
     "Model",
     "ModelWarning",
     "NoAnswerError",
-    "NotComputedError",
     "PercussError",
     "Pose",
     "RemarkFlags",
-    "Report",
-    "Response",
     "State",
     "Status",
-    "Sweep",
-    "SweepRow",
     "System",
-    "Travel",
     "Workspace",
-    "check",
     "contact_law",
     "converters",
     "effective_mass",
     "effective_masses",
-    "explain",
+    "errors",
     "extremes",
-    "friction_thresholds",
     "from_mujoco",
     "from_pinocchio",
     "impact",
@@ -133,49 +83,69 @@ __all__ = [
     "load",
     "loads",
     "map",
-    "map_point",
     "mass",
-    "position_gradient",
     "records",
-    "reflected_inertias",
-    "regions",
+    "reports",
+    "results",
     "safe_speed",
-    "safe_speed_directions",
     "safe_speeds",
     "set_threads",
     "study",
     "suspension",
     "sweep",
-    "sweep_report",
-    "tolerate",
 ]
 
 
 #: Names that have moved.
 _MOVED = {
+    "Accelerations": "results.Accelerations",
+    "ArgumentTypeError": "errors.ArgumentTypeError",
+    "AssemblyError": "errors.AssemblyError",
     "Damping": "contact_law.Damping",
     "Design": "study.Design",
+    "Diagnostic": "results.Diagnostic",
     "FINITE": "Status.FINITE",
     "IMMOVABLE": "Status.IMMOVABLE",
+    "Impacts": "results.Impacts",
+    "Joint": "results.Joint",
     "Kinematics": "suspension.Kinematics",
     "MASSLESS": "Status.MASSLESS",
     "MASSLESS_TO_ROUNDING": "Status.MASSLESS_TO_ROUNDING",
+    "MapReport": "reports.MapReport",
+    "MatrixBatch": "results.MatrixBatch",
+    "MatrixResponse": "results.MatrixResponse",
     "NO_ANSWER": "Status.NO_ANSWER",
+    "NotComputedError": "errors.NotComputedError",
+    "Report": "reports.Report",
+    "Response": "results.Response",
+    "Sweep": "results.Sweep",
+    "SweepRow": "results.SweepRow",
+    "Travel": "suspension.Travel",
     "ask": "study.ask",
+    "check": "reports.check",
     "compare": "study.compare",
     "compare_study": "study.compare_study",
     "damp": "contact_law.damp",
     "damp_contact": "contact_law.damp_contact",
     "damp_stop": "contact_law.damp_stop",
+    "explain": "reports.explain",
+    "friction_thresholds": "reports.friction_thresholds",
     "impact_history": "contact_law.impact_history",
     "kinematics": "suspension.kinematics",
     "laws": "contact_law.laws",
     "load_suspension": "suspension.load",
+    "map_point": "reports.map_point",
+    "position_gradient": "converters.position_gradient",
+    "reflected_inertias": "reports.reflected_inertias",
+    "regions": "reports.regions",
     "run_study": "study.run",
+    "safe_speed_directions": "reports.safe_speed_directions",
     "starting_study": "study.starting",
     "study_schema": "study.schema",
     "suspension_template": "suspension.template",
     "suspension_templates": "suspension.templates",
+    "sweep_report": "reports.sweep_report",
+    "tolerate": "reports.tolerate",
     "tools": "contact_law.tools",
 }
 
@@ -231,6 +201,6 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
         return _model_of_bytes(text, name, accept)
 
 
-def _sweep(parts: dict[str, _Any]) -> Sweep:
+def _sweep(parts: dict[str, _Any]) -> _Sweep:
     """Rebuilds a pickled sweep."""
     return _sweep_of_parts(parts)

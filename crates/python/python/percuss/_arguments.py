@@ -15,7 +15,7 @@ from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import ArgumentTypeError, PercussError
+from .errors import ArgumentTypeError, PercussError
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 #: Longest text of a value in a message.

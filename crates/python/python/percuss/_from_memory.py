@@ -10,8 +10,8 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from ._errors import InputError
 from ._percuss import Model, loads
+from .errors import InputError
 
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(repr(float(x)) for x in values)

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import array_of, checked
-from ._errors import InputError
 from ._percuss import Model
+from .errors import InputError
 
 _Array = NDArray[np.float64]
 #: Velocities of a joint by its kind, if they are not as many as its positions.
@@ -52,7 +52,7 @@ def position_gradient(model: Model, q: ArrayLike, gradient: ArrayLike) -> _Array
     dm̄ = g · dq for every change of q that keeps quaternions at unit length; their part of g is tangent to the unit sphere.
     Mimics are not read: their part is added to that of their masters.
 
-        >>> percuss.position_gradient(arm, q, percuss.sweep(arm, tool, q, gradient=True).gradient)
+        >>> percuss.converters.position_gradient(arm, q, percuss.sweep(arm, tool, q, gradient=True).gradient)
     """
     positions, by_velocity = array_of(q, "q"), array_of(gradient, "gradient")
     widths = (model.position_count, len(model.velocity_names))

@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _percuss
 from ._arguments import array_of, checked
-from ._errors import InputError
 from ._percuss import Assembly, Contact, Model, Sweep, System
-from ._reports import limit_of
+from .errors import InputError
+from .reports import limit_of
 from .state import State
 
 _Array = NDArray[np.float64]

@@ -55,6 +55,7 @@ __all__ = [
     "safe_speeds",
     "set_threads",
     "ask",
+    "friction_rows",
     "impact_rows",
     "starting_study",
     "study_schema",
@@ -317,13 +318,13 @@ class Model:
         self,
         *,
         base: _Base = "fixed",
-        lock: Sequence[str] = ...,
+        lock: str | Sequence[str] | None = ...,
         armature: dict[str, Any] | None = None,
         hold: Sequence[_Held] = ...,
     ) -> System:
         """The mechanism under conditions.
 
-        base: "fixed" or "floating". lock: joints that are locked. armature: joint to inertia (kg·m² or kg), one value,
+        base: "fixed" or "floating". lock: names of joints that are locked, one name, or "all". armature: joint to inertia (kg·m² or kg), one value,
         or one for each velocity of the joint. hold: points that are held, (link, point) or (link, point, normal): point
         (3,) m in the link's frame, normal (3,) in the root link's axes; without a normal, the point is held in all
         directions."""
@@ -566,7 +567,7 @@ class Travel:
     """Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
     share it.
 
-        >>> height = percuss.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+        >>> height = percuss.suspension.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
         >>> height.pose(model.pose(), 0.01).joints["crank_hinge"]"""
     def __new__(cls, pose: Pose, link: str, point: ArrayLike, direction: ArrayLike) -> Travel: ...
     @property
@@ -796,6 +797,15 @@ def impact_rows(
     """Arrays of a call by name: results of N states, k contacts, n velocities, c coordinates and the joints.
 
     velocities: (N, n). base_twist: (N, 6) in root axes. restitution: one for each contact. law: "newton", "poisson", "energetic", "sticking"."""
+def friction_rows(
+    model: Model | System | Assembly,
+    contact: Contact | str,
+    positions: ArrayLike,
+    base_pose: _Array | None,
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> _Array:
+    """Thresholds of friction of a contact at N positions, (N, 3): sliding per closing speed, sticking, jamming; NaN without a value."""
 def set_threads(threads: int | None = None) -> None:
     """Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it.
 
@@ -951,7 +961,7 @@ def tools() -> list[tuple[str, str]]:
 def regions() -> list[tuple[str, str, float, float]]:
     """Body regions: name, title, mass (kg), stiffness (N/m).
 
-    >>> [name for name, title, mass, stiffness in percuss.regions()]"""
+    >>> [name for name, title, mass, stiffness in percuss.reports.regions()]"""
 def run_command(arguments: Sequence[str]) -> NoReturn:
     """Runs the command and ends the process with its exit code. The first argument is the program name."""
 

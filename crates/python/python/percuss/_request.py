@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal, Union, cast
+from typing import Any, Concatenate, Literal, ParamSpec, Protocol, TypeVar, Union, cast, overload
 
 import numpy as np
 
-from ._arguments import array_of, check_fields, shown
-from ._errors import InputError
+from ._arguments import array_of, check_fields, checked, shown
 from ._percuss import Assembly, Contact, Model, Pose, System
+from .errors import InputError
 from .state import State, velocity_ranges
 
 #: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
@@ -26,6 +27,37 @@ Range = Union[str, tuple[str, float, float, int]]
 Travel = Union[str, tuple[str, Sequence[float], Sequence[float], float]]
 #: Tables as JSON, contact and pose.
 Request = tuple[str, Union[Contact, str, None], Union[Pose, None]]
+#: Contacts and names of contacts.
+Contacts = Union[list[Any], tuple[Any, ...]]
+_Further = ParamSpec("_Further")
+_Report = TypeVar("_Report")
+
+
+class ContactQuestion(Protocol[_Further, _Report]):
+    """Question about a contact, or about each contact of a list."""
+
+    @overload
+    def __call__(self, model: Of, contact: Contact | str, *args: _Further.args, **kwargs: _Further.kwargs) -> _Report: ...
+    @overload
+    def __call__(self, model: Of, contact: Contacts, *args: _Further.args, **kwargs: _Further.kwargs) -> list[_Report]: ...
+
+
+def of_contacts(function: Callable[Concatenate[Of, Contact | str, _Further], _Report]) -> ContactQuestion[_Further, _Report]:
+    """Question with checked arguments; for a list of contacts, the list of its reports."""
+    one = checked(function)
+
+    @functools.wraps(function)
+    def call(*args: Any, **kwargs: Any) -> Any:
+        given = args[1] if len(args) > 1 else kwargs.get("contact")
+        if not isinstance(given, (list, tuple)):
+            return one(*args, **kwargs)
+        if not given:
+            raise InputError("contact is an empty list; expected a Contact, a name, or a list of them")
+        if len(args) > 1:
+            return [one(args[0], contact, *args[2:], **kwargs) for contact in given]
+        return [one(*args, **{**kwargs, "contact": contact}) for contact in given]
+
+    return cast("ContactQuestion[_Further, _Report]", call)
 
 
 @dataclass(frozen=True)
@@ -37,8 +69,9 @@ class Conditions:
     set: driving joints and their positions. guess: initial positions in the search for dependent joints.
     travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
     distance): point in m in the link's frame, direction in world axes, distance in m.
-    pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence.
-    lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
+    pose: JSON file with the positions of all joints, such as a saved report, or a Pose; set and guess take precedence. Its base_pose is that
+    of the report, and its normals, directions and gravity have axes of the world.
+    lock: names of joints that are locked, one name, or "all". hold: points that are held: (link, point) or (link, point, normal).
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating"; default: that of the System, or "fixed".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
     ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
@@ -51,7 +84,7 @@ class Conditions:
     against_mass: float | None = None
     set: Mapping[str, Position] = field(default_factory=dict)
     guess: Mapping[str, Position] = field(default_factory=dict)
-    lock: Sequence[str] = ()
+    lock: str | Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
     base: Literal["fixed", "floating"] | None = None
@@ -205,10 +238,21 @@ def rates_of(state: State) -> tuple[dict[str, Position], list[float] | None]:
     return rates, None if state.base_twist is None else state.twist(frame="world").tolist()
 
 
+def _in_world(pose: Pose, vector: Any) -> Any:
+    """Vector in axes of the root link, as System(hold=…) has it, in axes of the world."""
+    if vector is None:
+        return None
+    link = pose.model.links[0]
+    axes = pose.link_frame(link, frame="world") @ np.linalg.inv(pose.link_frame(link, frame="root"))
+    return (axes[:3, :3] @ array_of(vector, "hold")).tolist()
+
+
 def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, against: str | None = None, **further: Any) -> tuple[Model, Request]:
     """Model and request of a report. The conditions of a System, Assembly or Pose are added."""
     given = Conditions() if conditions is None else conditions
     if isinstance(of, State):
+        if of.positions.ndim > 1:
+            raise InputError(f"model is {of!r}; a report takes one state, such as state[0], and sweep, impacts and safe_speeds take all")
         if given.pose is not None:
             raise InputError("conditions.pose: the State has its own positions; expected the model, or conditions without pose")
         given, of = replace(given, pose=of.model.pose(of)), of.model
@@ -220,6 +264,8 @@ def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, 
                 raise InputError(f"conditions.{name}: the {type(of).__name__} has its own; expected the model, or conditions without {name}")
         given = replace(given, **own)
     pose = given.pose if isinstance(given.pose, Pose) else None
+    if pose is not None and not isinstance(of, Model):
+        given = replace(given, hold=[(*hold[:2], *(_in_world(pose, normal) for normal in hold[2:])) for hold in given.hold])
     of_contact = {
         "frame": None if given.frame == "link" else given.frame,
         "against_mass": given.against_mass,
@@ -235,7 +281,7 @@ def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, 
             "travel": [_travel(one) for one in given.travel],
             "file": None if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
         },
-        conditions={"lock": given.lock, "armature": given.armature, "gear_stiffness": given.gear_stiffness, "base": given.base},
+        conditions={"lock": [given.lock] if isinstance(given.lock, str) else given.lock, "armature": given.armature, "gear_stiffness": given.gear_stiffness, "base": given.base},
         hold=[_parts(one, "hold", ("link", "point", "normal"), 2) for one in given.hold],
         **further,
     )

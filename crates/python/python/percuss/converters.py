@@ -27,18 +27,18 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import InputError, ModelWarning
 from ._from_memory import from_mujoco, from_pinocchio
-from ._gradients import rotation_of
+from ._gradients import position_gradient, rotation_of
 from ._percuss import Model
+from .errors import InputError, ModelWarning
 from .state import VELOCITIES, State, follow_masters, turned, velocity_ranges, zero_positions
 
-__all__ = ["Converter", "from_mujoco", "from_pinocchio"]
+__all__ = ["Converter", "from_mujoco", "from_pinocchio", "position_gradient"]
 
 _Array = NDArray[np.float64]
 
@@ -173,7 +173,10 @@ def _twist_from_percuss(twist: str, v: _Array, rotation: _Array | None) -> _Arra
 
 @dataclass(frozen=True)
 class Converter:
-    """Converts positions and velocities between another program and percuss; any number of leading axes."""
+    """Converts positions and velocities between another program and percuss; any number of leading axes.
+
+    >>> percuss.converters.Converter.of_joint_state(arm, ["elbow", "yaw"]).state([0.3, -0.2]).by_joint()["elbow"]
+    """
 
     model: Model
     program: str
@@ -357,12 +360,14 @@ class Converter:
         """Joint of each velocity of percuss, in the order of Model.velocity_names."""
         return [joint.name for joint in self.model.joints for _ in range(VELOCITIES[joint.kind])]
 
-    def state(self, q: ArrayLike, v: ArrayLike | None = None) -> State:
-        """State of percuss at positions q (..., nq) and velocities v (..., nv) of the other program, in its order: joints, base, mimics."""
+    def state(self, q: ArrayLike, v: ArrayLike | None = None, *, nan: Literal["refuse", "no answer"] = "refuse") -> State:
+        """State of percuss at positions q (..., nq) and velocities v (..., nv) of the other program, in its order: joints, base, mimics.
+        nan: as for State."""
         found = self._checked(q, "q", self.position_count, self.program)
         velocities = None if v is None else self.velocities(v, found)
         twist = None if v is None else self.base_velocity(v, found)
-        return State(self.model, self.positions(found), velocities=velocities, base_pose=self.base_pose(found), base_twist=twist)
+        base = self.base_pose(found)
+        return State(self.model, self.positions(found), velocities=velocities, base_pose=base, base_twist=twist, nan=nan)
 
     def of_state(self, state: State) -> tuple[_Array, _Array | None]:
         """Positions (..., nq) and velocities (..., nv; None if the state has none) of the other program at a State."""

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._errors import InputError, NoAnswerError
 from ._percuss import Pose, Sweep
-from ._reports import MapReport
+from .errors import InputError, NoAnswerError
+from .reports import MapReport
 
 __all__ = ["plot_ellipsoid", "plot_map", "plot_sweep"]
 

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import array_of
-from ._errors import InputError
 from ._gradients import rotation_of
 from ._percuss import Joint, Model
+from .errors import InputError
 
 _Array = NDArray[np.float64]
 _ByJoint = Mapping[str, ArrayLike]
@@ -19,6 +19,8 @@ _ByJoint = Mapping[str, ArrayLike]
 VELOCITIES = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "spherical": 3, "floating": 6, "fixed": 0}
 #: Largest relative difference between the given velocity of a mimic and that of its master: rounding of sums.
 _MIMIC_SLACK = 1e-9
+#: Largest difference of the norm of a quaternion from 1, as for base_pose of Model.pose: quaternions rounded to two digits.
+_QUATERNION_SLACK = 0.01
 
 
 def velocity_ranges(model: Model) -> list[tuple[Joint, slice]]:
@@ -69,7 +71,8 @@ class State:
     dict; mimics follow their masters. base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z; (7,) or (..., 7). base_twist:
     velocity of the root link at its origin, angular (rad/s), then linear (m/s); (6,) or (..., 6); in axes of the root link
     (frame="root") or of the world (frame="world"); linear_first=True: linear, then angular. ``converters.Converter.state`` reads the state
-    of Pinocchio, MuJoCo, Drake or ROS.
+    of Pinocchio, MuJoCo, Drake or ROS. Numbers that are not finite are an InputError; nan="no answer" keeps those of positions, for
+    ``sweep`` with the same argument.
 
         >>> state = percuss.State(arm, {"shoulder": 0.4}, velocities={"shoulder": 1.0}, base_twist=[0, 0, 0.5, 0, 0, 0])
         >>> arm.system(base="floating").pose(state).respond(tool).effective_mass
@@ -96,9 +99,12 @@ class State:
         base_twist: ArrayLike | None = None,
         frame: Literal["root", "world"] = "root",
         linear_first: bool = False,
+        nan: Literal["refuse", "no answer"] = "refuse",
     ) -> None:
         if not isinstance(model, Model):
             raise InputError(f"model is a {type(model).__name__}; expected a Model")
+        if nan not in ("refuse", "no answer"):
+            raise InputError(f'nan is {nan!r}; expected "refuse" or "no answer"')
         if frame not in ("root", "world"):
             raise InputError(f'frame is {frame!r}; expected "root" or "world"')
         self.model = model
@@ -112,19 +118,30 @@ class State:
                     self.positions[places[joint.name]] = (joint.multiplier or 0.0) * master + (joint.offset or 0.0)
         else:
             self.positions = _table(positions, "positions", model.position_count, None)
+        if nan == "refuse":
+            _refuse_not_finite(self.positions, "positions")
         leading = self.positions.shape[:-1]
         width = len(model.velocity_names)
         if isinstance(velocities, Mapping):
             own = _of_joints(model, velocities, {joint.name: at for joint, at in ranges}, np.zeros(width), "velocities")
+            _refuse_not_finite(own, "velocities")
             follow_masters(model, own, frozenset(velocities))
             self.velocities = np.broadcast_to(own, (*leading, width)).copy()
         else:
             self.velocities = None if velocities is None else _table(velocities, "velocities", width, leading)
             if self.velocities is not None:
+                _refuse_not_finite(self.velocities, "velocities")
                 follow_masters(model, self.velocities, frozenset(joint.name for joint in model.joints))
         self.base_pose = None if base_pose is None else _table(base_pose, "base_pose", 7, leading)
         self.base_twist = None if base_twist is None else _table(base_twist, "base_twist", 6, leading)
+        if self.base_pose is not None:
+            _refuse_not_finite(self.base_pose, "base_pose")
+            norms = np.linalg.norm(self.base_pose[..., 3:], axis=-1)
+            if np.any(np.abs(norms - 1) > _QUATERNION_SLACK):
+                norm = norms[np.abs(norms - 1) > _QUATERNION_SLACK].flat[0]
+                raise InputError(f"base_pose: a quaternion w, x, y, z has norm {norm:g}; expected a unit quaternion")
         if self.base_twist is not None:
+            _refuse_not_finite(self.base_twist, "base_twist")
             if linear_first:
                 self.base_twist = self.base_twist[..., [3, 4, 5, 0, 1, 2]]
             if frame == "world":
@@ -160,7 +177,8 @@ class State:
         if self.positions.ndim == 1:
             raise InputError("one state has no rows")
         parts = {name: getattr(self, name) for name in ("velocities", "base_pose", "base_twist")}
-        return State(self.model, self.positions[rows], **{name: part[rows] for name, part in parts.items() if part is not None})
+        own = {name: part[rows] for name, part in parts.items() if part is not None}
+        return State(self.model, self.positions[rows], **own, nan="no answer")
 
     def __iter__(self) -> Iterator[State]:
         return (self[row] for row in range(len(self)))
@@ -179,6 +197,13 @@ def _table(given: ArrayLike, name: str, width: int, leading: tuple[int, ...] | N
         either = f"({width},) or " if leading else ""
         raise InputError(f"{name} has shape {found.shape}; expected {either}{expected}{width})")
     return found.copy() if leading is None else np.broadcast_to(found, (*leading, width)).copy()
+
+
+def _refuse_not_finite(given: _Array, name: str) -> None:
+    """Refuses numbers that are not finite, with the place of the first."""
+    if not np.isfinite(given).all():
+        place = np.argwhere(~np.isfinite(given))[0]
+        raise InputError(f"{name}[{', '.join(map(str, place))}] is {given[tuple(place)]}; expected finite numbers")
 
 
 def _of_joints(model: Model, given: _ByJoint, places: Mapping[str, slice], out: _Array, name: str) -> _Array:

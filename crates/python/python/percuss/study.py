@@ -14,10 +14,10 @@ from typing import Any, cast
 
 from . import _percuss, records
 from ._arguments import check_fields, checked
-from ._errors import InputError
 from ._percuss import Contact, Model
-from ._reports import Report, with_rows
 from ._request import Conditions, Of, Range, asked, json_of, rows, tables
+from .errors import InputError
+from .reports import Report, with_rows
 
 
 @dataclass(frozen=True)

@@ -15,12 +15,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _percuss
 from ._arguments import array_of, checked
-from ._errors import InputError
-from ._percuss import Model
+from ._percuss import Model, Travel
 from ._percuss import load_suspension as load
 from ._percuss import suspension_template as template
 from ._percuss import suspension_templates as templates
 from ._request import tables
+from .errors import InputError
 from .records import KinematicsReport
 
 
@@ -139,4 +139,4 @@ def kinematics(
     )
 
 
-__all__ = ["Kinematics", "kinematics", "load", "template", "templates"]
+__all__ = ["Kinematics", "Travel", "kinematics", "load", "template", "templates"]

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import InputError
 from ._percuss import Contact, Pose
-from ._reports import MapReport
+from .errors import InputError
 from .plots import ellipsoid_of, squares_of
+from .reports import MapReport
 
 __all__ = ["show"]
 

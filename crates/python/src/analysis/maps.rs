@@ -88,10 +88,7 @@ pub fn principal_masses<'py>(
 ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
     let point = Vector3::from(triple(point, "point")?);
     let (link, against) = links(pose, link, against)?;
-    let found = py.detach(|| {
-        let map = pose.pose.contact_map(link, against, point, 0.0).map_err(input)?;
-        PyResult::Ok(map.principal_masses(&point))
-    })?;
+    let found = py.detach(|| pose.pose.principal_masses(link, against, point)).map_err(input)?;
     let Some(found) = found else { return Ok(None) };
     let one = |principal: percuss::PrincipalMass| {
         let record = PyDict::new(py);

@@ -8,8 +8,8 @@ use crate::conversion::threads::{interruptible, interruptible_if_large};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
-    EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView, RemarkFlags,
-    effective_mass as of_matrices, interruption,
+    EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView, RegularMatrices,
+    RemarkFlags, effective_mass as of_matrices, interruption,
 };
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 /// m̄ from matrices, with its error, rank report and remarks.
 ///
 ///     >>> percuss.effective_mass(np.eye(2), [1.0, 0.0], [[0.0, 1.0]]).velocity
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.results")]
 #[derive(Clone, Debug)]
 pub struct MatrixResponse(Found);
 
@@ -344,12 +344,22 @@ pub fn effective_masses<'py>(
         )));
     }
     let options = reading.options();
-    let one = |c: usize| -> Result<Solved, PyErr> {
+    let one = |regular: &mut RegularMatrices, c: usize| -> Result<Solved, PyErr> {
         if interruption::is_requested() {
             return Err(PyKeyboardInterrupt::new_err(()));
         }
+        let (mass, row) = (mass.matrix(c)?, row.row(c)?);
         let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
-        let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
+        if let Some((mass, error)) = regular.solve(&mass, &row, rows.as_ref(), &options) {
+            return Ok(Solved {
+                mass,
+                error,
+                code: 0,
+                remarks: RemarkFlags::default(),
+                has_small_rows: false,
+            });
+        }
+        let found = of_matrices(mass, row, rows, &options)
             .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;
         let (mass, code) = mass_and_code(Some(found.effective_mass));
         let error = found.error.unwrap_or(f64::NAN);
@@ -361,7 +371,8 @@ pub fn effective_masses<'py>(
     let (mut remarks, mut small_rows) = (Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
         let part = interruptible(py, || {
-            (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
+            let part = (first..count.min(first + 256)).into_par_iter();
+            part.map_init(RegularMatrices::default, one).collect::<PyResult<Vec<_>>>()
         })??;
         for solved in part {
             if solved.has_small_rows {

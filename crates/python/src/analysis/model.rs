@@ -43,7 +43,7 @@ const JOINT_KINDS: [JointKind; 7] = [
 /// A joint of a model.
 ///
 ///     >>> [joint.limits for joint in arm.joints]
-#[pyclass(frozen, get_all, module = "percuss")]
+#[pyclass(frozen, get_all, module = "percuss.results")]
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Name of the joint.

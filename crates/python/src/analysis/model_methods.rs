@@ -171,18 +171,23 @@ impl Model {
 
     /// The mechanism under conditions.
     ///
-    /// base: "fixed" or "floating". lock: joints that are locked. armature: joint to inertia (kg·m² or kg), one value,
+    /// base: "fixed" or "floating". lock: names of joints that are locked, one name, or "all". armature: joint to inertia (kg·m² or kg), one value,
     /// or one for each velocity of the joint. hold: points that are held, (link, point) or (link, point, normal): point
     /// (3,) m in the link's frame, normal (3,) in the root link's axes; without a normal, the point is held in all
     /// directions.
-    #[pyo3(signature = (*, base="fixed", lock=Vec::new(), armature=None, hold=Vec::new()))]
+    #[pyo3(signature = (*, base="fixed", lock=None, armature=None, hold=Vec::new()))]
     fn system(
         &self,
         base: &str,
-        lock: Vec<String>,
+        lock: Option<&Bound<'_, PyAny>>,
         armature: Option<&Bound<'_, PyDict>>,
         hold: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<System> {
+        let names = |given: &Bound<'_, PyAny>| match given.extract::<String>() {
+            Ok(name) => Ok(vec![name]),
+            Err(_) => given.extract::<Vec<String>>().map_err(errors::of_argument("lock")),
+        };
+        let lock = lock.map(names).transpose()?.unwrap_or_default();
         System::new(self, base, lock, armature, hold)
     }
 

@@ -26,9 +26,9 @@ const RESIDUAL_TOLERANCE: f64 = 1e-6;
 /// Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
 /// share it.
 ///
-///     >>> height = percuss.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+///     >>> height = percuss.suspension.Travel(model.pose(), "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
 ///     >>> height.pose(model.pose(), 0.01).joints["crank_hinge"]
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.suspension")]
 #[derive(Clone, Debug)]
 pub struct Travel {
     model: Model,
@@ -348,7 +348,7 @@ pub fn by_joint<'py>(
 /// Accelerations of a moving mechanism.
 ///
 ///     >>> arm.pose().accelerations(gravity=[0, 0, -9.81]).joints["elbow"]
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.results")]
 #[derive(Clone, Debug)]
 pub struct Accelerations {
     pose: Pose,

@@ -19,7 +19,7 @@ use pyo3::types::{PyAny, PyDict};
 ///
 ///     >>> response = model.pose().respond(contact)
 ///     >>> response.effective_mass, response.error, response.contributions
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.results")]
 #[derive(Clone, Debug)]
 pub struct Response {
     pub pose: Pose,

@@ -220,6 +220,15 @@ impl System {
         let hold = hold.iter().map(|hold| link_point_vector(hold, "hold", "normal"));
         let hold = hold.collect::<PyResult<_>>().map_err(of_argument("hold"))?;
         let armature = numbers(armature, "armature").map_err(of_argument("armature"))?;
+        let lock = match &lock[..] {
+            // Every joint that moves on its own, unless a joint has this name.
+            [all] if all == "all" && model.read.mechanism.find_joint(all).is_err() => {
+                let joints = model.read.mechanism.joints().iter();
+                let free = joints.filter(|joint| joint.kind().dofs() > 0 && joint.mimic().is_none());
+                free.map(|joint| joint.name().to_owned()).collect()
+            }
+            _ => lock,
+        };
         let find = |joint: &String| model.read.mechanism.find_joint(joint).map(drop).map_err(input);
         lock.iter().try_for_each(find).map_err(of_argument("lock"))?;
         armature.iter().try_for_each(|(joint, _)| find(joint)).map_err(of_argument("armature"))?;

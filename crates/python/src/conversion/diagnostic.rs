@@ -40,7 +40,7 @@ fn shared(text: &str) -> &'static str {
 /// Finding about a file or about a result.
 ///
 ///     >>> [(finding.code, finding.message) for finding in model.diagnostics]
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.results")]
 #[derive(Clone, Debug)]
 pub struct Diagnostic(pub DiagnosticRecord);
 

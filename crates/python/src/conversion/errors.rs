@@ -1,4 +1,4 @@
-//! Errors of the library as exceptions of `percuss._errors`, with the same messages.
+//! Errors of the library as exceptions of `percuss.errors`, with the same messages.
 
 use crate::conversion::diagnostic::Diagnostic;
 use percuss::study::{
@@ -10,14 +10,14 @@ use pyo3::prelude::*;
 use pyo3::types::PyAny;
 use std::fmt::Display;
 
-pyo3::import_exception!(percuss._errors, ArgumentTypeError);
-pyo3::import_exception!(percuss._errors, InputError);
-pyo3::import_exception!(percuss._errors, LoadError);
-pyo3::import_exception!(percuss._errors, ModelWarning);
-pyo3::import_exception!(percuss._errors, NoAnswerError);
-pyo3::import_exception!(percuss._errors, NotComputedError);
+pyo3::import_exception!(percuss.errors, ArgumentTypeError);
+pyo3::import_exception!(percuss.errors, InputError);
+pyo3::import_exception!(percuss.errors, LoadError);
+pyo3::import_exception!(percuss.errors, ModelWarning);
+pyo3::import_exception!(percuss.errors, NoAnswerError);
+pyo3::import_exception!(percuss.errors, NotComputedError);
 mod named {
-    pyo3::import_exception!(percuss._errors, AssemblyError);
+    pyo3::import_exception!(percuss.errors, AssemblyError);
 }
 use named::AssemblyError as LoopsError;
 

@@ -111,7 +111,7 @@ pub fn tools() -> Vec<(&'static str, &'static str)> {
 
 /// Body regions: name, title, mass (kg), stiffness (N/m).
 ///
-///     >>> [name for name, title, mass, stiffness in percuss.regions()]
+///     >>> [name for name, title, mass, stiffness in percuss.reports.regions()]
 #[pyfunction]
 pub fn regions() -> Vec<(&'static str, &'static str, f64, f64)> {
     BodyRegion::all().iter().map(|r| (r.name, r.title, r.mass, r.stiffness)).collect()

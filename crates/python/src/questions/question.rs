@@ -3,7 +3,6 @@
 use crate::analysis::contact::GivenContact;
 use crate::analysis::pose::Pose;
 use crate::conversion::errors::{input, of_argument};
-use percuss::spatial::Transform;
 use percuss::study::{
     ConditionsTable, ContactTable, DampingQuestion, ExtremesQuestion, GivenPose, Hold, ImpactQuestion,
     InvalidKey, MapQuestion, MassOptions, MassQuestion, Names, Normal, PoseTable, RowSource,
@@ -102,12 +101,6 @@ impl<'py> FromPyObject<'_, 'py> for Request<'py> {
 /// Positions of all joints of a pose.
 fn positions_of(pose: &Bound<'_, Pose>) -> PyResult<GivenPose> {
     let Pose { model, pose, .. } = pose.get();
-    if *pose.base() != Transform::identity() {
-        return Err(input(
-            "pose: it has a base_pose, and a report has the root link at the world's origin; expected a pose without base_pose, and \
-             vectors in the axes of the root link",
-        ));
-    }
     GivenPose::from_pose(pose, model.read.inputs.first().cloned()).map_err(input).map_err(of_argument("pose"))
 }
 

@@ -11,7 +11,8 @@ use crate::sweep::portions::{Progress, run_portions};
 use crate::sweep::row_contacts::BasePose;
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use percuss::impact::{
-    Component, ContactsLaw, JointRates, ReactionMap, SimultaneousLaw, StateImpact, state_impact,
+    Component, ContactsLaw, JointRates, ReactionMap, SimultaneousLaw, StateImpact, friction_thresholds,
+    state_impact,
 };
 use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
@@ -38,15 +39,23 @@ fn law_of(name: &str) -> PyResult<ContactsLaw> {
     })
 }
 
+/// Positions of a call.
+struct Positions<'a> {
+    system: &'a Compiled,
+    assembly: &'a Arc<Assembled>,
+    /// Positions of all joints, row by row.
+    numbers: Vec<f64>,
+    width: usize,
+    bases: BasePose,
+}
+
 /// States and contacts of a call.
 struct Question<'a> {
     system: &'a Compiled,
-    assembly: &'a Arc<Assembled>,
     contacts: Vec<Resolved>,
-    /// Positions and velocities of all joints, row by row.
-    positions: Vec<f64>,
+    positions: Positions<'a>,
+    /// Velocities of all joints, row by row.
     velocities: Vec<f64>,
-    bases: BasePose,
     /// Twists of the root link in its axes, row by row; empty if it is at rest.
     twists: Vec<f64>,
     restitution: Vec<f64>,
@@ -79,11 +88,24 @@ enum Refusal {
     NoAnswer(String),
 }
 
+impl Positions<'_> {
+    /// Pose of a row.
+    fn pose(&self, row: usize) -> Result<Posed, Refusal> {
+        let own = &self.numbers[self.width * row..][..self.width];
+        let mut configuration = Configuration::from_positions(self.system.mechanism(), own)
+            .map_err(|error| Refusal::State(format!("positions: {error}")))?;
+        if let Some(base) = self.bases.at(row) {
+            configuration.set_base(*base);
+        }
+        self.assembly.pose(&configuration).map_err(|error| Refusal::NoAnswer(error.to_string()))
+    }
+}
+
 impl Question<'_> {
     /// Impact at a row.
     fn solve(&self, row: usize) -> Result<Impact, Refusal> {
         let no_answer = |error: &dyn ToString| Refusal::NoAnswer(error.to_string());
-        let pose = self.pose(row)?;
+        let pose = self.positions.pose(row)?;
         let locate = |contact| pose.locate(contact).map_err(|error| Refusal::State(error.to_string()));
         let located: Vec<LocatedContact> = self.contacts.iter().map(locate).collect::<Result<_, _>>()?;
         let rates = self.rates(row);
@@ -111,24 +133,6 @@ impl Question<'_> {
             map: found.map.map_or_else(Vec::new, |map| map.transpose().as_slice().to_vec()),
             reactions,
         })
-    }
-
-    /// Pose of a row.
-    fn pose(&self, row: usize) -> Result<Posed, Refusal> {
-        let mechanism = self.system.mechanism();
-        let width = self.positions.len() / self.rows().max(1);
-        let own = &self.positions[width * row..][..width];
-        let mut configuration = Configuration::from_positions(mechanism, own)
-            .map_err(|error| Refusal::State(format!("positions: {error}")))?;
-        if let Some(base) = self.bases.at(row) {
-            configuration.set_base(*base);
-        }
-        self.assembly.pose(&configuration).map_err(|error| Refusal::NoAnswer(error.to_string()))
-    }
-
-    /// Number of rows.
-    fn rows(&self) -> usize {
-        self.velocities.len() / self.widths.iter().sum::<usize>().max(1)
     }
 
     /// Rates before the impact.
@@ -199,21 +203,7 @@ pub fn impact_rows<'py>(
     let q = float64_matrix(positions, "positions", "(N, p)", &names, "")?;
     let widths: Vec<usize> = mechanism.joints().iter().map(|joint| joint.kind().dofs()).collect();
     let (count, width): (usize, usize) = (q.shape()[0], widths.iter().sum());
-    let table = |given: &Bound<'py, PyAny>, what: &str, width: usize| -> PyResult<Vec<f64>> {
-        let found = float64(given, what, &[2], "(N, …)")?;
-        if found.shape() != [count, width] {
-            let got = shape(found.shape());
-            return Err(input(format_args!("{what} has shape {got}; expected ({count}, {width})")));
-        }
-        let values: Vec<f64> = found.as_array().iter().copied().collect();
-        match values.iter().position(|x| !x.is_finite()) {
-            Some(at) => {
-                let (row, column) = (at / width, at % width);
-                Err(input(format_args!("{what}[{row}, {column}] is {}; expected finite numbers", values[at])))
-            }
-            None => Ok(values),
-        }
-    };
+    let table = |given: &Bound<'py, PyAny>, what: &str, width| table(given, what, [count, width]);
     let twists = base_twist.map(|twist| table(twist, "base_twist", 6)).transpose()?.unwrap_or_default();
     if system.base() == Base::Fixed
         && let Some(row) = twists.chunks(6).position(|twist| twist.iter().any(|x| *x != 0.0))
@@ -224,14 +214,18 @@ pub fn impact_rows<'py>(
     }
     let question = Question {
         system: &system,
-        assembly: &assembly,
         contacts: contacts
             .iter()
             .map(|contact| contact.resolve(mechanism).map_err(of_argument("contacts")))
             .collect::<PyResult<_>>()?,
-        positions: table(q.as_any(), "positions", names.len())?,
+        positions: Positions {
+            system: &system,
+            assembly: &assembly,
+            numbers: table(q.as_any(), "positions", names.len())?,
+            width: names.len(),
+            bases: BasePose::of(base_pose, count)?,
+        },
         velocities: table(velocities, "velocities", width)?,
-        bases: BasePose::of(base_pose, count)?,
         twists,
         restitution,
         law: law_of(law)?,
@@ -246,6 +240,67 @@ pub fn impact_rows<'py>(
         Ok(())
     })?;
     arrays(py, &question, &rows)
+}
+
+/// Numbers of a table of a given shape, which must be finite.
+fn table(given: &Bound<'_, PyAny>, what: &str, expected: [usize; 2]) -> PyResult<Vec<f64>> {
+    let found = float64(given, what, &[2], "(N, …)")?;
+    if found.shape() != expected {
+        let [got, expected] = [shape(found.shape()), shape(&expected)];
+        return Err(input(format_args!("{what} has shape {got}; expected {expected}")));
+    }
+    let values: Vec<f64> = found.as_array().iter().copied().collect();
+    match values.iter().position(|x| !x.is_finite()) {
+        Some(at) => {
+            let (row, column) = (at / expected[1], at % expected[1]);
+            Err(input(format_args!("{what}[{row}, {column}] is {}; expected finite numbers", values[at])))
+        }
+        None => Ok(values),
+    }
+}
+
+/// Thresholds of friction of a contact at N positions, (N, 3): sliding per closing speed, sticking, jamming; NaN without a value.
+#[pyfunction]
+pub fn friction_rows<'py>(
+    py: Python<'py>,
+    model: &Bound<'py, PyAny>,
+    contact: GivenContact<'py>,
+    positions: &Bound<'py, PyAny>,
+    base_pose: Option<&Bound<'py, PyAny>>,
+    threads: Option<usize>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let (threads, progress) = (Threads::of(threads)?, Progress::of(progress)?);
+    let (model, system, assembly) = parts_of(model)?;
+    let mechanism = &model.read.mechanism;
+    let names = position_names(mechanism);
+    let q = float64_matrix(positions, "q", "(N, p)", &names, "")?;
+    let (count, width) = (q.shape()[0], names.len());
+    let contact = contact.resolve(mechanism)?;
+    if contact.normal.is_moment() {
+        return Err(input("contact: a moment about an axis has no friction; expected a contact point"));
+    }
+    let numbers = table(q.as_any(), "q", [count, width])?;
+    let bases = BasePose::of(base_pose, count)?;
+    let positions = Positions { system: &system, assembly: &assembly, numbers, width, bases };
+    let solve = |row: usize| -> Result<[f64; 3], String> {
+        let pose = match positions.pose(row) {
+            Ok(pose) => pose,
+            Err(Refusal::State(reason)) => return Err(format!("row {row}: {reason}")),
+            Err(Refusal::NoAnswer(_)) => return Ok([f64::NAN; 3]),
+        };
+        let found = pose.respond(&contact).ok().filter(|response| !response.singular_pose);
+        let found = found.and_then(|response| friction_thresholds(&pose, &response).ok());
+        let number = |x: Option<f64>| x.unwrap_or(f64::NAN);
+        Ok(found.map_or([f64::NAN; 3], |found| [found.slope, found.sticking, found.jamming].map(number)))
+    };
+    let mut rows: Vec<f64> = Vec::with_capacity(3 * count);
+    run_portions(py, count, false, (threads, &progress), |range: Range<usize>| {
+        let solved: Result<Vec<_>, String> = range.into_par_iter().map(solve).collect();
+        rows.extend(solved.map_err(input)?.into_flattened());
+        Ok(())
+    })?;
+    PyArray1::from_vec(py, rows).call_method1("reshape", ((count, 3),))
 }
 
 /// Arrays of the results; NaN for rows without a result. An invalid state is an error.

@@ -15,7 +15,7 @@ use pyo3::types::{PyAny, PyDict};
 ///     >>> swept = percuss.sweep(arm, tool, q)
 ///     >>> swept.effective_mass, swept.error, swept.findings
 ///     >>> swept[swept.status == percuss.Status.FINITE].to_dataframe()
-#[pyclass(frozen, module = "percuss")]
+#[pyclass(frozen, module = "percuss.results")]
 #[derive(Debug)]
 pub struct Sweep {
     /// m̄, kg; NaN unless finite; (N,).

@@ -44,7 +44,7 @@ def torch_arrays():
     check("torch, values", mass.detach().numpy(), swept.effective_mass, 0)
     weights = torch.arange(1.0, 8.0, dtype=torch.float64)
     (mass * weights).sum().backward()
-    gradient = percuss.position_gradient(arm, rows, swept.gradient)
+    gradient = percuss.converters.position_gradient(arm, rows, swept.gradient)
     check("torch, gradient", q.grad.numpy(), weights.numpy()[:, None] * gradient, 1e-15)
     # Differences of torch itself: step 1e-6, so 1e-9 by rounding.
     assert torch.autograd.gradcheck(lambda x: effective_mass(arm, tool, x), (q[:2].detach().requires_grad_(),), atol=1e-6)
@@ -65,7 +65,7 @@ def jax_arrays():
     q = jnp.asarray(rows)
     swept = percuss.sweep(arm, tool, rows, gradient=True)
     mass = effective_mass(arm, tool)
-    gradient = percuss.position_gradient(arm, rows, swept.gradient)
+    gradient = percuss.converters.position_gradient(arm, rows, swept.gradient)
     check("jax, values", mass(q), swept.effective_mass, 0)
     check("jax, jit", jax.jit(mass)(q), swept.effective_mass, 0)
     check("jax, vmap", jax.vmap(mass)(q), swept.effective_mass, 0)
@@ -77,7 +77,7 @@ def jax_arrays():
     # A chain: positions from a parameter.
     parameter = jax.grad(lambda t: mass(q[0] * jnp.sin(t)))(0.7)
     at = np.asarray(rows[0] * np.sin(0.7))[None]
-    own = percuss.position_gradient(arm, at, percuss.sweep(arm, tool, at, gradient=True).gradient)
+    own = percuss.converters.position_gradient(arm, at, percuss.sweep(arm, tool, at, gradient=True).gradient)
     check("jax, chain", parameter, own[0] @ (rows[0] * np.cos(0.7)), 1e-12)
 
 

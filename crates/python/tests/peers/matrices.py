@@ -32,7 +32,7 @@ def compare(what, found, expected):
 def contacts(model, count, seed):
     """Random contacts of links with mass, except the root link."""
     random = np.random.default_rng(seed)
-    links = [link["name"] for link in percuss.check(model).links if link["mass"] > 0 and link["name"] != model.links[0]]
+    links = [link["name"] for link in percuss.reports.check(model).links if link["mass"] > 0 and link["name"] != model.links[0]]
     for _ in range(count):
         link = links[random.integers(len(links))]
         yield percuss.Contact(link, random.uniform(-0.3, 0.3, 3), random.normal(size=3))
@@ -113,7 +113,7 @@ def mujoco():
                 continue
             try:
                 pose = model.pose({driver: value})
-            except percuss.AssemblyError:
+            except percuss.errors.AssemblyError:
                 continue
             response = pose.respond(contact)
             if response.status != "finite":

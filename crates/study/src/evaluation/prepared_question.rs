@@ -395,7 +395,9 @@ pub(crate) fn compile(
     }
     for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
         mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
-        conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
+        let normal = hold.normal.map(Vector3::from);
+        let in_root = |normal| question.base_pose().map_or(normal, |base| base.inverse_vector(&normal));
+        conditions = conditions.hold(&hold.link, hold.point, normal.map(in_root));
     }
     let system = System::new(Arc::clone(mechanism), &conditions)
         .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
@@ -457,6 +459,9 @@ pub(crate) fn configuration(
     for (joint, given) in question.guess.iter().filter(|_| !whole) {
         let values = values(Field::Guess, joint, given)?;
         configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
+    }
+    if let Some(base) = question.base_pose() {
+        configuration.set_base(*base);
     }
     Ok(configuration)
 }

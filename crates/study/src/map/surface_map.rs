@@ -208,7 +208,7 @@ impl MapContext<'_> {
             let part = i * CONTACTS_PER_TASK..i * CONTACTS_PER_TASK + masses.len();
             let [points, normals] =
                 [&points, &normals].map(|c| c.each_ref().map(|column| &column[part.clone()]));
-            let mut answers = MapAnswers { masses, errors, statuses };
+            let mut answers = MapAnswers { masses, relative_errors: errors, statuses };
             // The call cannot fail: all columns have the same length.
             let _ = map.fill_answers(ContactColumns { points, normals }, &mut answers);
         });

@@ -10,6 +10,7 @@ use crate::values::position::GivenPosition;
 use crate::values::quantities::{self, Point, Vector};
 use percuss_dynamics::{Base, Contact, Direction, Frame};
 use percuss_mechanism::{LinkId, Mechanism, NamedContact};
+use percuss_spatial::Transform;
 use percuss_units::QuantityError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -214,6 +215,11 @@ impl MassQuestion {
     /// True if a travel or a file of positions gives the pose.
     pub(crate) fn gives_pose(&self) -> bool {
         !self.travel.is_empty() || self.pose.is_some()
+    }
+
+    /// X_wr of the pose of the question; `None` if the root link is at the origin of the world.
+    pub(crate) fn base_pose(&self) -> Option<&Transform<f64>> {
+        self.pose.as_ref().map(|pose| &pose.base).filter(|base| **base != Transform::identity())
     }
 
     /// Named contact of the question; `None` if `at` is empty, or describes a contact in one of the other forms of

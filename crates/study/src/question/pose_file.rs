@@ -7,8 +7,10 @@ use crate::values::position::GivenPosition;
 
 use crate::values::value;
 use percuss_dynamics::Pose;
+use percuss_dynamics::input::base_pose;
 use percuss_formats::Source;
 use percuss_mechanism::{Joint, JointId, Mechanism};
+use percuss_spatial::Transform;
 use percuss_units::QuantityError;
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -28,6 +30,8 @@ pub struct GivenPose {
     source_model: Option<Input>,
     /// Name of a pose of the model, until the model is known; then `positions` is empty.
     name: Option<String>,
+    /// X_wr: pose of the root link in the world.
+    pub(crate) base: Transform<f64>,
 }
 
 /// Error of an invalid pose file.
@@ -119,6 +123,14 @@ struct ReportText {
     pose: Vec<(String, GivenPosition)>,
     #[serde(default)]
     inputs: Vec<InputRecordText>,
+    #[serde(default)]
+    conditions: ConditionsText,
+}
+
+#[derive(Default, Deserialize)]
+struct ConditionsText {
+    #[serde(default)]
+    base_pose: Option<[f64; 7]>,
 }
 
 #[derive(Deserialize)]
@@ -210,7 +222,7 @@ impl GivenPose {
         };
         let positions = mechanism.joint_ids().filter(free).map(position).collect::<Result<_, _>>()?;
         let input = Input { path: "the pose".to_owned(), sha256: String::new() };
-        Ok(Self { input, positions, source_model, name: None })
+        Ok(Self { input, positions, source_model, name: None, base: *pose.base() })
     }
 
     /// Reads a file of at most `max_size` bytes: the `pose` of a JSON result, or an object with a position (a number, a
@@ -236,6 +248,7 @@ impl GivenPose {
                 positions: BTreeMap::new(),
                 source_model: None,
                 name: Some(given.to_owned()),
+                base: Transform::identity(),
             });
         }
         let source = Source::read(path, max_size)
@@ -257,9 +270,17 @@ impl GivenPose {
         let Value::Object(object) = &value else {
             return Err(none("no JSON object"));
         };
+        let mut base = Transform::identity();
         let (positions, of_model) = match object.get("pose") {
             Some(Value::Object(_)) => {
-                let ReportText { pose, inputs } = ReportText::deserialize(&value).map_err(wrong)?;
+                let ReportText { pose, inputs, conditions } =
+                    ReportText::deserialize(&value).map_err(wrong)?;
+                if let Some([x, y, z, quaternion @ ..]) = conditions.base_pose {
+                    base = base_pose([x, y, z], quaternion).map_err(|error| GivenPoseError::Position {
+                        path: path.clone(),
+                        message: format!("conditions.base_pose: {error}"),
+                    })?;
+                }
                 let model = inputs.into_iter().next();
                 (pose, Some(model.map_or_else(unknown, |i| Input { path: i.path, sha256: i.sha256 })))
             }
@@ -274,7 +295,7 @@ impl GivenPose {
         }
         let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
         let positions = positions.into_iter().collect();
-        Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model, name: None })
+        Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model, name: None, base })
     }
 
     /// The pose with the positions of a model's pose, if it is given by name.

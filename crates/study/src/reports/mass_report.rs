@@ -21,8 +21,10 @@ use crate::reports::assumptions::Assumptions;
 use crate::reports::explain::Explanation;
 use crate::reports::motion_ratio::MotionRatioRecord;
 use crate::reports::tolerance::ToleranceReport;
+use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_dynamics::{Base, EffectiveMass, Route};
 use percuss_mechanism::{JointId, LinkId};
+use percuss_spatial::Transform;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -72,6 +74,8 @@ pub struct ContactRecord {
 pub struct ConditionsRecord {
     /// `fixed` or `floating`.
     pub base: &'static str,
+    /// Pose of the root link in the world, x, y, z (m), w, x, y, z; null at the origin of the world.
+    pub base_pose: Option<[f64; 7]>,
     /// Joints locked by the question.
     pub lock: Vec<String>,
     /// Points held by the question.
@@ -136,6 +140,7 @@ impl ConditionsRecord {
         let hold = |h: &Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
         Self {
             base: base_name(question.base),
+            base_pose: question.base_pose().map(seven_numbers),
             lock: question.lock.clone(),
             hold: question.hold.iter().map(hold).collect(),
             armature: question.armature.iter().cloned().collect(),
@@ -144,6 +149,13 @@ impl ConditionsRecord {
             travel: question.travel.iter().cloned().map(TravelRecord::from).collect(),
         }
     }
+}
+
+/// Pose of the root link: x, y, z, then the quaternion w, x, y, z.
+fn seven_numbers(base: &Transform<f64>) -> [f64; 7] {
+    let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(base.rotation));
+    let [x, y, z] = base.translation.into();
+    [x, y, z, turn.w, turn.i, turn.j, turn.k]
 }
 
 /// Effective mass with the other kind of base, all else equal.

@@ -85,7 +85,8 @@ fn with_rack_held(evaluated: &EvaluatedQuestion) -> Option<(Pose, ContactRespons
     let mut question = prepared.question.clone().into_owned();
     question.lock.push(name.clone());
     let system = compile(mechanism, &question, None).ok()?;
-    let positions = Configuration::from_positions(mechanism, pose.positions()).ok()?;
+    let mut positions = Configuration::from_positions(mechanism, pose.positions()).ok()?;
+    positions.set_base(*pose.base());
     let held = system.pose(&positions).ok()?;
     let response = held.respond(contact).ok()?;
     Some((held, response, name))

@@ -1,6 +1,7 @@
 //! Reflected inertias as text, table and figure; command `percuss impact --reflected` without a contact.
 
 use crate::args::ImpactArgs;
+use crate::commands::mass::conditions::base_text;
 use crate::document::{self, Document};
 use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
@@ -32,7 +33,7 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
 fn document(report: &ReflectedReport) -> Document<'_> {
     let ReflectedReport { reflected_inertia, reflected_over, drivers, conditions, .. } = report;
     let mut facts = facts(reflected_inertia, reflected_over);
-    facts.push(("base", conditions.base.to_owned()));
+    facts.push(("base", base_text(conditions)));
     facts.push(("driving joints", drivers.join(", ")));
     if !conditions.lock.is_empty() {
         facts.push(("locked joints", conditions.lock.join(", ")));

@@ -6,7 +6,8 @@ use crate::terminal::number::{fixed, number, trim_zeros, triple, upper_bound, wi
 use crate::terminal::report::{details_are_shown, notes_are_shown};
 use crate::terminal::units::ContactUnits;
 use percuss_study::{
-    FrictionThresholdsRecord, JointDisplacement, MassReport, MotionRatioRecord, SheetPoint, UPWARDS,
+    ConditionsRecord, FrictionThresholdsRecord, JointDisplacement, MassReport, MotionRatioRecord, SheetPoint,
+    UPWARDS,
 };
 
 /// Link at the centre of the wheel of a suspension.
@@ -99,12 +100,25 @@ fn ratio_line(report: &MassReport, ratio: &MotionRatioRecord) -> String {
     }
 }
 
+/// Base, with the pose of the root link if the question moves it.
+pub fn base_text(conditions: &ConditionsRecord) -> String {
+    match conditions.base_pose {
+        Some(pose) => {
+            let [position, quaternion] = [&pose[..3], &pose[3..]]
+                .map(|part| part.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", "));
+            format!("{}, root link at {position} m, quaternion {quaternion}", conditions.base)
+        }
+        None => conditions.base.to_owned(),
+    }
+}
+
 /// Conditions of the result in one line.
 pub fn summary(report: &MassReport) -> String {
     let (conditions, assumed) = (&report.conditions, &report.assumptions);
     let freedoms = degrees_of_freedom_text(report);
     let plural = if freedoms == "1" { "degree" } else { "degrees" };
-    let mut parts = vec![format!("base {}", conditions.base), format!("{freedoms} {plural} of freedom")];
+    let mut parts =
+        vec![format!("base {}", base_text(conditions)), format!("{freedoms} {plural} of freedom")];
     if !assumed.locked.is_empty() {
         parts.push(format!("locked: {}", assumed.locked.join(", ")));
     }

@@ -2,10 +2,12 @@
 
 mod checks;
 mod rank;
+mod regular;
 mod view;
 
 pub use checks::{MatrixError, MatrixName};
 pub use rank::ConstraintRank;
+pub use regular::RegularMatrices;
 pub use view::{LayoutError, MatrixView};
 
 use self::checks::Mass;
@@ -23,6 +25,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Options for interpreting the caller's matrices. Default: all lengths 1, a rank threshold of 1e-10, entries
 /// accurate to one rounding.
+#[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatrixOptions<'a> {
     lengths: Option<&'a [f64]>,
@@ -107,6 +110,7 @@ impl<'a> MatrixOptions<'a> {
 }
 
 /// Result of [`effective_mass`].
+#[must_use]
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixResponse {
     /// m̄, or the reason for m̄ not being finite.

@@ -5,7 +5,7 @@
     >>> jax.grad(lambda q: mass(q).sum())(q)
 
 The computation runs on the host (jax.pure_callback). With jax_enable_x64 numbers keep their digits; else they are rounded to
-float32 on the way. The derivative is that of percuss.position_gradient; it is not differentiable again.
+float32 on the way. The derivative is that of percuss.converters.position_gradient; it is not differentiable again.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     >>> q = torch.zeros(1000, model.position_count, dtype=torch.float64, requires_grad=True)
     >>> effective_mass(model, contact, q).sum().backward()      # q.grad: (1000, p)
 
-Tensors of float64 on the CPU are read and returned without a copy. The gradient is that of percuss.position_gradient: exact,
+Tensors of float64 on the CPU are read and returned without a copy. The gradient is that of percuss.converters.position_gradient: exact,
 computed with m̄, not by differences. It is not differentiable again.
 """
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from . import _percuss, records
 from ._arguments import checked
-from ._errors import InputError
-from ._percuss import Contact, Model
-from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, rates_of, rows, tables
+from ._percuss import Contact, Model, regions
+from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, of_contacts, rates_of, rows, tables
+from .errors import InputError
 from .state import State
 
 
@@ -54,25 +54,27 @@ def with_rows(parts: tuple[str, list[str]]) -> Any:
 def check(model: Model) -> records.CheckReport:
     """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``.
 
-        >>> percuss.check(model).degrees_of_freedom
+        >>> percuss.reports.check(model).degrees_of_freedom
     """
     return records.CheckReport.of(json.loads(_percuss.check(model)))
 
 
-@checked
+@of_contacts
 def mass(
-    model: Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
+    model: Of, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None, certify: bool = False
 ) -> records.MassReport:
     """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
-    contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``.
+    contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. A list of contacts gives a list of
+    reports, here and in every other question about a contact. certify: proves bounds of m̄ with interval arithmetic. As ``percuss mass``.
 
         >>> percuss.mass(corner, "bump_stop").effective_mass
+        >>> [report.effective_mass for report in percuss.mass(corner, ["spring", "damper"])]
     """
-    model, request = asked(model, contact, conditions, **({} if damping is None else damping._tables()))
+    model, request = asked(model, contact, conditions, mass={"certify": certify}, **({} if damping is None else damping._tables()))
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
 
 
-@checked
+@of_contacts
 def sweep_report(
     model: Of,
     contact: Contact | str,
@@ -93,7 +95,7 @@ def sweep_report(
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
     Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
 
-        >>> percuss.sweep_report(model, contact, vary="crank_hinge=0:0.2:5").rows[0].effective_mass
+        >>> percuss.reports.sweep_report(model, contact, vary="crank_hinge=0:0.2:5").rows[0].effective_mass
     """
     model, request = asked(model, contact, conditions, sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient})
     return records.SweepReport.of(with_rows(_percuss.sweep_report(model, request)))
@@ -129,39 +131,39 @@ def map(
     return MapReport(json.loads(report), facets, svg)
 
 
-@checked
+@of_contacts
 def map_point(
     model: Of, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> records.PointMapReport:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
     not used.
 
-        >>> percuss.map_point(arm, tool, 100).principal
+        >>> percuss.reports.map_point(arm, tool, 100).principal
     """
     model, request = asked(model, contact, conditions)
     return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, request, directions)))
 
 
-@checked
+@of_contacts
 def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``.
 
-        >>> percuss.explain(arm, tool)
+        >>> percuss.reports.explain(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"explain": True})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).explanation
 
 
-@checked
+@of_contacts
 def friction_thresholds(
     model: Of, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
     has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``.
 
-        >>> percuss.friction_thresholds(arm, tool)
+        >>> percuss.reports.friction_thresholds(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"friction_thresholds": True})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).friction_thresholds
@@ -175,13 +177,13 @@ def reflected_inertias(
     inertia at the pose; "JOINT=FROM:TO:COUNT" for the inertia over a range of positions, with two substitutes for simulators without
     loops. As ``percuss impact --reflected`` without a contact.
 
-        >>> percuss.reflected_inertias(model, ["crank_hinge"])
+        >>> percuss.reports.reflected_inertias(model, ["crank_hinge"])
     """
     model, request = asked(model, None, conditions)
     return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, request, list(joints))))
 
 
-@checked
+@of_contacts
 def tolerate(
     model: Of,
     contact: Contact | str,
@@ -195,14 +197,14 @@ def tolerate(
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
     --tolerance``.
 
-        >>> percuss.tolerate(arm, tool, "mass=2%,com=1mm", samples=100)
+        >>> percuss.reports.tolerate(arm, tool, "mass=2%,com=1mm", samples=100)
     """
     drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
     model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).tolerance
 
 
-@checked
+@of_contacts
 def impact(
     model: Of,
     contact: Contact | str,
@@ -240,7 +242,7 @@ def impact(
     hunt_crossley: float | None = None,
     compliance: bool = False,
 ) -> records.ImpactReport:
-    """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
+    """Rigid impact at a contact (of a list, one impact at each): impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
     speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge, default), "poisson", "newton" or
     "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
@@ -286,7 +288,7 @@ def impact(
     return records.ImpactReport.of(json.loads(_percuss.impact(model, request, contacts)))
 
 
-@checked
+@of_contacts
 def extremes(
     model: Of,
     contact: Contact | str,
@@ -352,7 +354,7 @@ def limit_of(
     return {"region": region, **limits, **units, "load": load}
 
 
-@checked
+@of_contacts
 def safe_speed(
     model: Of,
     contact: Contact | str,
@@ -383,7 +385,7 @@ def safe_speed(
     return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, request))[0])
 
 
-@checked
+@of_contacts
 def safe_speed_directions(
     model: Of,
     contact: Contact | str,
@@ -402,7 +404,7 @@ def safe_speed_directions(
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
     direction: the direction of the greatest effective mass at the point. The contact's normal is not used.
 
-        >>> percuss.safe_speed_directions(arm, tool, "chest", [[0, 1, 0]], worst=True, force=140.0)[-1].normal_world
+        >>> percuss.reports.safe_speed_directions(arm, tool, "chest", [[0, 1, 0]], worst=True, force=140.0)[-1].normal_world
     """
     if not len(directions) and not worst:
         raise InputError("directions: none is given; give at least one, or worst=True")
@@ -413,3 +415,23 @@ def safe_speed_directions(
     limit = {**limit_of(region, force, pressure, area, energy, momentum, load), "direction": along, "worst_direction": worst}
     model, request = asked(model, contact, conditions, safe_speed=limit)
     return [records.SafeSpeedReport.of(report) for report in json.loads(_percuss.safe_speed(model, request))]
+
+
+__all__ = [
+    "MapReport",
+    "Report",
+    "check",
+    "explain",
+    "extremes",
+    "friction_thresholds",
+    "impact",
+    "map",
+    "map_point",
+    "mass",
+    "reflected_inertias",
+    "regions",
+    "safe_speed",
+    "safe_speed_directions",
+    "sweep_report",
+    "tolerate",
+]
