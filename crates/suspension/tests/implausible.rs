@@ -269,7 +269,9 @@ fn an_assumed_body_is_named() {
         let without: String =
             text.lines().filter(|line| !line.starts_with("on = ")).map(|l| format!("{l}\n")).collect();
         let found = findings(&without, &ImportOptions::default());
-        let is_usual = template.starts_with("solid") || ["swing-arm", "telescopic-fork"].contains(&template);
+        let is_usual = template.starts_with("solid")
+            || template.starts_with("rear-")
+            || ["swing-arm", "telescopic-fork"].contains(&template);
         if is_usual {
             assert_eq!(found.len(), 0, "{template}: {found:?}");
             continue;

@@ -219,7 +219,7 @@ impl Car {
 
 /// True if the wheel of a template is in the middle plane.
 fn is_middle(template: &str) -> bool {
-    ["swing-arm", "telescopic-fork"].contains(&template)
+    ["swing-arm", "telescopic-fork"].contains(&template) || template.starts_with("rear-")
 }
 
 fn names() -> Vec<&'static str> {

@@ -103,7 +103,7 @@ fn is_own_workbook(_: File) -> bool {
 /// Line below the tables of kinematics as text.
 pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
 /// Starts of the columns of kinematics.
-const KINEMATIC_COLUMNS: [&str; 25] = [
+const KINEMATIC_COLUMNS: [&str; 26] = [
     "wheel_travel_",
     "camber_",
     "toe_",
@@ -118,6 +118,7 @@ const KINEMATIC_COLUMNS: [&str; 25] = [
     "anti_",
     "motion_ratio_",
     "ratio_gradient_",
+    "leverage_ratio_",
     "wheel_centre_",
     "contact_patch_",
     "force_",

@@ -26,7 +26,7 @@ fn with<'w>(words: &[&'w str], more: &'w [String]) -> Vec<&'w str> {
     words.iter().copied().chain(more.iter().map(String::as_str)).collect()
 }
 
-const TEMPLATES: [&str; 18] = [
+const TEMPLATES: [&str; 21] = [
     "double-wishbone",
     "double-wishbone-rods",
     "macpherson-strut",
@@ -45,6 +45,9 @@ const TEMPLATES: [&str; 18] = [
     "solid-axle-leaf-springs",
     "swing-arm",
     "telescopic-fork",
+    "rear-four-bar",
+    "rear-rocker-on-frame",
+    "rear-rocker-on-arm",
 ];
 
 fn side_of(template: &str) -> &'static str {

@@ -144,6 +144,11 @@ fn parse_error(
     let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
     let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
     let why = error.message().trim().replace('\n', "; ");
+    // The parser names the type of the program.
+    let why = match why.split_once("expected struct ") {
+        Some((received, _)) => format!("{received}expected a table"),
+        None => why,
+    };
     let message = format!("{begin}{key}{}\n{}", truncate_for_message(&why), lines.join("\n"));
     StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
 }

@@ -165,17 +165,22 @@ pub(crate) fn by_name_texts<S: Serializer, T: Display>(
 /// Reflected inertias separated by commas (kg·m² or kg, optional units), each a value or RATIO:ROTOR, the ratio of a gear and the inertia of
 /// the rotor about its own axis: ratio² · inertia.
 pub(crate) fn reflected_inertias(text: &str) -> Result<Vec<f64>, String> {
-    let inertia = |text: &str| {
-        Quantity::parse_as(text, &[Dimension::Inertia, Dimension::Mass]).map(|inertia| inertia.value)
+    let inertia = |text: &str, dimensions: &[Dimension]| {
+        Quantity::parse_as(text, dimensions)
+            .map(|inertia| inertia.value)
+            .map_err(|error: QuantityError| error.to_string())
     };
     let one = |part: &str| match part.split_once(':') {
         Some((ratio, rotor)) => {
-            let ratio = Dimension::Plain.parse(ratio)?.value;
-            Ok(ratio * ratio * inertia(rotor)?)
+            let ratio = Dimension::Plain.parse(ratio).map_err(|error| error.to_string())?.value;
+            if ratio == 0.0 {
+                return Err(format!("{part}: the ratio of the gear is 0; rotor turns per turn of the joint are expected, such as 100"));
+            }
+            Ok(ratio * ratio * inertia(rotor, &[Dimension::Inertia])?)
         }
-        None => inertia(part),
+        None => inertia(part, &[Dimension::Inertia, Dimension::Mass]),
     };
-    text.split(',').map(|part| one(part).map_err(|error: QuantityError| error.to_string())).collect()
+    text.split(',').map(one).collect()
 }
 
 /// `shapes` or `shapes:DENSITY`: density of the shapes, kg/m³.

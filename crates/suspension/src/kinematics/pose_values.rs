@@ -227,6 +227,12 @@ impl<'k> PoseEvaluation<'k> {
             let name = format!("motion_ratio_{}", element.name);
             self.values.add(side, name, KinematicUnit::Ratio, Ok(rates.ratio[0]));
         }
+        // Bicycles and motorcycles: wheel travel per compression.
+        let is_in_middle = kinematics.wheels[wheel].is_in_middle();
+        for (element, rates, _) in found.iter().filter(|(element, ..)| is_in_middle && element.is_line()) {
+            let name = format!("leverage_ratio_{}", element.name);
+            self.values.add(side, name, KinematicUnit::Ratio, Ok(rates.ratio[0].recip()));
+        }
         for (element, rates, _) in found.iter().filter(|(element, ..)| shown(element)) {
             let name = format!("ratio_gradient_{}", element.name);
             self.values.add(side, name, KinematicUnit::PerLength, Ok(rates.ratio[1] / rate.powi(2)));

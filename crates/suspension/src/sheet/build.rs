@@ -162,7 +162,7 @@ fn front_points(sheet: &Sheet) -> Vec<FrontPoint> {
     let x = |name: &str| sheet.design.point(name).map(|at| at.x);
     let pair = |key: &&'static str| {
         let back = match *key {
-            "arm_inner" | "arm_outer" | "arm_chassis" | "swing_arm_left" => "wheel_centre".to_owned(),
+            "arm_inner" | "arm_outer" | "arm_chassis" | "swing_arm_left" | "lower_pivot" => "wheel_centre".to_owned(),
             "fork_bottom" => "fork_top".to_owned(),
             name if name.starts_with("rocker") || !name.contains("front") => return None,
             name => name.replace("front", "back"),

@@ -11,7 +11,7 @@ use percuss_mechanism::near_names;
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
-const FILES: [&str; 18] = [
+const FILES: [&str; 21] = [
     include_str!("templates/double-wishbone.toml"),
     include_str!("templates/double-wishbone-rods.toml"),
     include_str!("templates/macpherson-strut.toml"),
@@ -30,6 +30,9 @@ const FILES: [&str; 18] = [
     include_str!("templates/solid-axle/solid-axle-leaf-springs.toml"),
     include_str!("templates/motorcycle/swing-arm.toml"),
     include_str!("templates/motorcycle/telescopic-fork.toml"),
+    include_str!("templates/motorcycle/rear-four-bar.toml"),
+    include_str!("templates/motorcycle/rear-rocker-on-frame.toml"),
+    include_str!("templates/motorcycle/rear-rocker-on-arm.toml"),
 ];
 
 const KEYS_FILE: &str = include_str!("templates/keys.toml");
@@ -297,7 +300,7 @@ mod tests {
                 assert!(template.on.iter().any(|(key, _)| key == section), "{}: {section}", template.name);
             }
         }
-        assert_eq!(templates().count(), 18);
+        assert_eq!(templates().count(), 21);
     }
 
     #[test]

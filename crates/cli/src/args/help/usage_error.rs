@@ -16,7 +16,8 @@ pub fn usage_error(error: &Error, definition: &Command, arguments: &[OsString]) 
     let command = named_command(definition, arguments).unwrap_or(definition);
     let name = command.get_bin_name().unwrap_or_else(|| command.get_name());
     let argument = one_of(error, ContextKind::InvalidArg).map(shown).unwrap_or_default();
-    let (flag, value) = (first_word(&argument), one_of(error, ContextKind::InvalidValue).unwrap_or_default());
+    let value = one_of(error, ContextKind::InvalidValue).unwrap_or_default();
+    let flag = &*flag_as_given(first_word(&argument), command, arguments);
     // An empty value is visible in quotes.
     let given = if value.is_empty() { "\"\"" } else { value };
     let message = match error.kind() {
@@ -90,6 +91,19 @@ pub fn usage_error(error: &Error, definition: &Command, arguments: &[OsString]) 
         other => other.to_string(),
     };
     vec![format!("error: {message}")]
+}
+
+/// Name of a flag as written: an alias in place of the flag, if only the alias is among the arguments.
+fn flag_as_given(flag: &str, command: &Command, arguments: &[OsString]) -> String {
+    let is_given = |name: &String| {
+        let given = arguments.iter().filter_map(|argument| argument.to_str());
+        given.filter_map(|argument| argument.split('=').next()).any(|argument| argument == name)
+    };
+    let flag = flag.to_owned();
+    let known = command.get_arguments().find(|known| known.get_long() == flag.strip_prefix("--"));
+    let aliases = known.and_then(clap::Arg::get_all_aliases).unwrap_or_default();
+    let alias = aliases.into_iter().map(|alias| format!("--{alias}")).find(is_given);
+    alias.filter(|_| !is_given(&flag)).unwrap_or(flag)
 }
 
 /// Texts of a part of an error.

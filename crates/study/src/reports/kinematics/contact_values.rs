@@ -11,10 +11,24 @@ pub(super) const CONTACT_MASS: &str = "mass_";
 
 /// Effective mass of a question as a quantity, kg.
 pub(super) fn mass_value(model: &Model, name: String, question: &MassQuestion) -> KinematicValue {
-    let value = mass(model, question).map_err(|error| error.to_string()).and_then(|report| {
+    let value = missing_masses(model).and_then(|()| {
+        let report = mass(model, question).map_err(|error| error.to_string())?;
         report.effective_mass.ok_or_else(|| format!("the contact is {}", report.status.name()))
     });
     KinematicValue { name, side: "", unit: KinematicUnit::Mass, value }
+}
+
+/// Error that lists the masses that the sheet does not state.
+fn missing_masses(model: &Model) -> Result<(), String> {
+    let sheet = model.origin.sheet.as_deref();
+    let missing = sheet.map_or(&[][..], |origin| &origin.understood.missing_masses);
+    if missing.is_empty() {
+        return Ok(());
+    }
+    Err(format!(
+        "masses are missing in the sheet: {}; give them, or write masses = \"estimate\" in its head",
+        missing.join(", ")
+    ))
 }
 
 /// Beginnings of the quantities of an impact at a named contact.
@@ -28,7 +42,8 @@ pub(super) fn impact_values(
 ) -> [KinematicValue; 2] {
     // A stop at its touch.
     let question = MassQuestion::without_contact().at_contact(contact);
-    let found = impact.ok_or_else(|| "missing: --speed".to_owned()).and_then(|impact| {
+    let found = missing_masses(model).and_then(|()| impact.ok_or_else(|| "missing: --speed".to_owned()));
+    let found = found.and_then(|impact| {
         let report = mass_with_damper(model, &question, impact).map_err(|error| error.to_string())?;
         let damper = report.damper.ok_or("the contact has no finite mass")?.damper;
         damper.peak_force.zip(damper.max_penetration).ok_or_else(|| "the contact does not end".to_owned())

@@ -154,6 +154,10 @@ pub(super) struct Found {
 pub(super) fn point_of(name: &str, template: &'static Template) -> Option<Found> {
     let own = |point: &str| template.points.iter().find(|(key, _)| key == point).map(|(key, _)| &**key);
     let (plain, side) = without_side(name);
+    // A name of percuss with a mark of the side.
+    if let Some(point) = own(&plain.replace([' ', '-', '.'], "_")).filter(|_| side.is_some()) {
+        return Some(Found { point, side, program: None, is_coil_over: false });
+    }
     let of_program = VOCABULARY.programs.values().find_map(|program| {
         let point = program.names.get(&plain)?.iter().find_map(|point| own(point))?;
         let is_coil_over = program.coil_overs.contains(&plain);

@@ -181,7 +181,7 @@ fn add_rows(mut rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findi
     }
     let rows = rows.into_iter().filter(|row| !is_comment(row) && !row.cells.iter().all(is_blank));
     let mut rows: Vec<TableRow> = rows.collect();
-    drop_columns(&mut rows);
+    drop_columns(&mut rows, findings);
     let side_of_rows =
         rows.iter().find(|row| matches!(row.cells.first(), Some(Cell::Text(key)) if key.trim() == "side"));
     let side =
@@ -389,8 +389,9 @@ fn read_comments(rows: &mut [TableRow]) -> Option<(String, Spot)> {
     texts.find(|(text, _)| header::names_other_order(text))
 }
 
-/// Removes empty columns before the first one, and a column of section titles before the column of the names.
-fn drop_columns(rows: &mut Vec<TableRow>) {
+/// Removes empty columns before the first one, a column of section titles before the column of the names, and, of a table without a
+/// header, a column of numbers before the names.
+fn drop_columns(rows: &mut Vec<TableRow>, findings: &mut Findings) {
     let leading = |row: &TableRow| row.cells.iter().take_while(|cell| is_blank(cell)).count();
     let blank_columns = rows.iter().map(leading).min().unwrap_or_default();
     rows.iter_mut().for_each(|row| drop(row.cells.drain(..blank_columns)));
@@ -404,6 +405,21 @@ fn drop_columns(rows: &mut Vec<TableRow>) {
     if has_points && has_title_column {
         rows.retain(|row| row.cells.iter().skip(1).any(|cell| !is_blank(cell)));
         rows.iter_mut().for_each(|row| drop(row.cells.drain(..1)));
+    }
+    let is_numbered = |row: &TableRow| {
+        let numbers = row.cells.iter().filter(|cell| number_of(cell).is_some()).count();
+        numbers >= 4 && number_of(&row.cells[0]).is_some() && row.cells.get(1).and_then(word_of).is_some()
+    };
+    let has_header =
+        || rows.iter().any(|row| matches!(header::read(&row.cells, Side::Left), Row::Header(_)));
+    let is_name_first = |row: &TableRow| row.cells.iter().skip(1).filter(|cell| number_of(cell).is_some()).count() >= 3;
+    if let Some(first) = rows.iter().find(|row| is_numbered(row))
+        && !rows.iter().any(|row| is_name_first(row) && !is_numbered(row))
+        && !has_header()
+    {
+        let message = "the column of numbers before the names is not used; a row that names the columns is missing";
+        findings.note("columns", &first.spot.clone(), message.to_owned());
+        rows.iter_mut().filter(|row| is_numbered(row)).for_each(|row| drop(row.cells.drain(..1)));
     }
 }
 
