@@ -89,6 +89,7 @@ else
   check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 2
   check elastokinematics "$venv/bin/python" "$here/suspensions/elastokinematics.py" --percuss "$percuss" --count 100
   check implausible "$venv/bin/python" "$here/suspensions/implausible.py" --percuss "$percuss" --count 2
+  check rfactor "$venv/bin/python" "$here/suspensions/rfactor.py" --percuss "$percuss"
   check kinematics "$venv/bin/python" "$here/suspensions/kinematics.py" --percuss "$percuss" --count 4
   check impacts "$venv/bin/python" "$here/impacts.py" --percuss "$percuss" --count 20
   check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"

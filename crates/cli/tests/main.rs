@@ -55,11 +55,14 @@ mod suspensions {
     mod compliance;
     mod contact_patches;
     mod daily_use;
+    mod foreign_files;
     mod import;
     mod incomplete_sheets;
     mod kinematics;
     mod own_contacts;
     mod own_suspension;
+    mod parts;
+    mod round_trips;
     mod several_contacts;
     mod target_search;
 }

@@ -102,8 +102,8 @@ pub fn foreign_format(source: &Source) -> Option<LoadError> {
     let message = format!(
         "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>) and SDFormat \
          (<sdf>), and of suspensions sheets (.toml), \
-         tables of points (.csv, .xlsx), subsystems of Adams (.sub) and JSON of Chrono::Vehicle: export \
-         one of these from the program that \
+         tables of points (.csv, .xlsx), subsystems of Adams (.sub), JSON of Chrono::Vehicle, YAML of \
+         Suspension Explorer and suspensions of rFactor (.pm): export one of these from the program that \
          wrote the file"
     );
     Some(LoadError::of_file(&source.name, "foreign-format", message))

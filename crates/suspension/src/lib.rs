@@ -14,6 +14,7 @@
 //! `spring_chassis_seat`, and so on. Important joints are `spin` (the wheel bearing) and `rack` (fixed, unless
 //! [`Rack::Sliding`]). Every template has mobility 2 per side: travel and spin.
 
+mod changed;
 mod chrono;
 mod corner;
 mod findings;
@@ -26,6 +27,7 @@ mod text;
 mod understood;
 mod units;
 
+pub use changed::{ChangedFile, changed_file};
 use chrono::{ChronoTemplate, Reader, Section};
 use corner::design::THIRD_SPRING;
 pub use corner::drawing::{Line, WheelCircle};
@@ -44,7 +46,9 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Matrix3, Vector3};
 pub use percuss_units::LengthUnit;
-pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
+pub use sheet::{
+    TABLE_COLUMNS, TemplateOptions, template_keys, template_names, template_rows, template_sheet,
+};
 pub use understood::Understood;
 pub use units::VehicleAxes;
 use units::{FilePlaces, Frame};
@@ -77,7 +81,9 @@ pub struct Imported {
 /// coordinates implausible for a vehicle in the given unit; hardpoints that define no joint axis; an error of the
 /// mechanism's builder.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
-    if let Some(error) = percuss_formats::foreign_format(source) {
+    if !sheet::is_foreign(&source.name, &String::from_utf8_lossy(&source.bytes))
+        && let Some(error) = percuss_formats::foreign_format(source)
+    {
         return Err(error);
     }
     let mut report = Report::default();
@@ -89,9 +95,7 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
     let text = &*text;
-    // JSON begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
-    let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
-    if is_json || source.name.ends_with(".json") {
+    if is_json(source, text) {
         match source.text(&mut report) {
             Some(text) => import_chrono(source, &text, options, report),
             None => Err(LoadError { diagnostics: report.finish(&source.name, "") }),
@@ -99,6 +103,12 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
     } else {
         import_sheet(source, text, note, options)
     }
+}
+
+/// True for JSON: it begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
+fn is_json(source: &Source, text: &str) -> bool {
+    let begins_as_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
+    begins_as_json && !sheet::is_foreign(&source.name, text) || source.name.ends_with(".json")
 }
 
 /// Imports a sheet; `encoding_note`: note about the encoding of the text.
@@ -139,6 +149,7 @@ fn import_sheet(
         let (mechanism, comments, mut understood) =
             build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)?;
         understood.missing_masses = sheet.missing_masses;
+        understood.rack_travel = sheet.rack_travel;
         Some((mechanism, comments, understood))
     });
     let failed = findings.has_errors();
@@ -184,7 +195,7 @@ fn import_chrono(
         }
     };
     let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };
-    let mut reader = Reader::new(&clean, frame);
+    let mut reader = Reader::new(&clean, frame, &options.moves);
     let imported = read_chrono(&mut reader, source, options);
     let failed = reader.has_errors();
     let diagnostics = reader.finish(&source.name);
@@ -250,11 +261,9 @@ fn read_chrono(
     if options.wheel.is_none() {
         warn_no_wheel(reader, "and files of Chrono::Vehicle contain none");
     }
-    for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
-        if given {
-            let message = format!("{flag} is for sheets and tables; this is a file of Chrono::Vehicle");
-            reader.error("conflict", &Spot::default(), message);
-        }
+    if options.template.is_some() {
+        let message = "--template is for sheets and tables; this is a file of Chrono::Vehicle".to_owned();
+        reader.error("conflict", &Spot::default(), message);
     }
     let mut root = reader.root()?;
     let name = header(reader, &mut root);
@@ -264,6 +273,8 @@ fn read_chrono(
     // `Output` controls only the output of Chrono.
     reader.warn_unread_keys(root, &["Output"]);
     reader.check_unit();
+    let known: Vec<&str> = reader.written.iter().map(|point| point.name).collect();
+    sheet::check_moves(&options.moves, reader.frame.unit, &known, reader);
     let corner = corner.filter(|_| !reader.has_errors())?;
     let side = options.side.unwrap_or_default();
     if side != Side::Left
@@ -283,7 +294,7 @@ fn read_chrono(
         places: FilePlaces { frame: reader.frame, is_right: false },
         points: Vec::new(),
         chassis: None,
-        coordinates: Vec::new(),
+        coordinates: reader.coordinates(),
         steering_axis: Vec::new(),
         axle: false,
         middle: false,

@@ -43,6 +43,8 @@ pub struct Understood {
     pub axle: bool,
     /// Forces of springs and stops.
     pub forces: ForceElements,
+    /// Travel of the rack per turn of the steering wheel.
+    pub rack_travel: Option<f64>,
     /// Keys of masses, centres of mass and inertias that are missing in the sheet and optional
     /// ([`masses_optional`](super::ImportOptions::masses_optional)): they are zero.
     pub missing_masses: Vec<String>,

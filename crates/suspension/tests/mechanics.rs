@@ -59,6 +59,23 @@ pub struct ContactResponse {
 /// Unit motion of a joint: child link (its subtree moves too), angular part, point on the axis, linear part.
 type Motion = (LinkId, Vector3<f64>, Vector3<f64>, Vector3<f64>);
 
+/// Rows that are independent of those before, by orthogonalisation: a planar loop that a ball joint closes has a redundant row.
+fn independent(rows: Vec<DVector<f64>>) -> Vec<DVector<f64>> {
+    let (mut basis, mut kept) = (Vec::<DVector<f64>>::new(), Vec::new());
+    for row in rows {
+        let mut rest = row.clone();
+        for _ in 0..2 {
+            basis.iter().for_each(|e| rest -= e * e.dot(&rest));
+        }
+        // The rows of these linkages have parts of 0.1 m and more, or none but roundings.
+        if rest.norm() > 1e-9 * row.norm() {
+            basis.push(rest.normalize());
+            kept.push(row);
+        }
+    }
+    kept
+}
+
 /// Contact response at a link's origin along a direction, with a fixed root and some joints locked:
 /// M v + Aᵀλ + jᵀμ = 0, A v = 0, j v = 1; m̄ = vᵀMv = −μ.
 pub fn respond(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&str]) -> ContactResponse {
@@ -131,6 +148,7 @@ pub fn respond(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&
             other => panic!("no {other:?} is expected"),
         }
     }
+    let mut rows = independent(rows);
     let mobility = n - rows.len();
     let struck = mechanism.find_link(on).unwrap();
     rows.push(DVector::from_fn(n, |v, _| along.dot(&moving(struck, places[struck.index()], v))));

@@ -25,7 +25,7 @@ const POINTS: [&str; 13] = [
 ];
 
 /// Names of these points in one style each, separated by commas.
-const STYLES: [&str; 12] = [
+const STYLES: [&str; 13] = [
     "lca_front,lca_rear,lca_outer,uca_front,uca_rear,uca_outer,tierod_inner,tierod_outer,wheel_center,spring_lower,spring_upper,damper_lower,damper_upper",
     "CHAS_LowFor,CHAS_LowAft,UPRI_LowPnt,CHAS_UppFor,CHAS_UppAft,UPRI_UppPnt,CHAS_TiePnt,UPRI_TiePnt,WC,spring_lower,spring_upper,damper_lower,damper_upper",
     "lca_inner_front,lca_inner_rear,lca_outer,uca_inner_front,uca_inner_rear,uca_outer,tierod_inner,tierod_outer,wheel_center,spring_lower,spring_upper,shock_lower,shock_upper",
@@ -38,6 +38,7 @@ const STYLES: [&str; 12] = [
     "lowerArmFront,lowerArmRear,lowerBallJoint,upperArmFront,upperArmRear,upperBallJoint,tieRodInner,tieRodOuter,wheelCenter,springLower,springUpper,damperLower,damperUpper",
     "lower_front,lower_rear,lower_outer,upper_front,upper_rear,upper_outer,steering_inner,steering_outer,wheel_center,lower_spring,upper_spring,lower_damper,upper_damper",
     "Lower Tub Mount (Front),Lower Tub Mount (Rear),Lower Upright Mount,Upper Tub Mount (Front),Upper Tub Mount (Rear),Upper Upright Mount,Tie Rod Chassis Mount,Tie Rod Upright Mount,Wheel Center,Lower Spring Mount,Upper Spring Mount,Lower Shock Mount,Upper Shock Mount",
+    "lower_front,lower_back,lower_ball,upper_front,upper_back,upper_ball,tie_rod_inner,tie_rod_outer,wheel_centre,spring_seat,spring_chassis_seat,damper_seat,damper_chassis_seat",
 ];
 
 /// Beginning and ending of a name that states the left side, and the same for the right side.
@@ -123,7 +124,10 @@ fn names_of_every_style_are_the_points_of_the_sheet() {
             match with_table(&table, "", &ImportOptions::default()) {
                 Ok(imported) => {
                     is_the_car(&imported, &table);
-                    assert!(imported.diagnostics.iter().any(|d| d.code == "other-names"), "{table}");
+                    // The names of percuss without a mark of the side are not replaced.
+                    let is_own = names[..] == POINTS && left == right;
+                    let is_noted = imported.diagnostics.iter().any(|d| d.code == "other-names");
+                    assert_ne!(is_noted, is_own, "{table}");
                     count += 1;
                 }
                 Err(error) => panic!("{error}\n{table}"),

@@ -268,8 +268,19 @@ impl Session {
             }
             Request::Sheet { model } => {
                 let opened = self.opened()?;
-                let text = changed_sheet(opened, &model.changes().moves);
-                Ok(Reply::Sheet(text.map_err(|error| Refusal::of_message(error.to_string()))?))
+                let changed = changed_sheet(opened, &model.changes().moves);
+                let changed = changed.map_err(|error| Refusal::of_message(error.to_string()))?;
+                // The page saves a sheet in TOML.
+                let is_toml = changed.name.to_ascii_lowercase().ends_with(".toml");
+                let text = String::from_utf8(changed.bytes).ok().filter(|_| is_toml);
+                let refusal = || {
+                    let command = "percuss kinematics --solve … -o";
+                    Refusal::of_message(format!(
+                        "the points are in {}: {command} writes this file",
+                        changed.name
+                    ))
+                };
+                Ok(Reply::Sheet(text.ok_or_else(refusal)?))
             }
         }
     }

@@ -41,12 +41,15 @@ CARRIERS = {
     "swing-axle": ["axle_tube"],
     "swing-arm": ["swing_arm"],
     "telescopic-fork": ["fork_lower"],
+    "rear-four-bar": ["lower_link", "rear_triangle", "rocker"],
+    "rear-rocker-on-frame": ["swing_arm", "rocker"],
+    "rear-rocker-on-arm": ["swing_arm", "rocker"],
 }
 AXLES = {
     "solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion", "solid-axle-leaf-springs",
 }  # fmt: skip
-# Motorcycles: one wheel, in the middle plane.
-MIDDLE = {"swing-arm", "telescopic-fork"}
+# Bicycles and motorcycles: one wheel, in the middle plane.
+MIDDLE = {"swing-arm", "telescopic-fork", "rear-four-bar", "rear-rocker-on-frame", "rear-rocker-on-arm"}
 # Rods: their end points; the first is at the universal joint.
 RODS = {
     "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
@@ -64,6 +67,7 @@ RODS = {
     "lower_back_link": ("lower_back_link_chassis", "lower_back_link_outer"),
     "pushrod": ("pushrod_outer", "pushrod_rocker"),
     "drop_link": ("drop_link_bar", "drop_link_end"),
+    "linkage_rod": ("rod_arm", "rod_rocker"),
     "middle_link": ("middle_link_chassis", "middle_link_axle"),
     "panhard_rod": ("panhard_chassis", "panhard_axle"),
     "watt_left_rod": ("watt_left_chassis", "watt_left_crank"),
@@ -230,6 +234,8 @@ class Side:
         """A rod between its two ends: massless, slender, or any body; it does not rotate about its line relative to
         its first end."""
         inner, outer = RODS[link]
+        # The rod of a rocker on the swing arm begins on the frame.
+        inner = inner if inner in with_leaf_points(self.car.points) else "rod_frame"
         a, b = self.point(inner), self.point(outer)
         given = self.car.bodies.get(link)
         if given is None:
@@ -362,6 +368,22 @@ def corner(side):
     elif template == "swing-arm":
         side.arm("swing_arm", "swing_arm_left", "swing_arm_right")
         side.wheel("swing_arm")
+    elif template == "rear-four-bar":
+        y = np.array([0.0, 1.0, 0.0])
+        for link in ("lower_link", "rear_triangle", "rocker"):
+            side.body(link)
+        side.join("hinge", CHASSIS, "lower_link", "lower_pivot", y)
+        side.join("hinge", "lower_link", "rear_triangle", "lower_link_end", y)
+        side.join("hinge", CHASSIS, "rocker", "rocker_pivot", y)
+        side.join("ball", "rocker", "rear_triangle", "rocker_triangle")
+        side.wheel("rear_triangle")
+    elif template in ("rear-rocker-on-frame", "rear-rocker-on-arm"):
+        carrier, other = ("swing_arm", CHASSIS) if template.endswith("arm") else (CHASSIS, "swing_arm")
+        side.arm("swing_arm", "swing_arm_left", "swing_arm_right")
+        side.wheel("swing_arm")
+        side.body("rocker")
+        side.join("hinge", carrier, "rocker", "rocker_pivot", np.array([0.0, 1.0, 0.0]))
+        side.rod("linkage_rod", other, "rocker")
     elif template == "telescopic-fork":
         side.body("fork_lower")
         side.join("slide", CHASSIS, "fork_lower", "fork_bottom", side.point("fork_top") - side.point("fork_bottom"))

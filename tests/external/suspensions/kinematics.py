@@ -85,6 +85,11 @@ class Sliding:
 
 
 @dataclass
+class Planar:
+    """Carrier that moves parallel to the middle plane."""
+
+
+@dataclass
 class Watt:
     """Crank on the carrier, about the carrier's x axis at the pivot, with two rods to the chassis: (chassis, crank)."""
 
@@ -101,7 +106,7 @@ class Guided:
 
 
 # Number of equations of each part.
-COUNTS = {Rod: 1, Coincident: 3, OnLine: 2, Sliding: 5, Watt: 1, Guided: 2}
+COUNTS = {Rod: 1, Coincident: 3, OnLine: 2, Sliding: 5, Planar: 3, Watt: 1, Guided: 2}
 
 
 def across(line):
@@ -151,6 +156,12 @@ class Carrier:
                         rows.append(np.concatenate([e, np.zeros(3)]))
                     for e in across(along):
                         add(e @ c, e, c)
+                case Planar():
+                    small = turned(r)
+                    for e, error in ((np.array([1.0, 0, 0]), small[0]), (Z, small[2])):
+                        errors.append(error)
+                        rows.append(np.concatenate([e, np.zeros(3)]))
+                    add(c[1], np.array([0, 1.0, 0]), c)
                 case Guided(point):
                     at, x = self.point(pose, point), r @ np.array([1.0, 0, 0])
                     add(at[1], np.array([0, 1.0, 0]), at)
@@ -261,7 +272,10 @@ def linkage(car):
         rods = [Coincident(p["arm_outer"]), Coincident(p["arm_inner"])]
     elif car.template == "swing-axle":
         rods = [Coincident(p["pivot_front"]), Coincident(p["pivot_back"])]
-    elif car.template == "swing-arm":
+    elif car.template == "rear-four-bar":
+        ends = (("lower_pivot", "lower_link_end"), ("rocker_pivot", "rocker_triangle"))
+        rods = [Planar(), *(Rod(p[one], p[other]) for one, other in ends)]
+    elif car.template in ("swing-arm", "rear-rocker-on-frame", "rear-rocker-on-arm"):
         rods = [Coincident(p["swing_arm_left"]), Coincident(p["swing_arm_right"])]
     elif car.template == "telescopic-fork":
         rods = [Sliding(unit(p["fork_top"] - p["fork_bottom"]))]
@@ -326,6 +340,9 @@ CARRIERS = {
     "twist-beam": ["trailing_arm", "beam"],
     "swing-arm": ["swing_arm"],
     "telescopic-fork": ["fork_lower"],
+    "rear-four-bar": ["lower_link", "rear_triangle", "rocker"],
+    "rear-rocker-on-frame": ["swing_arm", "rocker"],
+    "rear-rocker-on-arm": ["swing_arm", "rocker"],
 }
 ELEMENTS = {
     "spring": ("spring_seat", "spring_chassis_seat"),
@@ -353,6 +370,9 @@ class Suspension:
 
     def on_link(self, link, x, motion=None):
         """Position and velocity of a point of a link."""
+        if self.car.template == "rear-four-bar" and link in ("lower_link", "rocker"):
+            pivot, end = ("lower_pivot", "lower_link_end") if link == "lower_link" else ("rocker_pivot", "rocker_triangle")
+            return self.on_lever(self.car.points[pivot], self.car.points[end], x, motion)
         if link == "rocker":
             return self.on_rocker(x, motion)
         if link in ("strut", "trailing_link"):
@@ -373,13 +393,37 @@ class Suspension:
         turn = lever @ self.speed(now, motion) / (lever @ lever)
         return at, turn * np.cross(a, at - front)
 
+    def on_lever(self, pivot, end, x, motion):
+        """Planar lever from the frame to a point of the carrier."""
+        a, now = np.array([0, 1.0, 0]), self.at(end)
+        drawn, lever = end - pivot, now - pivot
+        angle = np.arctan2(a @ np.cross(drawn, lever), drawn @ lever - drawn[1] * lever[1])
+        at = pivot + rotation(angle * a) @ (x - pivot)
+        turn = np.cross(a, lever) @ self.speed(now, motion) / (lever @ lever - lever[1] ** 2)
+        return at, turn * np.cross(a, at - pivot)
+
     def on_rocker(self, x, motion):
-        """Rocker on its hinge: the pushrod keeps its length, on the branch as drawn."""
+        """Rocker on its hinge: the rod keeps its length, on the branch as drawn."""
         p = self.car.points
-        pivot, a = p["rocker_front"], unit(p["rocker_back"] - p["rocker_front"])
-        outer, v_outer = self.on_link(self.car.on["pushrod"], p["pushrod_outer"], motion)
-        arm = p["pushrod_rocker"] - pivot
-        length = np.linalg.norm(p["pushrod_rocker"] - p["pushrod_outer"])
+        if "rocker_front" in p:
+            pivot, a = p["rocker_front"], unit(p["rocker_back"] - p["rocker_front"])
+            outer, v_outer = self.on_link(self.car.on["pushrod"], p["pushrod_outer"], motion)
+            return self.rocker(pivot, a, p["pushrod_rocker"], p["pushrod_outer"], outer, v_outer, x)
+        pivot, a, end = p["rocker_pivot"], np.array([0, 1.0, 0]), p["rod_rocker"]
+        if "rod_arm" in p:
+            outer, v_outer = self.on_link("swing_arm", p["rod_arm"], motion)
+            return self.rocker(pivot, a, end, p["rod_arm"], outer, v_outer, x)
+        # In the frame of the swing arm, the frame's end of the rod moves.
+        r, c = self.pose
+        fixed = p["rod_frame"]
+        at, v = self.rocker(pivot, a, end, fixed, r.T @ (fixed - c), -r.T @ self.speed(fixed, motion), x)
+        at = self.at(at)
+        return at, self.speed(at, motion) + r @ v
+
+    def rocker(self, pivot, a, end_drawn, outer_drawn, outer, v_outer, x):
+        """Point of a rocker about the axis `a` and its velocity; `outer`: other end of its rod."""
+        arm = end_drawn - pivot
+        length = np.linalg.norm(end_drawn - outer_drawn)
 
         def parts(outer):
             """|arm turned by θ − (outer − pivot)|² = length² as cosine, sine and constant."""
@@ -393,7 +437,7 @@ class Suspension:
             middle, half = np.arctan2(sine, cosine), np.arccos(constant / np.hypot(cosine, sine))
             return [(angle + np.pi) % (2 * np.pi) - np.pi for angle in (middle - half, middle + half)]
 
-        branch = int(np.argmin(np.abs(angles(p["pushrod_outer"]))))
+        branch = int(np.argmin(np.abs(angles(outer_drawn))))
         r = rotation(angles(outer)[branch] * a)
         end, at = pivot + r @ arm, pivot + r @ (x - pivot)
         line = end - outer
@@ -550,6 +594,8 @@ def expected_values(s, data, drawn):
             mirror = k == 1
             ratio, compression = s.element(name, mirror)
             add(f"motion_ratio_{name}", ratio)
+            if middle and name in ("spring", "damper"):
+                add(f"leverage_ratio_{name}", 1 / ratio)
             if name == "damper":
                 continue
             force, stiffness = s.forces[name](compression)
@@ -687,7 +733,7 @@ def main():
                 # Both sides are mirror images in heave without steering.
                 rack = float(rng.uniform(-0.02, 0.02)) if steers and not third and rng.integers(2) else 0.0
                 rolls = axle and bool(rng.integers(2))
-                most = 0.02 if template.startswith("pushrod") else 0.05
+                most = 0.02 if template.startswith(("pushrod", "rear")) else 0.05
                 heave, roll = float(rng.uniform(-most, most)), float(rng.uniform(-0.03, 0.03)) if rolls else 0.0
                 travels = [heave + roll, heave - roll] if axle else [heave]
                 rates = [1.0, -1.0 if rolls else 1.0] if axle else [1.0]

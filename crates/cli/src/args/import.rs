@@ -139,7 +139,7 @@ pub struct TemplateArgs {
     /// Vehicle axes of the sheet: iso, adams, sae, rfactor, or such as "-z x y".
     #[arg(long, value_name = "AXES", value_parser = vehicle_axes, allow_hyphen_values = true, default_value = "iso")]
     pub axes: VehicleAxes,
-    /// Sheet to write; default: stdout.
+    /// Sheet to write: .toml, .csv or .xlsx; default: stdout.
     ///
     /// An existing file is not replaced without --force.
     #[arg(long, short, value_name = "SHEET.toml")]

@@ -68,7 +68,7 @@ pub struct KinematicsArgs {
     /// Format; default: by the file's ending, or table.
     #[arg(long, value_enum, help_heading = ANSWER)]
     pub format: Option<KinematicsFormat>,
-    /// File: .txt, .csv, .json, .svg, .png or .pdf; with --solve, the changed sheet.
+    /// File: .txt, .csv, .json, .svg, .png or .pdf; with --solve, the changed sheet in the format that was read.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]

@@ -103,7 +103,7 @@ fn is_own_workbook(_: File) -> bool {
 /// Line below the tables of kinematics as text.
 pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
 /// Starts of the columns of kinematics.
-const KINEMATIC_COLUMNS: [&str; 26] = [
+const KINEMATIC_COLUMNS: [&str; 27] = [
     "wheel_travel_",
     "camber_",
     "toe_",
@@ -111,6 +111,7 @@ const KINEMATIC_COLUMNS: [&str; 26] = [
     "kingpin_inclination_",
     "scrub_radius_",
     "mechanical_trail_",
+    "steering_ratio_",
     "half_track_change_",
     "forward_displacement_",
     "instant_centre_",

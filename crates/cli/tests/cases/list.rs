@@ -34,6 +34,7 @@ crate::pages! {
     suspensions_bushes "crates/cli/tests/cases/suspensions/bushes.md",
     suspensions_contact_patches "crates/cli/tests/cases/suspensions/contact_patches.md",
     suspensions_daily_use "crates/cli/tests/cases/suspensions/daily_use.md",
+    suspensions_foreign_files "crates/cli/tests/cases/suspensions/foreign_files.md",
     suspensions_import "crates/cli/tests/cases/suspensions/import.md",
     suspensions_kinematics "crates/cli/tests/cases/suspensions/kinematics.md",
     suspensions_own_contacts "crates/cli/tests/cases/suspensions/own_contacts.md",

@@ -225,7 +225,8 @@ fn reversed_axes_are_warned_of() {
         let turned = told(&folder, "check turned.toml");
         let remedy = ["lies behind", "Write axes = \"iso\""];
         assert!(remedy.iter().all(|words| turned.contains(words)), "{template}: {turned}");
-        let has_sides = !["swing-arm", "telescopic-fork"].contains(&template) && !template.starts_with("rear-");
+        let has_sides =
+            !["swing-arm", "telescopic-fork"].contains(&template) && !template.starts_with("rear-");
         assert_eq!(turned.contains("side = \"left\""), has_sides, "{template}: {turned}");
         compared += 1;
     }

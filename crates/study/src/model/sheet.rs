@@ -2,7 +2,7 @@
 
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{LoadError, SharedFiles, Source};
-use percuss_suspension::{ImportOptions, Imported, Rack, import};
+use percuss_suspension::{ChangedFile, ImportOptions, Imported, Rack, changed_file, import};
 use std::path::Path;
 
 /// Sheet, table or JSON file of a suspension in memory, with import options.
@@ -13,7 +13,7 @@ pub struct Sheet {
 }
 
 /// File name extensions of suspension files.
-const SHEETS: [&str; 6] = ["toml", "csv", "xlsx", "xlsm", "json", "sub"];
+const SHEETS: [&str; 9] = ["toml", "csv", "xlsx", "xlsm", "json", "sub", "yaml", "yml", "pm"];
 
 /// True if a file is a study: TOML with a table `model`.
 pub(crate) fn is_study(source: &Source) -> bool {
@@ -44,10 +44,9 @@ impl Sheet {
         is_study(&self.source)
     }
 
-    /// Text of the file; `None` for a file that is no TOML text.
-    pub(crate) fn text(&self) -> Option<&str> {
-        let is_toml = self.source.name.to_ascii_lowercase().ends_with(".toml");
-        std::str::from_utf8(&self.source.bytes).ok().filter(|_| is_toml)
+    /// File with the hardpoints, moved by `moves` (m, in the axes of the sheet).
+    pub(crate) fn changed(&self, moves: &[(String, [f64; 3])]) -> Result<ChangedFile, String> {
+        changed_file(&self.source, &self.options, moves)
     }
 
     /// Same sheet, imported with joints in place of massless rods, and with a massless rack that slides if it `steers`.

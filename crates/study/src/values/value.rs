@@ -174,7 +174,9 @@ pub(crate) fn reflected_inertias(text: &str) -> Result<Vec<f64>, String> {
         Some((ratio, rotor)) => {
             let ratio = Dimension::Plain.parse(ratio).map_err(|error| error.to_string())?.value;
             if ratio == 0.0 {
-                return Err(format!("{part}: the ratio of the gear is 0; rotor turns per turn of the joint are expected, such as 100"));
+                return Err(format!(
+                    "{part}: the ratio of the gear is 0; rotor turns per turn of the joint are expected, such as 100"
+                ));
             }
             Ok(ratio * ratio * inertia(rotor, &[Dimension::Inertia])?)
         }

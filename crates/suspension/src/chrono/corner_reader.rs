@@ -70,7 +70,7 @@ struct CornerReader<'r, 't> {
 impl<'t> CornerReader<'_, 't> {
     /// Reads a point, and adds it to the design as `name`.
     fn read_point(&mut self, section: &mut Section<'t>, key: &str, name: &'static str) -> Vector3<f64> {
-        let at = self.reader.point(section, key);
+        let at = self.reader.hardpoint(section, key, name);
         self.design.points.insert(name, (at, section.spot.clone()));
         at
     }
@@ -231,7 +231,8 @@ impl<'t> CornerReader<'_, 't> {
     /// affect the effective mass.
     fn read_seats(&mut self, key: &str, moving: &str, [seat, chassis_seat]: &'static [String; 2]) {
         let mut section = self.reader.section(self.root, key);
-        let [above, at] = ["Location Chassis", moving].map(|key| self.reader.point(&mut section, key));
+        let above = self.reader.hardpoint(&mut section, "Location Chassis", chassis_seat);
+        let at = self.reader.hardpoint(&mut section, moving, seat);
         let line = frames::unit(above - at).map(|_| ());
         self.reader.unwrap_geometry(line, &section.spot, "its ends coincide: it has no line");
         for (name, at) in [(seat, at), (chassis_seat, above)] {

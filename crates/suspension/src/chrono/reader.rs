@@ -3,6 +3,7 @@
 use super::json::{Array, Object};
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_KEYS;
+use crate::sheet::{Place, WrittenPoint};
 use crate::text::offset_of;
 use crate::units::{Frame, check_size};
 use percuss_formats::Diagnostic;
@@ -41,6 +42,10 @@ pub(in super::super) struct Reader<'t> {
     farthest: Option<(f64, Spot)>,
     /// Section with nonzero products of inertia.
     pub products: Option<Spot>,
+    /// Displacements of hardpoints, m, in the axes of the file.
+    moves: Vec<(String, [f64; 3])>,
+    /// Hardpoints as written.
+    pub written: Vec<WrittenPoint>,
 }
 
 impl Deref for Reader<'_> {
@@ -57,9 +62,10 @@ impl DerefMut for Reader<'_> {
 }
 
 impl<'t> Reader<'t> {
-    /// Creates a reader of JSON text without comments.
-    pub fn new(text: &'t str, frame: Frame) -> Self {
-        Self { text, findings: Findings::default(), frame, farthest: None, products: None }
+    /// Creates a reader of JSON text without comments. `moves`: displacements of hardpoints, m, in the axes of the file.
+    pub fn new(text: &'t str, frame: Frame, moves: &[(String, [f64; 3])]) -> Self {
+        let (findings, moves) = (Findings::default(), moves.to_vec());
+        Self { text, findings, frame, farthest: None, products: None, moves, written: Vec::new() }
     }
 
     /// Returns all findings in the order of the file, findings without a position first.
@@ -290,6 +296,35 @@ impl<'t> Reader<'t> {
             self.farthest = Some((point.amax(), self.spot(&section.spot, key, value)));
         }
         point
+    }
+
+    /// Reads a mandatory hardpoint with its displacement, m, in the axes of ISO 8855.
+    pub fn hardpoint(&mut self, section: &mut Section<'t>, key: &str, name: &'static str) -> Vector3<f64> {
+        let at = self.point(section, key);
+        let value = section.entries.iter().flatten().find(|entry| entry.key == key).map(|entry| entry.value);
+        let array = value.and_then(|value| serde_json::from_str::<Array<'t>>(value.get()).ok());
+        if let Some(Array { first: [Some(x), Some(y), Some(z)], .. }) = array {
+            let unit = self.frame.unit.to_metres(1.0);
+            let number = |value: &'t RawValue| {
+                let (text, begin) = (value.get(), self.offset(value));
+                (text.parse().unwrap_or_default(), unit, Place::Text(begin..begin + text.len()))
+            };
+            let numbers = [x, y, z].map(number);
+            self.written.push(WrittenPoint { name, file: 0, numbers });
+        }
+        let by = self.moves.iter().filter(|(known, _)| known == name).map(|(_, by)| Vector3::from(*by)).sum();
+        at + self.frame.axes.to_iso(by)
+    }
+
+    /// Hardpoints with their displacements, m, in the axes of the file.
+    pub fn coordinates(&self) -> Vec<(String, [f64; 3])> {
+        let of = |point: &WrittenPoint| {
+            let moves = self.moves.iter().filter(|(known, _)| known == point.name);
+            let by: Vector3<f64> = moves.map(|(_, by)| Vector3::from(*by)).sum();
+            let at = |k: usize| point.numbers[k].0 * point.numbers[k].1 + by[k];
+            (point.name.to_owned(), [0, 1, 2].map(at))
+        };
+        self.written.iter().map(of).collect()
     }
 
     /// Refuses coordinates that are implausible for a vehicle in the unit of the file.

@@ -84,6 +84,9 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         };
         left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
+    if let (Some((mass, outer)), Some(wheel)) = (design.half_shaft, design.point("wheel_centre")) {
+        left.add_half_shaft(mass, outer.unwrap_or(wheel));
+    }
     add_damper_stops(design, &mut left, findings);
     add_own_contacts(design, &mut left, findings);
     let hardpoints =

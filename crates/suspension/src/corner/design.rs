@@ -102,6 +102,8 @@ pub(crate) struct Design {
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Masses of springs and dampers by section, kg.
     pub part_masses: BTreeMap<&'static str, f64>,
+    /// Mass of the half shaft, kg, and its joint on the wheel's side; `None`: the wheel centre.
+    pub half_shaft: Option<(f64, Option<Vector3<f64>>)>,
     /// Gap and direction of stops, as given in the file, by section.
     pub stops: BTreeMap<&'static str, Stop>,
     /// Contacts that the file names itself.

@@ -27,7 +27,7 @@ pub(crate) const RACK: &str = "rack";
 /// Links between both wheels.
 const AXLES: [&str; 3] = ["axle", "axle_tube", "beam"];
 
-/// Part of the mass of a spring or damper that moves with its moving seat.
+/// Part of the mass of a spring or damper that moves with its moving seat, and of a half shaft that moves with the wheel.
 const SHARE_OF_SEAT: f64 = 0.5;
 
 /// Name of the ground as the other side of a contact.
@@ -195,14 +195,29 @@ impl Corner {
         [at, at_chassis]: [Vector3<f64>; 2],
         mass: Option<f64>,
     ) {
-        self.add_frame(seat, on, at, String::new());
-        if let (Some(mass), Some(link)) = (mass.filter(|mass| *mass > 0.0), self.links.last_mut()) {
-            link.inertial = Some(Inertial::point(SHARE_OF_SEAT * mass, [0.0; 3]));
+        match mass.filter(|mass| *mass > 0.0) {
+            Some(mass) => self.add_point_mass(seat, on, at, SHARE_OF_SEAT * mass),
+            None => self.add_frame(seat, on, at, String::new()),
         }
         self.add_frame(chassis_seat, CHASSIS, at_chassis, String::new());
         self.seat_pairs.push([seat, chassis_seat]);
         let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");
         self.drawing.add_line(name, [at, at_chassis]);
+    }
+
+    /// Adds the part of the mass of a half shaft (kg) that moves with the wheel, at the outer joint.
+    pub fn add_half_shaft(&mut self, mass: f64, at: Vector3<f64>) {
+        if mass > 0.0 {
+            self.add_point_mass("half_shaft_outer", "spindle", at, SHARE_OF_SEAT * mass);
+        }
+    }
+
+    /// Adds a frame with a mass, kg.
+    fn add_point_mass(&mut self, frame: &'static str, on: &str, at: Vector3<f64>, mass: f64) {
+        self.add_frame(frame, on, at, String::new());
+        if let Some(link) = self.links.last_mut() {
+            link.inertial = Some(Inertial::point(mass, [0.0; 3]));
+        }
     }
 
     /// Adds a named contact between the origins of two link frames; the normal is in the frame of the second.

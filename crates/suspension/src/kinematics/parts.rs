@@ -35,6 +35,8 @@ pub struct SuspensionParts {
     pub(super) anti_roll_bar: Option<AntiRollBar>,
     /// Joint of the rack, fixed or sliding.
     pub rack: Option<JointId>,
+    /// Travel of the rack per turn of the steering wheel, m.
+    pub(super) rack_travel: Option<f64>,
     /// Two points of the steering axis of each wheel, m, in the frames of their links; empty without such points.
     steering_points: Vec<[(LinkId, Vector3<f64>); 2]>,
 }
@@ -82,6 +84,7 @@ impl SuspensionParts {
                 .anti_roll_bar
                 .and_then(|stiffness| AntiRollBar::of_suspension(mechanism, stiffness)),
             rack,
+            rack_travel: origin.rack_travel,
             steering_points,
             drawn,
         })
@@ -104,7 +107,12 @@ impl SuspensionParts {
     }
 
     /// Conditions of the bearings of the wheels and of the rack.
-    fn held_joints(&self, linkage: &Linkage, pose: &Pose, rack_rate: f64) -> Vec<(MotionRow, f64)> {
+    pub(super) fn held_joints(
+        &self,
+        linkage: &Linkage,
+        pose: &Pose,
+        rack_rate: f64,
+    ) -> Vec<(MotionRow, f64)> {
         let mechanism = &**self.drawn.mechanism();
         let mut conditions = Vec::new();
         for wheel in &self.wheels {

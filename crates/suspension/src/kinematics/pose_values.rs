@@ -91,6 +91,7 @@ impl<'k> PoseEvaluation<'k> {
             let drawn = kinematics.wheels[wheel].at(&kinematics.drawn);
             row.add_angles(wheel, &here, &drawn);
             row.add_steering_axis(wheel, &here);
+            row.add_steering_ratio(wheel, &here);
             row.add_displacements(wheel, &here, &drawn);
             row.add_front_view(wheel, &here);
             row.add_side_view(wheel, &here);
@@ -138,6 +139,24 @@ impl<'k> PoseEvaluation<'k> {
         for (name, offset) in ["scrub_radius", "mechanical_trail"].into_iter().zip(offsets) {
             self.add(wheel, name, KinematicUnit::Length, offset);
         }
+    }
+
+    /// Angle of the steering wheel per steer angle of the wheel, |2π/(s dδ/dy)| with the travel s of the rack per turn and the steer angle δ
+    /// over the travel y of the rack, at a wheel centre of constant height.
+    fn add_steering_ratio(&mut self, wheel: usize, here: &WheelState) {
+        let Some(travel) = self.kinematics.rack_travel else { return };
+        let mut conditions = self.kinematics.held_joints(self.linkage, self.pose, 1.0);
+        for parts in &self.kinematics.wheels {
+            let centre = self.pose.link(parts.centre).translation;
+            conditions.push((self.linkage.point_row(parts.on_wheel(centre), Vector3::z()), 0.0));
+        }
+        let spindle = self.kinematics.wheels[wheel].spindle;
+        let motion = self.linkage.solve(&conditions).map_err(|error| error.to_string());
+        let ratio = motion.map(|motion| {
+            let [_, steer] = here.angle_rates(&motion.angular_velocity(spindle));
+            (TAU / (travel * steer)).abs()
+        });
+        self.add(wheel, "steering_ratio", KinematicUnit::Ratio, ratio);
     }
 
     /// Adds the displacements of the contact point from its drawn position: lateral, and forward.

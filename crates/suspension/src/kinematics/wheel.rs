@@ -2,6 +2,7 @@
 //! vehicle's axes; the ground is the horizontal plane through the contact point.
 
 use crate::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
+use crate::limits::MIDDLE_PLANE;
 use nalgebra::Vector3;
 use percuss_dynamics::{LowestPoint, Pose};
 use percuss_mechanism::{JointId, LinkId};
@@ -55,7 +56,7 @@ impl WheelParts {
 
     /// True for a wheel in the middle plane of the vehicle.
     pub fn is_in_middle(&self) -> bool {
-        self.offset == 0.0
+        self.offset <= MIDDLE_PLANE
     }
 
     /// Point that moves with the wheel carrier.

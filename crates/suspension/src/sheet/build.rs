@@ -12,6 +12,7 @@ use crate::options::Side;
 use crate::units::{VehicleAxes, short};
 use percuss_formats::reading::quoted;
 use percuss_spatial::{Matrix3, Vector3};
+use percuss_units::LengthUnit;
 
 /// Smallest moment of inertia of a link about its own line, relative to the sum of its principal moments, at which the pins of its
 /// universal joint change the digits of a report.
@@ -49,34 +50,46 @@ fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
     }
 }
 
+/// Refuses displacements of unknown hardpoints, and displacements (m) beyond the limit; `unit`: unit of the file.
+pub(in super::super) fn check_moves(
+    moves: &[(String, [f64; 3])],
+    unit: LengthUnit,
+    known: &[&str],
+    findings: &mut Findings,
+) {
+    for (name, by) in moves {
+        let shift = Vector3::from(*by).amax();
+        if !known.contains(&name.as_str()) {
+            let near = catalogue::suggestion(name, known.iter().copied());
+            let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
+            findings.error("unknown-point", &Spot::default(), message);
+        } else if shift > MAX_SHIFT {
+            let message = format!(
+                "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
+                 also if the sheet is in {}: write {shift}mm for millimetres (--move)",
+                quoted(name),
+                unit.name()
+            );
+            findings.error("wrong-unit", &Spot::default(), message);
+        }
+    }
+}
+
 /// Applies the displacements of hardpoints (name; m, in the axes of the sheet and on the side of its points).
 pub(in super::super) fn apply_moves(
     sheet: &mut Sheet,
     moves: &[(String, [f64; 3])],
     findings: &mut Findings,
 ) {
+    let known: Vec<&str> = sheet.design.points.keys().copied().collect();
+    check_moves(moves, sheet.frame.unit, &known, findings);
     for (name, by) in moves {
         let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
         if sheet.points_side == Side::Right && !sheet.template.is_central(name) {
             by.y = 0.0 - by.y;
         }
-        match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
-            Some(_) if by.amax() > MAX_SHIFT => {
-                let shift = by.amax();
-                let message = format!(
-                    "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
-                     also if the sheet is in {}: write {shift}mm for millimetres (--move)",
-                    quoted(name),
-                    sheet.frame.unit.name()
-                );
-                findings.error("wrong-unit", &Spot::default(), message);
-            }
-            Some((_, (at, _))) => *at += by,
-            None => {
-                let near = catalogue::suggestion(name, sheet.design.points.keys().copied());
-                let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
-                findings.error("unknown-point", &Spot::default(), message);
-            }
+        if let Some((_, (at, _))) = sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
+            *at += by;
         }
     }
 }
@@ -162,7 +175,9 @@ fn front_points(sheet: &Sheet) -> Vec<FrontPoint> {
     let x = |name: &str| sheet.design.point(name).map(|at| at.x);
     let pair = |key: &&'static str| {
         let back = match *key {
-            "arm_inner" | "arm_outer" | "arm_chassis" | "swing_arm_left" | "lower_pivot" => "wheel_centre".to_owned(),
+            "arm_inner" | "arm_outer" | "arm_chassis" | "swing_arm_left" | "lower_pivot" => {
+                "wheel_centre".to_owned()
+            }
             "fork_bottom" => "fork_top".to_owned(),
             name if name.starts_with("rocker") || !name.contains("front") => return None,
             name => name.replace("front", "back"),

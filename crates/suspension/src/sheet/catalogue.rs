@@ -136,6 +136,9 @@ const WHEEL_KEYS: [&str; 10] = [
     "vertical_offset",
 ];
 
+/// Section of the half shaft.
+pub(super) const HALF_SHAFT: &str = "half_shaft";
+
 /// Section of the damper.
 pub(super) const DAMPER: &str = "damper";
 
@@ -161,6 +164,12 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
         keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
     }
     keys.extend(universal_links(template).map(|link| format!("{link}.pin")));
+    if template.point("rocker_front").is_some() {
+        keys.extend(["points.rocker_pivot", "rocker.axis"].map(str::to_owned));
+    }
+    if !template.middle {
+        keys.extend(["mass", "outer"].map(|key| format!("{HALF_SHAFT}.{key}")));
+    }
     keys.push("spindle.axle_inertia".to_owned());
     keys.extend(WHEEL_KEYS.map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
@@ -179,7 +188,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
         keys.push("anti_roll_bar.stiffness".to_owned());
     }
     if template.has_rack() {
-        keys.extend(["mass", "slides", "stiffness"].map(|key| format!("rack.{key}")));
+        keys.extend(["mass", "slides", "stiffness", "travel_per_turn"].map(|key| format!("rack.{key}")));
     }
     debug_assert!(keys.len() < MAX_SHEET_KEYS);
     keys

@@ -4,10 +4,10 @@
 //! to the template, `build` builds its corner, and `write` writes the sheet to fill in and the tables of the
 //! documentation.
 
-mod adams;
 mod build;
 mod catalogue;
 mod entries;
+mod foreign;
 mod names;
 mod point_table;
 mod read;
@@ -17,8 +17,12 @@ mod template;
 mod toml_text;
 mod write;
 
-pub(super) use build::{apply_moves, build};
+pub(super) use build::{apply_moves, build, check_moves};
+pub(super) use entries::{Place, WrittenPoint};
+pub(super) use foreign::is_foreign;
 pub(super) use point_table::Files;
 pub(super) use read::{Sheet, read};
-pub(super) use table::is_workbook;
-pub use write::{TemplateOptions, template_keys, template_names, template_sheet};
+pub(super) use table::{changed_workbook, is_workbook};
+pub use write::{
+    TABLE_COLUMNS, TemplateOptions, template_keys, template_names, template_rows, template_sheet,
+};

@@ -3,8 +3,9 @@
 //! A sheet may come from somebody else, and messages quote the table: no other folder is read unless the user allows it.
 
 use super::entries::{Cell, Entries};
+use super::foreign::{self, adams};
 use super::names::NAMES;
-use super::{adams, catalogue, table, toml_text};
+use super::{catalogue, table, toml_text};
 use crate::corner::design::SEATS;
 use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
@@ -104,6 +105,13 @@ pub(super) fn read(
         table::read_workbook(&read.bytes, file, worksheet.as_deref(), entries, findings);
         return;
     }
+    let decoded = encoding::decode(&read.bytes);
+    if foreign::is_foreign(&path, &decoded.text) {
+        let part = worksheet.as_deref();
+        foreign::read((&path, &decoded.text), file, options, part, (entries, findings));
+        files.push((path, decoded.text.into_owned()));
+        return;
+    }
     if let Some(worksheet) = worksheet {
         let message = format!(
             "the worksheet {} is given, and the table {} is no workbook",
@@ -118,7 +126,6 @@ pub(super) fn read(
         findings.error("not-utf-8", &spot, message);
         return;
     }
-    let decoded = encoding::decode(&read.bytes);
     if let Some(note) = decoded.note {
         findings.note("windows-1252", &Spot { file, ..Spot::default() }, note);
     }

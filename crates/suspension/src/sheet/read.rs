@@ -1,13 +1,15 @@
 //! Reader of the entries of a sheet according to its template.
 
 use super::catalogue::{self, MASSIVE_PARTS};
-use super::entries::{Entries, Quantity};
+use super::entries::{Entries, Quantity, WrittenPoint};
+use super::foreign::{self, adams};
 use super::point_table::{self, Files};
 use super::sections::bush_file::BushFile;
 use super::sections::estimates::Estimates;
+use super::sections::parts::ROCKER_PIVOT;
 use super::sections::{bushes, contacts};
 use super::template::Template;
-use super::{adams, names, table, toml_text};
+use super::{names, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, FirstPins, STOPS, Stop};
 use crate::findings::{Findings, Spot};
@@ -31,6 +33,8 @@ pub(in super::super) struct Sheet {
     pub rack: Rack,
     /// Stiffness of the rack along y, N/m.
     pub rack_stiffness: Option<f64>,
+    /// Travel of the rack per turn of the steering wheel, m.
+    pub rack_travel: Option<f64>,
     pub design: Design,
     pub wheel: Option<Wheel>,
     /// Camber, rad.
@@ -46,6 +50,10 @@ pub(in super::super) struct Sheet {
     pub forces: ForceElements,
     /// Keys of masses that are missing and optional: they are zero.
     pub missing_masses: Vec<String>,
+    /// Hardpoints as written in the files, and the axes of these numbers.
+    pub written: (Vec<WrittenPoint>, VehicleAxes),
+    /// Name of the worksheet of the points.
+    pub worksheet: Option<String>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -63,6 +71,10 @@ pub(in super::super) fn read(
     } else if adams::is_subsystem(text) {
         point_table::refuse_points_only(findings, source, options);
         return None;
+    } else if foreign::is_foreign(&source.name, text) {
+        is_table = false;
+        let part = options.worksheet.as_deref();
+        foreign::read((&source.name, text), 0, options, part, (&mut entries, findings));
     } else if source.name.ends_with(".csv") || table::looks_like_table(text) {
         table::read_text(text, 0, &mut entries, findings);
     } else {
@@ -72,7 +84,11 @@ pub(in super::super) fn read(
         }
     }
     let is_worksheet_given = options.worksheet.is_some() || entries.has("worksheet");
-    if is_worksheet_given && !entries.has("points") && !table::is_workbook(&source.bytes) {
+    if is_worksheet_given
+        && entries.worksheet.is_none()
+        && !entries.has("points")
+        && !table::is_workbook(&source.bytes)
+    {
         let message =
             "a worksheet is given, and the file is no workbook and names no table of points".to_owned();
         findings.error("conflict", &Spot::default(), message);
@@ -155,10 +171,12 @@ impl SheetReader<'_> {
             Some((section, mass))
         });
         let part_masses = part_masses.collect();
+        let half_shaft = if template.middle { None } else { self.half_shaft(frame, points_side) };
         let rack = self.rack(template);
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let contacts = contacts::read_contacts(self.entries, self.findings, frame, points_side);
+        let rack_travel = if template.has_rack() { self.rack_travel(frame) } else { None };
         let rack_stiffness =
             if template.has_rack() { bushes::read_rack(self.entries, self.findings) } else { None };
         let design = Design {
@@ -179,12 +197,17 @@ impl SheetReader<'_> {
             first_pins: self.first_pins(template, frame, points_side),
             on,
             part_masses,
+            half_shaft,
             stops,
             rods_are_links: self.options.movable,
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
         point_table::warn_unbuilt_parts(self.entries, self.findings);
+        let names = template.points.iter().map(|(name, _)| &**name);
+        let axes_of_file = self.entries.axes_of_file.unwrap_or(axes);
+        let written = names.filter_map(|name| self.entries.written_point(name, frame.unit));
+        let written = written.map(|point| point.in_axes(axes, axes_of_file)).collect();
         let missing_masses = self.entries.report_missing_masses(self.findings);
         if let Some(estimates) = &self.estimates {
             estimates.warn(self.findings, &masses_spot);
@@ -196,6 +219,7 @@ impl SheetReader<'_> {
             side,
             rack,
             rack_stiffness,
+            rack_travel,
             design,
             wheel,
             camber,
@@ -205,6 +229,8 @@ impl SheetReader<'_> {
             chassis,
             forces,
             missing_masses,
+            written: (written, axes_of_file),
+            worksheet: self.entries.worksheet.clone(),
         })
     }
 
@@ -402,6 +428,10 @@ impl SheetReader<'_> {
             self.findings.error("missing-key", &spot, message);
             return points;
         }
+        let pivot = match template.point("rocker_front") {
+            Some(_) => self.entries.point(self.findings, ROCKER_PIVOT, frame),
+            None => None,
+        };
         let has_unknown = names::report_unknown_points(template, self.entries, self.findings);
         let (mut farthest, mut farthest_spot): (f64, Spot) = (0.0, Spot::default());
         for (key, _) in &template.points {
@@ -418,6 +448,7 @@ impl SheetReader<'_> {
                 }
                 None if has_unknown || self.entries.has(&path) => {}
                 None if key == "wheel_centre" && self.entries.has("wheel.half_track") => {}
+                None if pivot.is_some() && key.starts_with("rocker_") => {}
                 None if key == "anti_roll_bar_inner" && points.contains_key("anti_roll_bar_outer") => {
                     let (outer, spot) = points["anti_roll_bar_outer"].clone();
                     let message = "the axis of the anti-roll bar is across the vehicle, through anti_roll_bar_outer: the sheet has no \
@@ -443,6 +474,12 @@ impl SheetReader<'_> {
         }
         if !self.findings.has_errors() {
             check_size(self.findings, farthest, &farthest_spot, frame.unit);
+        }
+        if let Some((mut at, spot)) = pivot.filter(|_| !self.findings.has_errors()) {
+            if points_side == Side::Right {
+                at.y = 0.0 - at.y;
+            }
+            self.rocker_axis(at, &spot, frame, points_side, &mut points);
         }
         points
     }

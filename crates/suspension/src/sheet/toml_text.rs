@@ -1,6 +1,6 @@
 //! Reader of the entries of a sheet in TOML.
 
-use super::entries::{Cell, Entries};
+use super::entries::{Cell, Entries, Place};
 use super::sections::bushes::BUSH;
 use super::sections::contacts::CONTACT;
 use crate::findings::{Findings, Spot};
@@ -58,7 +58,12 @@ pub(super) fn read(text: &str, file: usize, entries: &mut Entries, findings: &mu
     for (at, key, value) in found {
         let spot = Spot { path: Some(shortened(&key)), at: Some(at), file };
         match cells(value.get_ref()) {
-            Some(cells) => entries.add(findings, key, cells, spot),
+            Some(cells) => {
+                entries.add(findings, key.clone(), cells, spot);
+                if let DeValue::Array(list) = value.get_ref() {
+                    entries.set_places(&key, list.iter().map(|value| Place::Text(value.span())).collect());
+                }
+            }
             None => {
                 let expected = "a number, a text, true or false, or a list of numbers";
                 findings.error("wrong-type", &spot, format!("{expected} is expected"));

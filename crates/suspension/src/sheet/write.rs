@@ -46,6 +46,43 @@ pub fn template_sheet(name: &str, options: &TemplateOptions) -> Option<String> {
     Some(sheet.out)
 }
 
+/// Columns of a sheet as a table.
+pub const TABLE_COLUMNS: [&str; 5] = ["name", "x", "y", "z", "remark"];
+
+/// Sheet of a template as the rows of a table (CSV, XLSX) with the columns [`TABLE_COLUMNS`]: a key and its values, `lower_arm.mass`, or a
+/// comment that begins with #. `None` for an unknown template. Values and errors: those of [`template_sheet`].
+pub fn template_rows(name: &str, options: &TemplateOptions) -> Option<Vec<Vec<String>>> {
+    let text = template_sheet(name, options)?;
+    let (mut rows, mut section): (Vec<Vec<String>>, _) = (Vec::new(), "");
+    for line in text.lines().filter(|line| !line.is_empty()) {
+        if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            section = name;
+            continue;
+        }
+        let Some((key, value)) = line.split_once(" = ").filter(|_| !line.starts_with('#')) else {
+            rows.push(vec![line.replace("THIS.toml", "THIS")]);
+            continue;
+        };
+        let (value, comment) = value.split_once(" # ").unwrap_or((value, ""));
+        let value = value.trim();
+        let list = value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(value);
+        let cells = list.split(", ").map(|cell| cell.trim_matches('"').to_owned());
+        let key = if section == "points" || section.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{section}.{key}")
+        };
+        // Only points may have a remark in their row.
+        if section == "points" {
+            rows.push([key].into_iter().chain(cells).chain([comment.to_owned()]).collect());
+        } else {
+            rows.extend((!comment.is_empty()).then(|| vec![format!("# {key}: {comment}")]));
+            rows.push([key].into_iter().chain(cells).collect());
+        }
+    }
+    Some(rows)
+}
+
 struct SheetWriter<'o> {
     out: String,
     options: &'o TemplateOptions,
@@ -351,6 +388,18 @@ pub fn template_keys() -> String {
         "mass of the spring and of the damper: half of it moves with the moving seat as a point mass, the other half is on the chassis",
         "all",
     );
+    row(
+        "half_shaft.mass`, `.outer",
+        "mass of the half shaft: half of it moves with the wheel as a point mass at its outer joint (a point; default: the wheel centre), the other \
+         half is on the chassis",
+        &of(&|t| !t.middle),
+    );
+    row(
+        "points.rocker_pivot`, `rocker.axis",
+        "in place of `points.rocker_front` and `.rocker_back`: the pivot of the rocker, and the direction of its axis; default: normal to the \
+         plane of the pivot, `pushrod_rocker` and `damper_seat` (or `spring_seat`)",
+        &of(&|t| t.point("rocker_front").is_some()),
+    );
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");
     let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
     row("third_spring.rate`, `.preload", "rate and preload of the spring between both sides", &third);
@@ -402,6 +451,11 @@ pub fn template_keys() -> String {
     row(
         "rack.slides`, `rack.mass",
         "true if the inner ends of the tie rods slide along y; mass of the rack",
+        &steered,
+    );
+    row(
+        "rack.travel_per_turn",
+        "travel of the rack per turn of the steering wheel: `percuss kinematics` gives the steering ratio",
         &steered,
     );
     row(

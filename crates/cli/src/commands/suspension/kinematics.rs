@@ -146,9 +146,25 @@ fn show_search(
         )));
     }
     match &args.output {
-        Some(path) => write_file(path, changed_sheet(model, &report.moves)?.as_bytes()),
+        Some(path) => {
+            let changed = changed_sheet(model, &report.moves)?;
+            check_format(path, &changed.name)?;
+            write_file(path, &changed.bytes)
+        }
         None => Ok(()),
     }
+}
+
+/// Refuses a name of the changed file with another ending than the file that was read.
+fn check_format(path: &str, read: &str) -> Result<(), Failure> {
+    let [written, expected] = [path, read]
+        .map(|name| Path::new(name).extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase());
+    if written == expected {
+        return Ok(());
+    }
+    Err(Failure::bad_input(format!(
+        "--output {path}: the coordinates are in {read}, and the changed file has the same format: give a name that ends in .{expected}"
+    )))
 }
 
 /// Result of a search as text.

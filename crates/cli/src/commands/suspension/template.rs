@@ -2,12 +2,14 @@
 
 use crate::args::TemplateArgs;
 use crate::commands::suspension::import::unit;
-use crate::files::output::{allow_replacement, write_file};
+use crate::files::contents::Contents;
+use crate::files::csv::Cell;
+use crate::files::output::{allow_replacement, ending_of, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;
 use crate::terminal::wrap::wrap_hanging;
 use percuss_mechanism::near_names;
-use percuss_suspension::{TemplateOptions, template_names, template_sheet};
+use percuss_suspension::{TABLE_COLUMNS, TemplateOptions, template_names, template_rows, template_sheet};
 use std::path::Path;
 
 /// Runs the command.
@@ -43,5 +45,18 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
         return Err(Failure::bad_input(format!("{path} exists; --force replaces it")));
     }
     allow_replacement(args.force);
-    write_file(path, sheet.as_bytes())
+    let is_table =
+        Path::new(path).extension().is_some() && ending_of(path, &["toml", "csv", "xlsx"])? != "toml";
+    if !is_table {
+        return write_file(path, sheet.as_bytes());
+    }
+    let cell = |text: &String| text.parse().map_or_else(|_| Cell::Text(text.clone().into()), Cell::Number);
+    let table = || {
+        let rows = template_rows(name, &options).unwrap_or_default();
+        (
+            TABLE_COLUMNS.map(str::to_owned).to_vec(),
+            rows.iter().map(|row| row.iter().map(cell).collect()).collect(),
+        )
+    };
+    Contents { name: "suspension", table: Some(&table), ..Contents::default() }.write(path)
 }

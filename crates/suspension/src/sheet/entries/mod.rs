@@ -6,10 +6,11 @@ use super::catalogue::near_keys;
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_KEYS;
 use crate::options::Side;
-use crate::units::{Frame, short};
+use crate::units::{Frame, VehicleAxes, short};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
+use std::ops::Range;
 
 /// Single value.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +35,51 @@ impl Cell {
     }
 }
 
+/// Place of a value in its file.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) enum Place {
+    /// Bytes of the text.
+    Text(Range<usize>),
+    /// Row and column of a worksheet, from 0.
+    #[cfg_attr(not(feature = "xlsx"), allow(dead_code, reason = "only workbooks have such places"))]
+    Cell(u32, u32),
+}
+
 /// Row of a table.
 pub(super) struct TableRow {
     pub cells: Vec<Cell>,
+    /// Place of each cell.
+    pub places: Vec<Place>,
     pub spot: Spot,
+}
+
+impl TableRow {
+    /// Removes the first cells.
+    pub fn drop_first(&mut self, count: usize) {
+        drop(self.cells.drain(..count));
+        drop(self.places.drain(..count));
+    }
+}
+
+/// Hardpoint as written in a file.
+#[derive(Clone, Debug)]
+pub(in super::super) struct WrittenPoint {
+    pub name: &'static str,
+    /// Index of the file among those of the import.
+    pub file: usize,
+    /// Each coordinate: number, length of its unit (m), place.
+    pub numbers: [(f64, f64, Place); 3],
+}
+
+impl WrittenPoint {
+    /// Same point with the numbers of the file: they were converted from the axes of the file to those of the sheet.
+    pub fn in_axes(self, sheet: VehicleAxes, file: VehicleAxes) -> Self {
+        let numbers = Vector3::from(self.numbers.each_ref().map(|(number, ..)| *number));
+        let of_file = file.from_iso(sheet.to_iso(numbers));
+        let [x, y, z] = self.numbers;
+        let numbers = [(of_file.x, x.1, x.2), (of_file.y, y.1, y.2), (of_file.z, z.1, z.2)];
+        Self { numbers, ..self }
+    }
 }
 
 /// Key with its values.
@@ -47,6 +89,8 @@ pub(super) struct Entry {
     pub key: String,
     pub cells: Vec<Cell>,
     pub spot: Spot,
+    /// Place of each value; empty if unknown.
+    places: Vec<Place>,
     used: bool,
 }
 
@@ -56,6 +100,10 @@ pub(super) struct Entries {
     list: Vec<Entry>,
     /// Keys of the template; empty before the template is known.
     known: Vec<String>,
+    /// Name of the worksheet of the points.
+    pub worksheet: Option<String>,
+    /// Axes of the points in their file, if they are not those of the sheet.
+    pub axes_of_file: Option<VehicleAxes>,
     /// Header of a table that names directions of the vehicle in place of x, y, z.
     pub directions: Option<Spot>,
     /// True if masses, centres of mass and inertias may be missing.
@@ -188,7 +236,40 @@ impl Entries {
             findings.error("duplicate-key", &spot, format!("{key} is given twice"));
             return;
         }
-        self.list.push(Entry { key, cells, spot, used: false });
+        self.list.push(Entry { key, cells, spot, places: Vec::new(), used: false });
+    }
+
+    /// Sets the places of the values of a key.
+    pub fn set_places(&mut self, key: &str, places: Vec<Place>) {
+        if let Some(entry) = self.list.iter_mut().find(|entry| entry.key == key) {
+            entry.places = places;
+        }
+    }
+
+    /// Places of the values of a key.
+    pub fn places_of(&self, key: &str) -> Vec<Place> {
+        self.list.iter().find(|entry| entry.key == key).map_or_else(Vec::new, |entry| entry.places.clone())
+    }
+
+    /// Hardpoint as written; `None` if its numbers have no place in a file. `unit`: unit of numbers without one.
+    pub fn written_point(&self, name: &'static str, unit: LengthUnit) -> Option<WrittenPoint> {
+        let entry = self.list.iter().find(|entry| entry.key.strip_prefix("points.") == Some(name))?;
+        let number = |k: usize| {
+            let (number, metres) = match entry.cells.get(k)? {
+                Cell::Number(number) => (*number, unit.to_metres(1.0)),
+                Cell::Text(text) => {
+                    let (digits, own) = percuss_units::split(text);
+                    let metres = match own {
+                        "" => unit.to_metres(1.0),
+                        own => Unit::named(own, &[Dimension::Length])?.to_si(1.0),
+                    };
+                    (parse_number(digits)?, metres)
+                }
+                Cell::Switch(_) | Cell::Unreadable(_) => return None,
+            };
+            Some((number, metres, entry.places.get(k)?.clone()))
+        };
+        Some(WrittenPoint { name, file: entry.spot.file, numbers: [number(0)?, number(1)?, number(2)?] })
     }
 
     /// True if the key exists.

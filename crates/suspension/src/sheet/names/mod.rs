@@ -91,6 +91,7 @@ pub(super) fn rename_points(
     let follows = |key: &str| {
         key == "wheel_centre" && entries.has("wheel.half_track")
             || key == "anti_roll_bar_inner" && has("anti_roll_bar_outer")
+            || key.starts_with("rocker_") && has("rocker_pivot")
     };
     if template.points.iter().all(|(key, _)| has(key) || follows(key) || !is_required(key)) {
         let message = format!("{} has no such points; they are not used", template.name);
@@ -156,6 +157,8 @@ fn copy_coil_overs(
     for (end, spring, spot) in &copies {
         if let Some(cells) = entries.cells_of(&format!("points.{end}")) {
             entries.add(findings, format!("points.{spring}"), cells, (*spot).clone());
+            let places = entries.places_of(&format!("points.{end}"));
+            entries.set_places(&format!("points.{spring}"), places);
         }
     }
     if let Some((.., spot)) = copies.first() {

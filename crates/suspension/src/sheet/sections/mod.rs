@@ -5,4 +5,5 @@ pub(super) mod bush_file;
 pub(super) mod bushes;
 pub(super) mod contacts;
 pub(super) mod estimates;
+pub(super) mod parts;
 mod wheel;

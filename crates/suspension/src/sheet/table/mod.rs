@@ -5,13 +5,16 @@
 //! not used. Its unit applies to the points of the table, and by default to all lengths. Titles may precede the header or the first
 //! key. Rows that begin with # are comments, except a header above a table without another one.
 
+#[cfg(feature = "xlsx")]
+mod changed_workbook;
 mod header;
+mod places;
 mod settings;
 #[cfg(feature = "xlsx")]
 mod workbook;
 
 use super::catalogue::{self, HEAD};
-use super::entries::{Cell, Entries, TableRow, parse_number};
+use super::entries::{Cell, Entries, Place, TableRow, parse_number};
 use super::names::vocabulary;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
@@ -21,6 +24,7 @@ pub(super) use header::unit_of;
 use header::{Columns, Row};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
+use places::cell_places;
 use std::borrow::Cow;
 
 /// Reason of a refused title.
@@ -28,6 +32,24 @@ const OTHER_ORDER: &str = "it names the axes in another order in one cell";
 
 /// Largest number of title rows.
 const MAX_TITLE_ROWS: usize = 20;
+
+/// Workbook with other numbers in some cells of a worksheet, `None` for the first one.
+///
+/// # Errors
+/// The reason, in words.
+pub(in super::super) fn changed_workbook(
+    bytes: &[u8],
+    worksheet: Option<&str>,
+    changes: &[(Place, f64, f64)],
+) -> Result<Vec<u8>, String> {
+    #[cfg(feature = "xlsx")]
+    return changed_workbook::changed_workbook(bytes, worksheet, changes);
+    #[cfg(not(feature = "xlsx"))]
+    {
+        let (_, _, _) = (bytes, worksheet, changes);
+        Err("this build does not write XLSX".to_owned())
+    }
+}
 
 /// True if the bytes begin like an XLSX workbook (a ZIP archive).
 pub(in super::super) fn is_workbook(bytes: &[u8]) -> bool {
@@ -124,7 +146,10 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
                 points.get_or_insert_with(|| cell.to_owned());
             }
         }
-        rows.push(TableRow { cells: record.iter().map(|cell| Cell::Text(cell.to_owned())).collect(), spot });
+        let cells: Vec<Cell> = record.iter().map(|cell| Cell::Text(cell.to_owned())).collect();
+        let mut places = cell_places(&text, at.unwrap_or_default(), separator);
+        places.resize(cells.len(), Place::Text(0..0));
+        rows.push(TableRow { cells, places, spot });
     }
     if let (Some((comma, spot)), Some(point)) = (commas, points) {
         let message = format!(
@@ -150,6 +175,7 @@ pub(super) fn read_workbook(
     match workbook::worksheet(bytes, file, worksheet) {
         Ok(found) => {
             add_rows(found.rows, entries, findings);
+            entries.worksheet = Some(found.name.clone());
             if worksheet.is_none() && !found.others.is_empty() {
                 let spot = Spot { file, ..Spot::default() };
                 let message = format!(
@@ -342,7 +368,14 @@ fn add_rows(mut rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findi
             Some(place) => format!("{} ({place})", shortened(&key)),
             None => shortened(&key),
         };
-        entries.add(findings, key, values, Spot { path: Some(path), ..spot });
+        if key.starts_with("points.") {
+            let xyz = columns.as_ref().map_or([1, 2, 3].map(|i| name + i), |columns| columns.xyz);
+            let places = xyz.into_iter().filter_map(|i| row.places.get(i).cloned()).collect();
+            entries.add(findings, key.clone(), values, Spot { path: Some(path), ..spot });
+            entries.set_places(&key, places);
+        } else {
+            entries.add(findings, key, values, Spot { path: Some(path), ..spot });
+        }
     }
     others.report(findings);
     if let Some((first, spot)) = nameless.first() {
@@ -394,7 +427,7 @@ fn read_comments(rows: &mut [TableRow]) -> Option<(String, Spot)> {
 fn drop_columns(rows: &mut Vec<TableRow>, findings: &mut Findings) {
     let leading = |row: &TableRow| row.cells.iter().take_while(|cell| is_blank(cell)).count();
     let blank_columns = rows.iter().map(leading).min().unwrap_or_default();
-    rows.iter_mut().for_each(|row| drop(row.cells.drain(..blank_columns)));
+    rows.iter_mut().for_each(|row| row.drop_first(blank_columns));
     let points =
         rows.iter().filter(|row| row.cells.iter().filter(|cell| number_of(cell).is_some()).count() >= 3);
     let mut has_points = false;
@@ -404,22 +437,23 @@ fn drop_columns(rows: &mut Vec<TableRow>, findings: &mut Findings) {
     });
     if has_points && has_title_column {
         rows.retain(|row| row.cells.iter().skip(1).any(|cell| !is_blank(cell)));
-        rows.iter_mut().for_each(|row| drop(row.cells.drain(..1)));
+        rows.iter_mut().for_each(|row| row.drop_first(1));
     }
     let is_numbered = |row: &TableRow| {
         let numbers = row.cells.iter().filter(|cell| number_of(cell).is_some()).count();
         numbers >= 4 && number_of(&row.cells[0]).is_some() && row.cells.get(1).and_then(word_of).is_some()
     };
-    let has_header =
-        || rows.iter().any(|row| matches!(header::read(&row.cells, Side::Left), Row::Header(_)));
-    let is_name_first = |row: &TableRow| row.cells.iter().skip(1).filter(|cell| number_of(cell).is_some()).count() >= 3;
+    let has_header = || rows.iter().any(|row| matches!(header::read(&row.cells, Side::Left), Row::Header(_)));
+    let is_name_first =
+        |row: &TableRow| row.cells.iter().skip(1).filter(|cell| number_of(cell).is_some()).count() >= 3;
     if let Some(first) = rows.iter().find(|row| is_numbered(row))
         && !rows.iter().any(|row| is_name_first(row) && !is_numbered(row))
         && !has_header()
     {
-        let message = "the column of numbers before the names is not used; a row that names the columns is missing";
+        let message =
+            "the column of numbers before the names is not used; a row that names the columns is missing";
         findings.note("columns", &first.spot.clone(), message.to_owned());
-        rows.iter_mut().filter(|row| is_numbered(row)).for_each(|row| drop(row.cells.drain(..1)));
+        rows.iter_mut().filter(|row| is_numbered(row)).for_each(|row| row.drop_first(1));
     }
 }
 

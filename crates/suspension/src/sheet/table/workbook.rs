@@ -3,7 +3,7 @@
 //! Limits are checked before the library reads the workbook. The library allocates memory for the counts stated in a workbook,
 //! and copies a cell format for every cell style that refers to the format.
 
-use super::super::entries::{Cell, TableRow};
+use super::super::entries::{Cell, Place, TableRow};
 use crate::findings::Spot;
 use crate::limits::workbook::{
     MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_SHARED_FORMULAS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES,
@@ -70,7 +70,14 @@ pub(super) fn worksheet(bytes: &[u8], file: usize, wanted: Option<&str>) -> Resu
             }
         },
     };
-    let rows = read_rows(&mut workbook, &name, file).map_err(unreadable)?;
+    let mut rows = read_rows(&mut workbook, &name, file).map_err(unreadable)?;
+    // The reader has noted the place of the first cell.
+    for row in &mut rows {
+        if let Some(Place::Cell(number, _)) = row.places.first() {
+            let number = *number;
+            row.places = (0..row.cells.len() as u32).map(|column| Place::Cell(number, column)).collect();
+        }
+    }
     let others = names.into_iter().filter(|other| *other != name).collect();
     Ok(Worksheet { name, others, rows })
 }
@@ -92,7 +99,7 @@ fn is_blank(value: &DataRef<'_>) -> bool {
 }
 
 /// Address of a cell, `C12`, from the indices of its row and column.
-fn address(row: u32, column: u32) -> String {
+pub(super) fn address(row: u32, column: u32) -> String {
     let (mut letters, mut rest) = (Vec::new(), column + 1);
     while rest > 0 {
         letters.insert(0, char::from(b'A' + ((rest - 1) % 26) as u8));
@@ -151,7 +158,8 @@ fn read_rows(workbook: &mut Xlsx<Cursor<&[u8]>>, name: &str, file: usize) -> Res
         if current != Some(row) {
             current = Some(row);
             let path = Some(format!("{}, row {}", cut(name, 40), row + 1));
-            rows.push(TableRow { cells: Vec::new(), spot: Spot { path, at: None, file } });
+            let spot = Spot { path, at: None, file };
+            rows.push(TableRow { cells: Vec::new(), places: vec![Place::Cell(row, 0)], spot });
         }
         if let Some(last) = rows.last_mut() {
             let blank = || Cell::Text(String::new());
@@ -166,7 +174,7 @@ fn read_rows(workbook: &mut Xlsx<Cursor<&[u8]>>, name: &str, file: usize) -> Res
 ///
 /// # Errors
 /// An exceeded limit, or an invalid archive.
-fn check_workbook(bytes: &[u8]) -> Result<(), String> {
+pub(super) fn check_workbook(bytes: &[u8]) -> Result<(), String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     if archive.len() > MAX_WORKBOOK_PARTS {
         return Err(format!("it has {} parts; at most {MAX_WORKBOOK_PARTS} are read", archive.len()));

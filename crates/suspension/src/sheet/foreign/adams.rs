@@ -4,21 +4,21 @@
 //! symmetry `left/right` describe the left side. Lengths are in the unit of the section `[UNITS]`; the axes are those of
 //! Adams/Car: x backward, y right, z up.
 
-use super::entries::{Cell, Entries};
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_KEYS;
+use crate::sheet::entries::{Cell, Entries, Place};
 use crate::units::VehicleAxes;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
 
 /// True if a text is a TeimOrbit file with hardpoints.
-pub(super) fn is_subsystem(text: &str) -> bool {
+pub(in super::super) fn is_subsystem(text: &str) -> bool {
     text.lines().any(|line| line.trim().eq_ignore_ascii_case("[HARDPOINT]"))
         && text.lines().any(|line| line.trim_start().starts_with('{'))
 }
 
 /// Reads the hardpoints, with the unit of the file, in the given axes; `file`: index of the file among those of the import.
-pub(super) fn read(
+pub(in super::super) fn read(
     text: &str,
     file: usize,
     axes: VehicleAxes,
@@ -26,7 +26,7 @@ pub(super) fn read(
     findings: &mut Findings,
 ) {
     let (mut section, mut unit, mut count, mut offset) = (String::new(), LengthUnit::Millimetre, 0, 0);
-    let mut rows: Vec<(String, [f64; 3], Spot)> = Vec::new();
+    let mut rows: Vec<(String, [f64; 3], Vec<Place>, Spot)> = Vec::new();
     for line in text.split_inclusive('\n') {
         let at = offset;
         offset += line.len();
@@ -39,7 +39,7 @@ pub(super) fn read(
             && key.trim().eq_ignore_ascii_case("LENGTH")
         {
             let name = value.trim().trim_matches(['\'', '"', ' ']).to_ascii_lowercase();
-            match super::table::unit_of(&name) {
+            match crate::sheet::table::unit_of(&name) {
                 Some(known) => unit = known,
                 None => {
                     let message = format!(
@@ -57,7 +57,13 @@ pub(super) fn read(
                 return;
             }
             match row(line) {
-                Some((name, at)) => rows.push((name.clone(), at, spot(&name))),
+                Some((name, at, numbers)) => {
+                    let place = |number: &str| {
+                        let begin = number.as_ptr() as usize - text.as_ptr() as usize;
+                        Place::Text(begin..begin + number.len())
+                    };
+                    rows.push((name.clone(), at, numbers.into_iter().map(place).collect(), spot(&name)));
+                }
                 None => {
                     let message = format!(
                         "{} is no hardpoint; 'NAME' 'left/right' X Y Z is expected",
@@ -72,21 +78,24 @@ pub(super) fn read(
         let spot = Spot { path: Some("HARDPOINT".to_owned()), at: None, file };
         findings.error("missing-key", &spot, "the section has no hardpoint".to_owned());
     }
-    for (name, at, spot) in rows {
+    entries.axes_of_file = Some(VehicleAxes::ADAMS);
+    for (name, at, places, spot) in rows {
         let at: [f64; 3] = axes.from_iso(VehicleAxes::ADAMS.to_iso(at.into())).into();
         let cells = at.map(|x| Cell::Text(format!("{x} {}", unit.name()))).to_vec();
         entries.add(findings, format!("points.{name}"), cells, spot);
+        entries.set_places(&format!("points.{name}"), places);
     }
 }
 
-/// Name and coordinates of a row; `None` for another row.
-fn row(line: &str) -> Option<(String, [f64; 3])> {
+/// Name, coordinates and their texts of a row; `None` for another row.
+fn row(line: &str) -> Option<(String, [f64; 3], Vec<&str>)> {
     let mut parts = line.split('\'');
     let name = parts.nth(1)?.trim().to_owned();
     let (_, numbers) = (parts.nth(1)?, parts.next()?);
-    let numbers: Vec<f64> = numbers.split_whitespace().map_while(|x| x.parse().ok()).collect();
-    let [x, y, z] = <[f64; 3]>::try_from(numbers.get(..3)?).ok()?;
-    (!name.is_empty() && [x, y, z].iter().all(|x| x.is_finite())).then_some((name, [x, y, z]))
+    let texts: Vec<&str> = numbers.split_whitespace().take(3).collect();
+    let numbers: Vec<f64> = texts.iter().map_while(|x| x.parse().ok()).collect();
+    let [x, y, z] = <[f64; 3]>::try_from(numbers).ok()?;
+    (!name.is_empty() && [x, y, z].iter().all(|x| x.is_finite())).then_some((name, [x, y, z], texts))
 }
 
 #[cfg(test)]
@@ -97,7 +106,8 @@ mod tests {
     fn rows_of_adams_are_read() {
         let line =
             " 'lca_front                   '  'left/right'   -200.0   -400.0   150.5   'remark'".trim();
-        assert_eq!(row(line), Some(("lca_front".to_owned(), [-200.0, -400.0, 150.5])));
+        let found = row(line).map(|(name, at, _)| (name, at));
+        assert_eq!(found, Some(("lca_front".to_owned(), [-200.0, -400.0, 150.5])));
         assert_eq!(row("'lca_front' 'left/right' -200.0 x 1"), None);
     }
 }
