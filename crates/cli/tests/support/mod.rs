@@ -82,8 +82,10 @@ impl From<Output> for Outcome {
 
 /// Runs the command; words that are file names without a folder are files of `folder`.
 pub fn run_in(folder: &Scratch, words: &[&str]) -> Outcome {
-    let kinds =
-        ["toml", "urdf", "json", "jsonl", "csv", "xlsx", "xlsm", "parquet", "svg", "png", "pdf", "html"];
+    let kinds = [
+        "toml", "urdf", "json", "jsonl", "csv", "xlsx", "xlsm", "parquet", "svg", "png", "pdf", "html",
+        "yaml", "pm", "sub",
+    ];
     let is_file = |word: &str| {
         let kind = Path::new(word).extension().and_then(OsStr::to_str);
         !word.contains('/') && kind.is_some_and(|kind| kinds.contains(&kind))

@@ -138,7 +138,10 @@ fn files_that_cannot_be_changed_are_refused() {
         let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(outcome.code == 2 && told.contains(expected), "{words:?}: {told}");
     };
-    refused(&[&SOLVE[..], &["-o", "new.toml"]].concat(), "the coordinates are in points.csv");
+    refused(
+        &[&SOLVE[..], &["-o", "new.toml"]].concat(),
+        "points.csv, and the changed file has the same format",
+    );
     let rows = points(&folder, ",", ".");
     let coil: Vec<String> = rows
         .iter()

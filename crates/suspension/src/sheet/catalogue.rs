@@ -136,6 +136,10 @@ const WHEEL_KEYS: [&str; 10] = [
     "vertical_offset",
 ];
 
+/// Pivot of a rocker in place of two points of its axis, and the direction of this axis.
+pub(super) const ROCKER_PIVOT: &str = "points.rocker_pivot";
+pub(super) const ROCKER_AXIS: &str = "rocker.axis";
+
 /// Section of the half shaft.
 pub(super) const HALF_SHAFT: &str = "half_shaft";
 
@@ -165,7 +169,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     }
     keys.extend(universal_links(template).map(|link| format!("{link}.pin")));
     if template.point("rocker_front").is_some() {
-        keys.extend(["points.rocker_pivot", "rocker.axis"].map(str::to_owned));
+        keys.extend([ROCKER_PIVOT, ROCKER_AXIS].map(str::to_owned));
     }
     if !template.middle {
         keys.extend(["mass", "outer"].map(|key| format!("{HALF_SHAFT}.{key}")));

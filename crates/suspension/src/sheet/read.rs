@@ -1,12 +1,11 @@
 //! Reader of the entries of a sheet according to its template.
 
-use super::catalogue::{self, MASSIVE_PARTS};
+use super::catalogue::{self, MASSIVE_PARTS, ROCKER_PIVOT};
 use super::entries::{Entries, Quantity, WrittenPoint};
 use super::foreign::{self, adams};
 use super::point_table::{self, Files};
 use super::sections::bush_file::BushFile;
 use super::sections::estimates::Estimates;
-use super::sections::parts::ROCKER_PIVOT;
 use super::sections::{bushes, contacts};
 use super::template::Template;
 use super::{names, table, toml_text};

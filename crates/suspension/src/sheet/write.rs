@@ -65,8 +65,10 @@ pub fn template_rows(name: &str, options: &TemplateOptions) -> Option<Vec<Vec<St
         };
         let (value, comment) = value.split_once(" # ").unwrap_or((value, ""));
         let value = value.trim();
-        let list = value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(value);
-        let cells = list.split(", ").map(|cell| cell.trim_matches('"').to_owned());
+        let cells: Vec<String> = match value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            Some(list) => list.split(", ").map(str::to_owned).collect(),
+            None => vec![value.trim_matches('"').to_owned()],
+        };
         let key = if section == "points" || section.is_empty() {
             key.to_owned()
         } else {

@@ -1,8 +1,8 @@
 //! Reader of the geometry files of Suspension Explorer (YAML): one corner, or an axle with a left side.
 
+use super::foreign_file::{ForeignFile, wheel_angles};
 use super::yaml::{self, Leaf};
-use super::{ForeignFile, wheel_angles};
-use crate::sheet::entries::{Cell, Place, parse_number};
+use crate::sheet::entries::{Place, parse_number};
 use crate::units::VehicleAxes;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_spatial::Vector3;
@@ -30,6 +30,8 @@ struct TemplateRule {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct KeyRules {
+    /// Maps of an axle file that a corner's file has at the top.
+    parts: Vec<String>,
     harmless: Vec<String>,
     not_built: BTreeMap<String, String>,
 }
@@ -43,6 +45,9 @@ pub(super) fn is_geometry(text: &str) -> bool {
     text.lines().any(|line| line.trim_end() == "hardpoints:")
 }
 
+/// Points of one side: coordinates, mm, their places, and the first byte.
+type Points = BTreeMap<String, ([f64; 3], Vec<Place>, usize)>;
+
 /// Reads a file; `is_right`: the sheet describes the right side.
 pub(super) fn read(text: &str, is_right: bool, into: &mut ForeignFile<'_>) {
     into.axes = VehicleAxes::ISO;
@@ -54,139 +59,70 @@ pub(super) fn read(text: &str, is_right: bool, into: &mut ForeignFile<'_>) {
     let path_of = |leaf: &Leaf| {
         let path =
             leaf.path.strip_prefix("axle_config.").or_else(|| leaf.path.strip_prefix("vehicle_config."));
-        path.map_or_else(|| leaf.path.clone(), |rest| format!("config.{rest}"))
-    };
-    let mut rest: BTreeMap<String, &Leaf> = leaves.iter().map(|leaf| (path_of(leaf), leaf)).collect();
-    for key in ["actuation", "spring", "damper", "anti_roll", "heave_link"] {
-        for part in ["type", "mount"] {
-            if let Some(leaf) = rest.remove(&format!("config.{key}.{part}")) {
-                rest.insert(format!("{key}.{part}"), leaf);
-            }
+        let of_part =
+            |rest: &str| CONVENTIONS.keys.parts.iter().any(|part| rest.starts_with(&format!("{part}.")));
+        match path {
+            Some(rest) if of_part(rest) => rest.to_owned(),
+            Some(rest) => format!("config.{rest}"),
+            None => leaf.path.clone(),
         }
+    };
+    let (points, others): (Vec<&Leaf>, Vec<&Leaf>) =
+        leaves.iter().partition(|leaf| leaf.path.starts_with("hardpoints."));
+    let mut rest: BTreeMap<String, &Leaf> = others.into_iter().map(|leaf| (path_of(leaf), leaf)).collect();
+    let mut word = |key: &str| rest.remove(key).map_or(("", 0), |leaf| (&*leaf.text, leaf.range.start));
+    let [
+        (kind, at_kind),
+        (actuation, _),
+        (mount, at_mount),
+        (spring, at_spring),
+        _,
+        (name, at_name),
+        (side, _),
+        (units, at_units),
+    ] = ["type", "actuation.type", "actuation.mount", "spring.type", "damper.type", "name", "side", "units"]
+        .map(&mut word);
+    if !["", "millimeters", "mm"].contains(&units) {
+        into.error("unknown-word", "units", at_units, format!("{}; millimeters is expected", quoted(units)));
     }
-    let mut word =
-        |key: &str| rest.remove(key).map_or((String::new(), 0), |leaf| (leaf.text.clone(), leaf.range.start));
-    let (kind, at_kind) = word("type");
-    let (actuation, _) = word("actuation.type");
-    let (mount, at_mount) = word("actuation.mount");
-    let (spring, at_spring) = word("spring.type");
-    let (_, _) = word("damper.type");
-    let (name, at_name) = word("name");
-    let (side, _) = word("side");
-    let (units, at_units) = word("units");
-    if !["", "millimeters", "mm"].contains(&&*units) {
-        into.error("unknown-word", "units", at_units, format!("{}; millimeters is expected", quoted(&units)));
-    }
-    let actuation = if actuation.is_empty() { "direct" } else { &*actuation };
-    let rule = CONVENTIONS.template.iter().find(|rule| rule.kind == kind && rule.actuation == actuation);
-    let Some(rule) = rule else {
+    let actuation = if actuation.is_empty() { "direct" } else { actuation };
+    let rules = &CONVENTIONS.template;
+    let Some(rule) = rules.iter().find(|rule| rule.kind == kind && rule.actuation == actuation) else {
         let known: Vec<String> =
-            CONVENTIONS.template.iter().map(|rule| format!("{} ({})", rule.kind, rule.actuation)).collect();
+            rules.iter().map(|rule| format!("{} ({})", rule.kind, rule.actuation)).collect();
         let message = format!(
             "{} with the actuation {} has no template; these are read: {}",
-            quoted(&kind),
+            quoted(kind),
             quoted(actuation),
             known.join(", ")
         );
         return into.error("unknown-template", "type", at_kind, message);
     };
-    let text_cell = |text: &str| vec![Cell::Text(text.to_owned())];
-    into.key("template", text_cell(&rule.template), at_kind);
+    into.word("template", &rule.template, at_kind);
     if !name.is_empty() {
-        into.key("name", text_cell(&name), at_name);
+        into.word("name", name, at_name);
     }
     if spring == "torsion_bar" {
         let message = "the torsion bar is not built: the wheel rate does not contain it".to_owned();
         into.warning("not-built", "spring.type", at_spring, message);
     }
-    // Of an axle, the side of the sheet; a file with one side describes the side that it names.
-    let points: Vec<(Vec<&str>, &Leaf)> = leaves
-        .iter()
-        .filter(|leaf| leaf.path.starts_with("hardpoints."))
-        .map(|leaf| (leaf.path.split('.').skip(1).collect(), leaf))
-        .collect();
-    rest.retain(|path, _| !path.starts_with("hardpoints."));
-    let has = |side: &str| points.iter().any(|(path, _)| path.len() == 3 && path[0] == side);
-    let wanted = match (has("left"), has("right")) {
-        (true, true) if is_right => "right",
-        (true, _) => "left",
-        (false, true) => "right",
-        (false, false) => "",
-    };
-    let described = if wanted.is_empty() { if side.is_empty() { "left" } else { &*side } } else { wanted };
-    into.key("side", text_cell(described), 0);
-    let mut found: Vec<(String, [Option<&Leaf>; 3])> = Vec::new();
-    let mut of_other = Vec::new();
-    for (path, leaf) in &points {
-        let (name, axis) = match path[..] {
-            [name, axis] if wanted.is_empty() => (name, axis),
-            [side, name, axis] if side == wanted || side == "center" => (name, axis),
-            [side, name, axis] if ["left", "right"].contains(&side) => {
-                of_other.push((name, axis, *leaf));
-                continue;
-            }
-            _ => {
-                let message = format!(
-                    "{} is no hardpoint; NAME: {{x: 0, y: 0, z: 0}} is expected",
-                    quoted(&path.join("."))
-                );
-                into.error("wrong-type", "hardpoints", leaf.range.start, message);
-                continue;
-            }
-        };
-        let Some(k) = ["x", "y", "z"].iter().position(|known| *known == axis) else {
-            let message = format!("{} is no axis; x, y, z are expected", quoted(axis));
-            into.error("wrong-type", name, leaf.range.start, message);
-            continue;
-        };
-        match found.iter_mut().find(|(known, _)| known == name) {
-            Some((_, leaves)) => leaves[k] = Some(leaf),
-            None => {
-                let mut leaves = [None; 3];
-                leaves[k] = Some(*leaf);
-                found.push((name.to_owned(), leaves));
-            }
-        }
-    }
-    let has_strut = found.iter().any(|(name, _)| name.starts_with("strut"));
-    let sections: &[&str] = match (&*rule.template, &*spring) {
-        ("pushrod-rocker", _) => &["pushrod"],
-        (_, "coilover") if has_strut => &["spring", "damper"],
-        _ if has_strut => &["damper"],
+    let (side, mut points) = read_points(&points, side, is_right, into);
+    into.word("side", side, 0);
+    let sections: &[&str] = match (&*rule.template, spring, points.contains_key("strut_top")) {
+        ("pushrod-rocker", ..) => &["pushrod"],
+        (_, "coilover", true) => &["spring", "damper"],
+        (_, _, true) => &["damper"],
         _ => &[],
     };
-    if let Some(link) = CONVENTIONS.mounts.get(&mount) {
-        sections.iter().for_each(|section| into.key(&format!("{section}.on"), text_cell(link), at_mount));
-    } else if !mount.is_empty() {
-        let message = format!("the mount {} is not known", quoted(&mount));
-        into.error("unknown-link", "actuation.mount", at_mount, message);
-    }
-    let mut points: BTreeMap<String, ([f64; 3], Vec<Place>, usize)> = BTreeMap::new();
-    for (name, leaves) in found {
-        let at = leaves.iter().flatten().map(|leaf| leaf.range.start).next().unwrap_or_default();
-        let numbers = leaves.map(|leaf| parse_number(&leaf?.text));
-        match numbers {
-            [Some(x), Some(y), Some(z)] => {
-                let places =
-                    leaves.into_iter().flatten().map(|leaf| Place::Text(leaf.range.clone())).collect();
-                points.insert(name, ([x, y, z], places, at));
-            }
-            _ => into.error("wrong-type", &name, at, "three numbers x, y, z are expected".to_owned()),
+    match CONVENTIONS.mounts.get(mount) {
+        Some(link) => sections.iter().for_each(|section| into.word(&format!("{section}.on"), link, at_mount)),
+        None if mount.is_empty() => {}
+        None => {
+            let message = format!("the mount {} is not known", quoted(mount));
+            into.error("unknown-link", "actuation.mount", at_mount, message);
         }
     }
-    let is_unequal = of_other.iter().find(|(name, axis, leaf)| {
-        let k = ["x", "y", "z"].iter().position(|known| known == axis).unwrap_or_default();
-        let own = points.get(*name).map(|(at, ..)| if k == 1 { -at[1] } else { at[k] });
-        own != parse_number(&leaf.text)
-    });
-    if let Some((name, _, leaf)) = is_unequal {
-        let message = format!(
-            "the other side is no mirror image ({name}); only the {described} side is read, and the other is built as its mirror image"
-        );
-        into.warning("unequal-sides", name, leaf.range.start, message);
-    }
-    let sign = if described == "right" { -1.0 } else { 1.0 };
-    add_wheel(&mut points, &mut rest, sign, into);
+    add_wheel(&mut points, &mut rest, if side == "right" { -1.0 } else { 1.0 }, into);
     // A strut beside another spring is a damper.
     let is_damper = rule.template != "macpherson-strut" && spring != "coilover";
     for (name, (at, places, byte)) in points {
@@ -202,20 +138,73 @@ pub(super) fn read(text: &str, is_right: bool, into: &mut ForeignFile<'_>) {
     report_rest(&rest, into);
 }
 
-/// Adds the wheel: its centre on the axle, camber and toe from the direction of the axle, the radius of the unloaded tyre.
-fn add_wheel(
-    points: &mut BTreeMap<String, ([f64; 3], Vec<Place>, usize)>,
-    rest: &mut BTreeMap<String, &Leaf>,
-    sign: f64,
+/// Side that the points describe, and its points with those of the middle. Of an axle with both sides: the side of the sheet; a warning, if
+/// the other side is no mirror image. `stated`: side of a corner.
+fn read_points(
+    leaves: &[&Leaf],
+    stated: &str,
+    is_right: bool,
     into: &mut ForeignFile<'_>,
-) {
-    let mut number = |key: &str| rest.remove(key).and_then(|leaf| parse_number(&leaf.text));
-    let offset = number("config.wheel.offset").unwrap_or(0.0);
-    let tyre = ["aspect_ratio", "section_width", "rim_diameter"]
-        .map(|key| number(&format!("config.wheel.tire.{key}")));
+) -> (&'static str, Points) {
+    let mut found: BTreeMap<(&str, &str), [Option<&Leaf>; 3]> = BTreeMap::new();
+    for leaf in leaves {
+        let path: Vec<&str> = leaf.path.split('.').skip(1).collect();
+        let axis = path.last().and_then(|last| ["x", "y", "z"].iter().position(|axis| axis == last));
+        match (&path[..], axis) {
+            ([name, _], Some(k)) => found.entry(("", *name)).or_default()[k] = Some(leaf),
+            ([side @ ("left" | "right" | "center"), name, _], Some(k)) => {
+                found.entry((*side, *name)).or_default()[k] = Some(leaf);
+            }
+            _ => {
+                let path = quoted(&path.join("."));
+                let message = format!("{path} is no hardpoint; NAME: {{x: 0, y: 0, z: 0}} is expected");
+                into.error("wrong-type", "hardpoints", leaf.range.start, message);
+            }
+        }
+    }
+    let has = |side: &str| found.keys().any(|(of, _)| *of == side);
+    let is_right = if has("left") && has("right") { is_right } else { has("right") || stated == "right" };
+    let (side, other) = if is_right { ("right", "left") } else { ("left", "right") };
+    let numbers = |leaves: &[Option<&Leaf>; 3]| leaves.map(|leaf| parse_number(&leaf?.text));
+    let mut points = Points::new();
+    for ((of, name), leaves) in found.iter().filter(|((of, _), _)| *of != other) {
+        let at = leaves.iter().flatten().map(|leaf| leaf.range.start).next().unwrap_or_default();
+        let [Some(x), Some(y), Some(z)] = numbers(leaves) else {
+            into.error("wrong-type", name, at, "three numbers x, y, z are expected");
+            continue;
+        };
+        let places = leaves.iter().flatten().map(|leaf| Place::Text(leaf.range.clone())).collect();
+        points.insert((*name).to_owned(), ([x, y, z], places, at));
+        let mirrored = found.get(&(other, *name)).filter(|_| *of == side).map(numbers);
+        if mirrored.is_some_and(|mirrored| mirrored != [Some(x), Some(-y), Some(z)]) {
+            let message = format!(
+                "the {other} side is no mirror image: only the {side} side is read, and the other is built as its mirror image"
+            );
+            into.warning("unequal-sides", name, at, message);
+        }
+    }
+    (side, points)
+}
+
+/// Adds the wheel: its centre on the axle, camber and toe from the direction of the axle, the radius of the unloaded tyre.
+fn add_wheel(points: &mut Points, rest: &mut BTreeMap<String, &Leaf>, sign: f64, into: &mut ForeignFile<'_>) {
+    let mut number = |key: &str| {
+        let leaf = rest.remove(&format!("config.wheel.{key}"))?;
+        let number = parse_number(&leaf.text);
+        if number.is_none() {
+            into.error(
+                "wrong-type",
+                key,
+                leaf.range.start,
+                format!("{}; a number is expected", quoted(&leaf.text)),
+            );
+        }
+        number
+    };
+    let offset = number("offset").unwrap_or(0.0);
+    let tyre = ["tire.aspect_ratio", "tire.section_width", "tire.rim_diameter"].map(number);
     if let [Some(ratio), Some(width), Some(rim)] = tyre {
-        let radius = 12.7 * rim + ratio * width;
-        into.key("wheel.radius", vec![Cell::Text(format!("{radius} mm"))], 0);
+        into.word("wheel.radius", &format!("{} mm", 12.7 * rim + ratio * width), 0);
     }
     let [inner, outer] = ["axle_inboard", "axle_outboard"].map(|name| points.remove(name));
     let (Some((inner, ..)), Some((outer, _, at))) = (inner, outer) else {
@@ -227,12 +216,10 @@ fn add_wheel(
     };
     let (inner, outer) = (Vector3::from(inner), Vector3::from(outer));
     let along = (outer - inner).normalize();
-    let centre = outer - along * offset;
-    let outward = Vector3::new(along.x, sign * along.y, along.z);
-    let [camber, toe] = wheel_angles(outward);
-    into.key("wheel.camber", vec![Cell::Text(format!("{camber} rad"))], at);
-    into.key("wheel.toe", vec![Cell::Text(format!("{toe} rad"))], at);
-    into.point("wheel_centre", centre.into(), "mm", Vec::new(), at);
+    let [camber, toe] = wheel_angles(Vector3::new(along.x, sign * along.y, along.z));
+    into.word("wheel.camber", &format!("{camber} rad"), at);
+    into.word("wheel.toe", &format!("{toe} rad"), at);
+    into.point("wheel_centre", (outer - along * offset).into(), "mm", Vec::new(), at);
 }
 
 /// Reports the keys that are not used: harmless ones in a note, parts that are not built in a warning, others in an error.
@@ -242,7 +229,7 @@ fn report_rest(rest: &BTreeMap<String, &Leaf>, into: &mut ForeignFile<'_>) {
     let [design, setup] = ["design_thickness", "setup_thickness"].map(number);
     if design != setup {
         let message = "the camber shim of the setup differs from the design: its angle is not computed; give the hardpoints of the setup";
-        into.error("not-built", "camber_shim", 0, message.to_owned());
+        into.error("not-built", "camber_shim", 0, message);
     }
     let keys = &CONVENTIONS.keys;
     let (mut harmless, mut unknown) = (Vec::new(), Vec::new());

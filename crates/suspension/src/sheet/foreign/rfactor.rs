@@ -4,7 +4,7 @@
 //! `[JOINT&HINGE]` with posbody, negbody, pos and axis, `[BAR]` with posbody, negbody, pos and neg. A corner is a spindle on five bars to the
 //! body, with a wheel on a hinge; its names begin with fl_, fr_, rl_, rr_.
 
-use super::{ForeignFile, wheel_angles};
+use super::foreign_file::{ForeignFile, wheel_angles};
 use crate::limits::MAX_SHEET_KEYS;
 use crate::sheet::entries::{Cell, Place};
 use crate::units::VehicleAxes;
@@ -14,6 +14,11 @@ use std::ops::Range;
 
 /// Largest distance (m) of two ends of bars that are one ball joint.
 const ONE_JOINT: f64 = 1e-6;
+
+/// Sections of a file.
+const KINDS: [&str; 5] = ["BODY", "JOINT", "HINGE", "JOINT&HINGE", "BAR"];
+/// Keys of the sections of a corner.
+const KEYS: [&str; 9] = ["name", "mass", "inertia", "pos", "ori", "posbody", "negbody", "neg", "axis"];
 
 /// Value of a pair.
 #[derive(Clone, Debug)]
@@ -132,10 +137,14 @@ fn sections(text: &str) -> Result<Vec<Section>, (usize, &'static str)> {
 /// Reads one corner; `axle`: `front` (default) or `rear`.
 pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut ForeignFile<'_>) {
     into.axes = VehicleAxes::RFACTOR;
+    into.entries.worksheet = Some(axle.unwrap_or("front").to_owned());
     let all = match sections(text) {
         Ok(all) => all,
         Err((at, why)) => return into.error("not-pm", "", at, format!("no suspension of rFactor: {why}")),
     };
+    if let Some(other) = all.iter().find(|section| !KINDS.contains(&section.kind.as_str())) {
+        return into.error("unknown-key", &other.kind, other.at, "this section is not known");
+    }
     let start = match axle.unwrap_or("front") {
         "front" => "f",
         "rear" => "r",
@@ -160,22 +169,32 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
         let name = section.word(key);
         section.triple(key).or_else(|| body(&name)?.triple("pos"))
     };
-    let is_of_spindle =
-        |section: &&Section| ["posbody", "negbody"].iter().any(|key| section.word(key) == spindle_name);
-    let mut bars = Vec::new();
-    let mut hinge = None;
-    for section in all.iter().filter(is_of_spindle) {
-        let others = [section.word("posbody"), section.word("negbody")];
-        let is_negative = others[1] == spindle_name;
-        let other = if is_negative { &others[0] } else { &others[1] };
+    let (mut bars, mut hinge) = (Vec::new(), None);
+    for section in &all {
+        let ends = [section.word("posbody"), section.word("negbody")];
+        let names = [section.word("name"), ends[0].clone(), ends[1].clone()];
+        if !names.iter().any(|name| [&spindle_name, &wheel_name].contains(&name)) {
+            continue;
+        }
+        if let Some((key, _)) = section.pairs.iter().find(|(key, _)| !KEYS.contains(&key.as_str())) {
+            into.error(
+                "unknown-key",
+                &section.kind,
+                section.at,
+                format!("the key {} is not known", quoted(key)),
+            );
+        }
+        let is_negative = ends[1] == spindle_name;
+        let [one, other] = if is_negative { [&ends[1], &ends[0]] } else { [&ends[0], &ends[1]] };
         match (&*section.kind, &**other) {
-            ("BAR", "body") => {
+            ("BODY", _) => {}
+            ("BAR", "body") if *one == spindle_name => {
                 let [Some(pos), Some(neg)] = ["pos", "neg"].map(|key| position(section, key)) else {
                     into.error(
                         "wrong-type",
                         "BAR",
                         section.at,
-                        "pos and neg are expected, three numbers each".to_owned(),
+                        "pos and neg are expected, three numbers each",
                     );
                     continue;
                 };
@@ -183,10 +202,16 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
                 let (inner, outer) = if is_negative { (pos, neg) } else { (neg, pos) };
                 bars.push(Bar { name: section.word("name"), inner, outer, at: section.at });
             }
-            ("JOINT&HINGE", other) if other == wheel_name => hinge = Some(section),
+            ("JOINT&HINGE", other) if *one == spindle_name && other == wheel_name && hinge.is_none() => {
+                hinge = Some(section);
+            }
             _ => {
-                let message =
-                    format!("a {} between {spindle_name} and {} is not read", section.kind, quoted(other));
+                let message = format!(
+                    "{} between {} and {} is not read",
+                    quoted(&section.kind),
+                    quoted(&ends[0]),
+                    quoted(&ends[1])
+                );
                 into.error("not-built", &spindle_name, section.at, message);
             }
         }
@@ -201,7 +226,7 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
     }
     add_bars(bars, into);
     let (Some(at), Some(axis)) = (position(hinge, "pos"), position(hinge, "axis")) else {
-        return into.error("wrong-type", "JOINT&HINGE", hinge.at, "pos and axis are expected".to_owned());
+        return into.error("wrong-type", "JOINT&HINGE", hinge.at, "pos and axis are expected");
     };
     let places =
         if hinge.triple("pos").is_some() { hinge.places(text, "pos") } else { wheel.places(text, "pos") };
@@ -212,13 +237,12 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
     let [camber, toe] = wheel_angles(Vector3::new(sign * spin.x, spin.y.abs(), sign * spin.z));
     for (key, angle) in [("wheel.camber", camber), ("wheel.toe", toe)] {
         if angle != 0.0 {
-            into.key(key, vec![Cell::Text(format!("{angle} rad"))], hinge.at);
+            into.word(key, &format!("{angle} rad"), hinge.at);
         }
     }
     add_bodies(spindle, wheel, at, into);
-    into.key("side", vec![Cell::Text(if is_right { "right" } else { "left" }.to_owned())], 0);
-    into.key("name", vec![Cell::Text(format!("{} of rFactor", axle.unwrap_or("front")))], 0);
-    into.entries.worksheet = Some(axle.unwrap_or("front").to_owned());
+    into.word("side", if is_right { "right" } else { "left" }, 0);
+    into.word("name", &format!("{} of rFactor", axle.unwrap_or("front")), 0);
     let massive = bodies.iter().filter(|section| {
         let name = section.word("name");
         let is_corner = ["spindle", "wheel"].iter().any(|end| name.ends_with(&format!("_{end}")));
@@ -247,7 +271,7 @@ fn add_bars(mut bars: Vec<Bar>, into: &mut ForeignFile<'_>) {
         |pair: &[Bar]| (Vector3::from(pair[0].outer.0) - Vector3::from(pair[1].outer.0)).norm() <= ONE_JOINT;
     let has_arms = bars.chunks(2).all(is_one);
     let template = if has_arms { "double-wishbone-rods" } else { "five-link" };
-    into.key("template", vec![Cell::Text(template.to_owned())], tie_rod.at);
+    into.word("template", template, tie_rod.at);
     for (k, bar) in bars.into_iter().enumerate() {
         let (level, end) = (["upper", "lower"][k / 2], ["front", "back"][k % 2]);
         let [inner, outer] = if has_arms {
@@ -272,12 +296,7 @@ fn add_bodies(spindle: &Section, wheel: &Section, centre: [f64; 3], into: &mut F
     for section in [spindle, wheel] {
         let is_turned = section.triple("ori").is_some_and(|ori| ori != [0.0; 3]);
         if is_turned {
-            into.error(
-                "not-built",
-                "ori",
-                section.at,
-                "a turned body is not read; ori=(0,0,0) is expected".to_owned(),
-            );
+            into.error("not-built", "ori", section.at, "a turned body is not read; ori=(0,0,0) is expected");
         }
     }
     let data = |section: &Section| {
@@ -291,13 +310,13 @@ fn add_bodies(spindle: &Section, wheel: &Section, centre: [f64; 3], into: &mut F
             "wrong-type",
             "BODY",
             spindle.at,
-            "mass=(m), inertia=(xx,yy,zz) and pos=(x,y,z) are expected for spindle and wheel".to_owned(),
+            "mass=(m), inertia=(xx,yy,zz) and pos=(x,y,z) are expected for spindle and wheel",
         );
     };
     if (Vector3::from(at) - Vector3::from(centre)).norm() > ONE_JOINT {
         let message =
             "the wheel's pos is not on its hinge: a wheel with an eccentric centre of mass is not read";
-        into.error("not-built", "wheel", wheel.at, message.to_owned());
+        into.error("not-built", "wheel", wheel.at, message);
     }
     let numbers = |list: &[f64]| list.iter().map(|x| Cell::Number(*x)).collect::<Vec<_>>();
     let kilograms = |list: [f64; 3]| list.map(|x| Cell::Text(format!("{x} kg m2"))).to_vec();

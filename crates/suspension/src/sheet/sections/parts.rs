@@ -2,16 +2,13 @@
 
 use crate::findings::Spot;
 use crate::options::Side;
-use crate::sheet::catalogue::HALF_SHAFT;
+use crate::sheet::catalogue::{HALF_SHAFT, ROCKER_AXIS};
 use crate::sheet::entries::Quantity;
 use crate::sheet::read::SheetReader;
 use crate::units::Frame;
 use percuss_spatial::Vector3;
 use std::collections::BTreeMap;
 
-/// Pivot of a rocker in place of two points of its axis, and the direction of this axis.
-pub(in crate::sheet) const ROCKER_PIVOT: &str = "points.rocker_pivot";
-const ROCKER_AXIS: &str = "rocker.axis";
 /// Distance (m) of the two points of such an axis; it has no influence.
 const ROCKER_AXIS_LENGTH: f64 = 0.05;
 /// Shortest product (m²) of two arms of a rocker that determine its plane, and shortest direction.
