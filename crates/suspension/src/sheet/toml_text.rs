@@ -1,7 +1,7 @@
 //! Reader of the entries of a sheet in TOML.
 
 use super::entries::{Cell, Entries, Place};
-use super::sections::bushes::BUSH;
+use super::sections::bush_file::BUSH;
 use super::sections::contacts::CONTACT;
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_BYTES;

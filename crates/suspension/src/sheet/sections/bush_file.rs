@@ -10,6 +10,8 @@ use crate::units::short;
 use percuss_formats::reading::{quoted, shortened};
 use std::f64::consts::PI;
 
+/// First part of the name of a section of a bush.
+pub(in crate::sheet) const BUSH: &str = "bush";
 /// Directions, in the order of the rows of a bush: rotations, then translations.
 const DIRECTIONS: [&str; 6] = ["TX", "TY", "TZ", "FX", "FY", "FZ"];
 /// Units of `[UNITS]` with their values in SI units.

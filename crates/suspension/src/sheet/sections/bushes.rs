@@ -7,7 +7,7 @@ use crate::limits::{BUSH_STIFFNESS, MAX_LOSS_FACTOR};
 use crate::options::{ImportOptions, Side};
 use crate::sheet::entries::{Entries, Quantity};
 use crate::sheet::point_table::{Files, read_beside};
-use crate::sheet::sections::bush_file::{self, BushFile};
+use crate::sheet::sections::bush_file::{self, BUSH, BushFile};
 use crate::sheet::template::Template;
 use crate::units::Frame;
 use crate::units::short;
@@ -15,8 +15,6 @@ use percuss_formats::Source;
 use percuss_formats::reading::{encoding, quoted};
 use std::collections::BTreeMap;
 
-/// First part of the name of a section.
-pub(in crate::sheet) const BUSH: &str = "bush";
 /// Keys of a section.
 const KEYS: [&str; 13] = [
     "file",
