@@ -13,6 +13,15 @@
 #define PERCUSS_VERSION_MINOR 1
 #define PERCUSS_VERSION_PATCH 0
 
+/* A compiler of C++17 or C23 warns of a status that is not read. */
+#ifndef PERCUSS_NODISCARD
+#if (defined(__cplusplus) && __cplusplus >= 201703L) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
+#define PERCUSS_NODISCARD [[nodiscard]]
+#else
+#define PERCUSS_NODISCARD
+#endif
+#endif
+
 /* No link: the ground. */
 #define PERCUSS_GROUND SIZE_MAX
 
@@ -1289,7 +1298,7 @@ const char *percuss_version(void);
  Pointers:
  path ends with a zero byte; model is null or points to storage for a pointer.
  */
-percuss_status percuss_model_load_file(const char *path,
+PERCUSS_NODISCARD percuss_status percuss_model_load_file(const char *path,
                                        struct percuss_model **model);
 
 /*
@@ -1301,7 +1310,7 @@ percuss_status percuss_model_load_file(const char *path,
  Pointers:
  name ends with a zero byte; bytes has length bytes; model is null or points to storage for a pointer.
  */
-percuss_status percuss_model_load_memory(const char *name,
+PERCUSS_NODISCARD percuss_status percuss_model_load_memory(const char *name,
                                          const char *bytes,
                                          size_t length,
                                          struct percuss_model **model);
@@ -1320,7 +1329,7 @@ percuss_status percuss_model_free(struct percuss_model **model);
  Pointers:
  Every pointer is null or points to storage for a number.
  */
-percuss_status percuss_model_counts(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_model_counts(const struct percuss_model *model,
                                     size_t *links,
                                     size_t *joints,
                                     size_t *positions,
@@ -1332,7 +1341,7 @@ percuss_status percuss_model_counts(const struct percuss_model *model,
  Pointers:
  name is null or points to storage for a pointer.
  */
-percuss_status percuss_model_link_name(const struct percuss_model *model, size_t index, const char **name);
+PERCUSS_NODISCARD percuss_status percuss_model_link_name(const struct percuss_model *model, size_t index, const char **name);
 
 /*
  The number of the link of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
@@ -1340,7 +1349,7 @@ percuss_status percuss_model_link_name(const struct percuss_model *model, size_t
  Pointers:
  name ends with a zero byte; index is null or points to storage for a number.
  */
-percuss_status percuss_model_find_link(const struct percuss_model *model, const char *name, size_t *index);
+PERCUSS_NODISCARD percuss_status percuss_model_find_link(const struct percuss_model *model, const char *name, size_t *index);
 
 /*
  The number of the joint of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
@@ -1348,7 +1357,7 @@ percuss_status percuss_model_find_link(const struct percuss_model *model, const 
  Pointers:
  name ends with a zero byte; index is null or points to storage for a number.
  */
-percuss_status percuss_model_find_joint(const struct percuss_model *model, const char *name, size_t *index);
+PERCUSS_NODISCARD percuss_status percuss_model_find_joint(const struct percuss_model *model, const char *name, size_t *index);
 
 /*
  Joint number index, from 0.
@@ -1356,7 +1365,7 @@ percuss_status percuss_model_find_joint(const struct percuss_model *model, const
  Pointers:
  joint is null or points to storage for a percuss_joint.
  */
-percuss_status percuss_model_joint(const struct percuss_model *model, size_t index, struct percuss_joint *joint);
+PERCUSS_NODISCARD percuss_status percuss_model_joint(const struct percuss_model *model, size_t index, struct percuss_joint *joint);
 
 /*
  Number of named poses of the file: keyframes of MJCF.
@@ -1364,7 +1373,7 @@ percuss_status percuss_model_joint(const struct percuss_model *model, size_t ind
  Pointers:
  count is null or points to storage for a number.
  */
-percuss_status percuss_model_pose_count(const struct percuss_model *model, size_t *count);
+PERCUSS_NODISCARD percuss_status percuss_model_pose_count(const struct percuss_model *model, size_t *count);
 
 /*
  The name of named pose number index, from 0. Valid as long as the model; null if the call fails.
@@ -1372,7 +1381,7 @@ percuss_status percuss_model_pose_count(const struct percuss_model *model, size_
  Pointers:
  name is null or points to storage for a pointer.
  */
-percuss_status percuss_model_pose_name(const struct percuss_model *model, size_t index, const char **name);
+PERCUSS_NODISCARD percuss_status percuss_model_pose_name(const struct percuss_model *model, size_t index, const char **name);
 
 /*
  Positions of all joints, concatenated in joint order, at the named pose of this name: for percuss_configuration_set_positions,
@@ -1383,7 +1392,7 @@ percuss_status percuss_model_pose_name(const struct percuss_model *model, size_t
  Pointers:
  name ends with a zero byte; positions has space for count numbers.
  */
-percuss_status percuss_model_pose_positions(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_model_pose_positions(const struct percuss_model *model,
                                             const char *name,
                                             double *positions,
                                             size_t count);
@@ -1399,7 +1408,7 @@ percuss_status percuss_model_pose_positions(const struct percuss_model *model,
  Pointers:
  qpos has qpos_count numbers; positions has space for count numbers; they do not overlap.
  */
-percuss_status percuss_model_positions_of_qpos(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_model_positions_of_qpos(const struct percuss_model *model,
                                                const double *qpos,
                                                size_t qpos_count,
                                                double *positions,
@@ -1411,7 +1420,7 @@ percuss_status percuss_model_positions_of_qpos(const struct percuss_model *model
  Pointers:
  count is null or points to storage for a number.
  */
-percuss_status percuss_model_diagnostic_count(const struct percuss_model *model, size_t *count);
+PERCUSS_NODISCARD percuss_status percuss_model_diagnostic_count(const struct percuss_model *model, size_t *count);
 
 /*
  Note or warning number index, from 0, in the order of the file.
@@ -1419,7 +1428,7 @@ percuss_status percuss_model_diagnostic_count(const struct percuss_model *model,
  Pointers:
  diagnostic is null or points to storage for a percuss_diagnostic.
  */
-percuss_status percuss_model_diagnostic(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_model_diagnostic(const struct percuss_model *model,
                                         size_t index,
                                         struct percuss_diagnostic *diagnostic);
 
@@ -1429,7 +1438,7 @@ percuss_status percuss_model_diagnostic(const struct percuss_model *model,
  Pointers:
  description is null or points to storage for a percuss_joint_description.
  */
-percuss_status percuss_joint_description_init(struct percuss_joint_description *description);
+PERCUSS_NODISCARD percuss_status percuss_joint_description_init(struct percuss_joint_description *description);
 
 /*
  A hinge about the x-axis between the origins of two links, without names.
@@ -1437,7 +1446,7 @@ percuss_status percuss_joint_description_init(struct percuss_joint_description *
  Pointers:
  description is null or points to storage for a percuss_closure_description.
  */
-percuss_status percuss_closure_description_init(struct percuss_closure_description *description);
+PERCUSS_NODISCARD percuss_status percuss_closure_description_init(struct percuss_closure_description *description);
 
 /*
  A model without links. Free it with percuss_builder_free.
@@ -1445,7 +1454,7 @@ percuss_status percuss_closure_description_init(struct percuss_closure_descripti
  Pointers:
  name ends with a zero byte; builder is null or points to storage for a pointer.
  */
-percuss_status percuss_builder_new(const char *name, struct percuss_builder **builder);
+PERCUSS_NODISCARD percuss_status percuss_builder_new(const char *name, struct percuss_builder **builder);
 
 /*
  Frees a builder and sets the handle to null; a null handle is ignored.
@@ -1463,7 +1472,7 @@ percuss_status percuss_builder_free(struct percuss_builder **builder);
  Pointers:
  builder is a handle; name ends with a zero byte; com is null or has 3 numbers, inertia is null or has 6.
  */
-percuss_status percuss_builder_link(struct percuss_builder *builder,
+PERCUSS_NODISCARD percuss_status percuss_builder_link(struct percuss_builder *builder,
                                     const char *name,
                                     double mass,
                                     const double *com,
@@ -1478,7 +1487,7 @@ percuss_status percuss_builder_link(struct percuss_builder *builder,
  Pointers:
  builder is a handle; description is null or points to a description.
  */
-percuss_status percuss_builder_joint(struct percuss_builder *builder,
+PERCUSS_NODISCARD percuss_status percuss_builder_joint(struct percuss_builder *builder,
                                      const struct percuss_joint_description *description);
 
 /*
@@ -1489,7 +1498,7 @@ percuss_status percuss_builder_joint(struct percuss_builder *builder,
  Pointers:
  builder is a handle; description is null or points to a description.
  */
-percuss_status percuss_builder_closure(struct percuss_builder *builder,
+PERCUSS_NODISCARD percuss_status percuss_builder_closure(struct percuss_builder *builder,
                                        const struct percuss_closure_description *description);
 
 /*
@@ -1500,7 +1509,7 @@ percuss_status percuss_builder_closure(struct percuss_builder *builder,
  Pointers:
  builder is a handle; model is null or points to storage for a pointer.
  */
-percuss_status percuss_builder_model(struct percuss_builder *builder, struct percuss_model **model);
+PERCUSS_NODISCARD percuss_status percuss_builder_model(struct percuss_builder *builder, struct percuss_model **model);
 
 /*
  Fixed base, every joint free, armatures as declared in the file. Free the conditions with percuss_conditions_free.
@@ -1508,7 +1517,7 @@ percuss_status percuss_builder_model(struct percuss_builder *builder, struct per
  Pointers:
  conditions is null or points to storage for a pointer.
  */
-percuss_status percuss_conditions_new(struct percuss_conditions **conditions);
+PERCUSS_NODISCARD percuss_status percuss_conditions_new(struct percuss_conditions **conditions);
 
 /*
  Frees conditions and sets the handle to null; a null handle is ignored.
@@ -1524,7 +1533,7 @@ percuss_status percuss_conditions_free(struct percuss_conditions **conditions);
  Pointers:
  conditions is null or a handle.
  */
-percuss_status percuss_conditions_base(struct percuss_conditions *conditions, int32_t base);
+PERCUSS_NODISCARD percuss_status percuss_conditions_base(struct percuss_conditions *conditions, int32_t base);
 
 /*
  Locks a joint at its position: its velocities are zero. percuss_system_new checks the name of the joint.
@@ -1532,7 +1541,7 @@ percuss_status percuss_conditions_base(struct percuss_conditions *conditions, in
  Pointers:
  joint ends with a zero byte.
  */
-percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, const char *joint);
+PERCUSS_NODISCARD percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, const char *joint);
 
 /*
  Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all velocities of the
@@ -1541,7 +1550,7 @@ percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, co
  Pointers:
  joint ends with a zero byte; values has count numbers.
  */
-percuss_status percuss_conditions_armature(struct percuss_conditions *conditions,
+PERCUSS_NODISCARD percuss_status percuss_conditions_armature(struct percuss_conditions *conditions,
                                            const char *joint,
                                            const double *values,
                                            size_t count);
@@ -1553,7 +1562,7 @@ percuss_status percuss_conditions_armature(struct percuss_conditions *conditions
  Pointers:
  link ends with a zero byte; point has 3 numbers; normal is null or has 3.
  */
-percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
+PERCUSS_NODISCARD percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
                                        const char *link,
                                        const double *point,
                                        const double *normal);
@@ -1564,7 +1573,7 @@ percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
  Pointers:
  model is a handle; configuration is null or points to storage for a pointer.
  */
-percuss_status percuss_configuration_new(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_configuration_new(const struct percuss_model *model,
                                          struct percuss_configuration **configuration);
 
 /*
@@ -1581,7 +1590,7 @@ percuss_status percuss_configuration_free(struct percuss_configuration **configu
  Pointers:
  configuration is null or a handle.
  */
-percuss_status percuss_configuration_reset(struct percuss_configuration *configuration);
+PERCUSS_NODISCARD percuss_status percuss_configuration_reset(struct percuss_configuration *configuration);
 
 /*
  Sets a driving joint to count values (layouts of percuss_joint_kind). Other joints of the loops follow.
@@ -1592,7 +1601,7 @@ percuss_status percuss_configuration_reset(struct percuss_configuration *configu
  Pointers:
  joint ends with a zero byte; values has count numbers.
  */
-percuss_status percuss_configuration_set(struct percuss_configuration *configuration,
+PERCUSS_NODISCARD percuss_status percuss_configuration_set(struct percuss_configuration *configuration,
                                          const char *joint,
                                          const double *values,
                                          size_t count);
@@ -1605,7 +1614,7 @@ percuss_status percuss_configuration_set(struct percuss_configuration *configura
  Pointers:
  As percuss_configuration_set.
  */
-percuss_status percuss_configuration_guess(struct percuss_configuration *configuration,
+PERCUSS_NODISCARD percuss_status percuss_configuration_guess(struct percuss_configuration *configuration,
                                            const char *joint,
                                            const double *values,
                                            size_t count);
@@ -1619,7 +1628,7 @@ percuss_status percuss_configuration_guess(struct percuss_configuration *configu
  Pointers:
  positions has count numbers.
  */
-percuss_status percuss_configuration_set_positions(struct percuss_configuration *configuration,
+PERCUSS_NODISCARD percuss_status percuss_configuration_set_positions(struct percuss_configuration *configuration,
                                                    const double *positions,
                                                    size_t count);
 
@@ -1632,7 +1641,7 @@ percuss_status percuss_configuration_set_positions(struct percuss_configuration 
  Pointers:
  position has 3 numbers, quaternion 4.
  */
-percuss_status percuss_configuration_set_base(struct percuss_configuration *configuration,
+PERCUSS_NODISCARD percuss_status percuss_configuration_set_base(struct percuss_configuration *configuration,
                                               const double *position,
                                               const double *quaternion);
 
@@ -1644,7 +1653,7 @@ percuss_status percuss_configuration_set_base(struct percuss_configuration *conf
  Pointers:
  configuration is null or a handle.
  */
-percuss_status percuss_configuration_allow_other_assembly(struct percuss_configuration *configuration);
+PERCUSS_NODISCARD percuss_status percuss_configuration_allow_other_assembly(struct percuss_configuration *configuration);
 
 /*
  Compiles a mechanism with the conditions of an analysis; null conditions: fixed base, every joint free. The model
@@ -1655,7 +1664,7 @@ percuss_status percuss_configuration_allow_other_assembly(struct percuss_configu
  Pointers:
  model is a handle; conditions is null or a handle; system is null or points to storage for a pointer.
  */
-percuss_status percuss_system_new(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_system_new(const struct percuss_model *model,
                                   const struct percuss_conditions *conditions,
                                   struct percuss_system **system);
 
@@ -1674,7 +1683,7 @@ percuss_status percuss_system_free(struct percuss_system **system);
  Pointers:
  coordinates is null or points to storage for a number.
  */
-percuss_status percuss_system_coordinates(const struct percuss_system *system, size_t *coordinates);
+PERCUSS_NODISCARD percuss_status percuss_system_coordinates(const struct percuss_system *system, size_t *coordinates);
 
 /*
  Assembles the loops: from all joints at 0 if configuration is null, else from its guesses. A mechanism without loops
@@ -1685,7 +1694,7 @@ percuss_status percuss_system_coordinates(const struct percuss_system *system, s
  Pointers:
  system is a handle; configuration is null or a handle; assembly is null or points to storage for a pointer.
  */
-percuss_status percuss_assembly_new(const struct percuss_system *system,
+PERCUSS_NODISCARD percuss_status percuss_assembly_new(const struct percuss_system *system,
                                     const struct percuss_configuration *configuration,
                                     struct percuss_assembly **assembly);
 
@@ -1704,7 +1713,7 @@ percuss_status percuss_assembly_free(struct percuss_assembly **assembly);
  Pointers:
  Every pointer is null or points to storage for a number.
  */
-percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly,
+PERCUSS_NODISCARD percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly,
                                          size_t *degrees_of_freedom,
                                          size_t *redundant_constraints);
 
@@ -1715,7 +1724,7 @@ percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly
  Pointers:
  contact is null or points to storage for a percuss_contact.
  */
-percuss_status percuss_contact_init(struct percuss_contact *contact);
+PERCUSS_NODISCARD percuss_status percuss_contact_init(struct percuss_contact *contact);
 
 /*
  The named contact of a model: a stop, the seat of a spring or damper, a contact patch. gap (may be null): the gap with all
@@ -1724,7 +1733,7 @@ percuss_status percuss_contact_init(struct percuss_contact *contact);
  Pointers:
  name ends with a zero byte; contact is null or points to storage for a percuss_contact, gap to storage for a number.
  */
-percuss_status percuss_model_find_contact(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_model_find_contact(const struct percuss_model *model,
                                           const char *name,
                                           struct percuss_contact *contact,
                                           double *gap);
@@ -1740,7 +1749,7 @@ percuss_status percuss_model_find_contact(const struct percuss_model *model,
  Pointers:
  system and configuration are handles; pose is null or points to storage for a pointer.
  */
-percuss_status percuss_pose_new(const struct percuss_system *system,
+PERCUSS_NODISCARD percuss_status percuss_pose_new(const struct percuss_system *system,
                                 const struct percuss_configuration *configuration,
                                 struct percuss_pose **pose);
 
@@ -1750,7 +1759,7 @@ percuss_status percuss_pose_new(const struct percuss_system *system,
  Pointers:
  assembly and configuration are handles; pose is null or points to storage for a pointer.
  */
-percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
+PERCUSS_NODISCARD percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
                                      const struct percuss_configuration *configuration,
                                      struct percuss_pose **pose);
 
@@ -1761,7 +1770,7 @@ percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
  Pointers:
  from and configuration are handles; pose is null or points to storage for a pointer, other than from.
  */
-percuss_status percuss_pose_follow(const struct percuss_pose *from,
+PERCUSS_NODISCARD percuss_status percuss_pose_follow(const struct percuss_pose *from,
                                    const struct percuss_configuration *configuration,
                                    struct percuss_pose **pose);
 
@@ -1780,7 +1789,7 @@ percuss_status percuss_pose_free(struct percuss_pose **pose);
  Pointers:
  positions has space for count numbers.
  */
-percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *positions, size_t count);
+PERCUSS_NODISCARD percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *positions, size_t count);
 
 /*
  m̄ of a contact, with its error. route: normally PERCUSS_ROUTE_AUTO.
@@ -1790,7 +1799,7 @@ percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *p
  Pointers:
  pose is a handle; contact is null or points to a contact; mass is null or points to storage for a percuss_mass.
  */
-percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
                                            const struct percuss_contact *contact,
                                            percuss_route route,
                                            struct percuss_mass *mass);
@@ -1803,7 +1812,7 @@ percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
  Pointers:
  As percuss_pose_effective_mass; response is null or points to storage for a pointer.
  */
-percuss_status percuss_pose_respond(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_respond(const struct percuss_pose *pose,
                                     const struct percuss_contact *contact,
                                     percuss_route route,
                                     struct percuss_response **response);
@@ -1814,7 +1823,7 @@ percuss_status percuss_pose_respond(const struct percuss_pose *pose,
  Pointers:
  values has space for length numbers.
  */
-percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
                                         double *values,
                                         size_t length,
                                         percuss_layout layout,
@@ -1826,7 +1835,7 @@ percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
  Pointers:
  rows is null or points to storage for a number.
  */
-percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, size_t *rows);
+PERCUSS_NODISCARD percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, size_t *rows);
 
 /*
  A, the Jacobian of all constraints over the coordinates, rows×n, written to an array of length numbers; each group
@@ -1835,7 +1844,7 @@ percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, siz
  Pointers:
  values has space for length numbers.
  */
-percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
                                               double *values,
                                               size_t length,
                                               percuss_layout layout,
@@ -1847,7 +1856,7 @@ percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
  Pointers:
  contact is null or points to a contact; values has space for count numbers.
  */
-percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
                                         const struct percuss_contact *contact,
                                         double *values,
                                         size_t count);
@@ -1864,7 +1873,7 @@ percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
  system and configuration are handles; stop ends with a zero byte; pose is null or points to storage for a pointer; contact is null or
  points to storage for a percuss_contact.
  */
-percuss_status percuss_pose_touch(const struct percuss_system *system,
+PERCUSS_NODISCARD percuss_status percuss_pose_touch(const struct percuss_system *system,
                                   const struct percuss_configuration *configuration,
                                   const char *stop,
                                   struct percuss_pose **pose,
@@ -1884,7 +1893,7 @@ percuss_status percuss_response_free(struct percuss_response **response);
  Pointers:
  mass is null or points to storage for a percuss_mass.
  */
-percuss_status percuss_response_mass(const struct percuss_response *response, struct percuss_mass *mass);
+PERCUSS_NODISCARD percuss_status percuss_response_mass(const struct percuss_response *response, struct percuss_mass *mass);
 
 /*
  m̄ and its error with a free body of mass other (kg) as the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
@@ -1892,7 +1901,7 @@ percuss_status percuss_response_mass(const struct percuss_response *response, st
  Pointers:
  mass is null or points to storage for a percuss_mass.
  */
-percuss_status percuss_response_against_mass(const struct percuss_response *response,
+PERCUSS_NODISCARD percuss_status percuss_response_against_mass(const struct percuss_response *response,
                                              double other,
                                              struct percuss_mass *mass);
 
@@ -1903,7 +1912,7 @@ percuss_status percuss_response_against_mass(const struct percuss_response *resp
  Pointers:
  velocities has space for count numbers.
  */
-percuss_status percuss_response_velocities(const struct percuss_response *response, double *velocities, size_t count);
+PERCUSS_NODISCARD percuss_status percuss_response_velocities(const struct percuss_response *response, double *velocities, size_t count);
 
 /*
  v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
@@ -1911,7 +1920,7 @@ percuss_status percuss_response_velocities(const struct percuss_response *respon
  Pointers:
  twist has space for 6 numbers.
  */
-percuss_status percuss_response_base_velocity(const struct percuss_response *response, double *twist);
+PERCUSS_NODISCARD percuss_status percuss_response_base_velocity(const struct percuss_response *response, double *twist);
 
 /*
  The contribution of each link to m̄, in link order (link_count numbers), and of the rotor of each joint (joint_count
@@ -1920,7 +1929,7 @@ percuss_status percuss_response_base_velocity(const struct percuss_response *res
  Pointers:
  links has space for link_count numbers, rotors for joint_count; rotors may be null.
  */
-percuss_status percuss_response_contributions(const struct percuss_response *response,
+PERCUSS_NODISCARD percuss_status percuss_response_contributions(const struct percuss_response *response,
                                               double *links,
                                               size_t link_count,
                                               double *rotors,
@@ -1943,7 +1952,7 @@ percuss_status percuss_response_contributions(const struct percuss_response *res
  pose is a handle; contact and impact are null or point to their types; before, after and reactions are null or have space for the
  given counts.
  */
-percuss_status percuss_pose_impact(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_impact(const struct percuss_pose *pose,
                                    const struct percuss_contact *contact,
                                    double speed,
                                    double restitution,
@@ -1960,7 +1969,7 @@ percuss_status percuss_pose_impact(const struct percuss_pose *pose,
  Pointers:
  assembly is a handle; workspace is null or points to storage for a pointer.
  */
-percuss_status percuss_workspace_new(const struct percuss_assembly *assembly, struct percuss_workspace **workspace);
+PERCUSS_NODISCARD percuss_status percuss_workspace_new(const struct percuss_assembly *assembly, struct percuss_workspace **workspace);
 
 /*
  Frees a workspace and sets the handle to null; a null handle is ignored.
@@ -1988,7 +1997,7 @@ percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
  workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other
  pointers are null or point to storage.
  */
-percuss_status percuss_workspace_effective_mass(struct percuss_workspace *workspace,
+PERCUSS_NODISCARD percuss_status percuss_workspace_effective_mass(struct percuss_workspace *workspace,
                                                 const double *positions,
                                                 size_t count,
                                                 const struct percuss_contact *contact,
@@ -2004,7 +2013,7 @@ percuss_status percuss_workspace_effective_mass(struct percuss_workspace *worksp
  Pointers:
  As percuss_workspace_effective_mass.
  */
-percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *workspace,
+PERCUSS_NODISCARD percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *workspace,
                                                       const struct percuss_contact *contact,
                                                       percuss_outcome *outcome,
                                                       double *effective_mass,
@@ -2022,7 +2031,7 @@ percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *
  workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; response is null or points
  to storage; velocities has space for velocity_count numbers.
  */
-percuss_status percuss_workspace_respond(struct percuss_workspace *workspace,
+PERCUSS_NODISCARD percuss_status percuss_workspace_respond(struct percuss_workspace *workspace,
                                          const double *positions,
                                          size_t count,
                                          const struct percuss_contact *contact,
@@ -2039,7 +2048,7 @@ percuss_status percuss_workspace_respond(struct percuss_workspace *workspace,
  Pointers:
  workspace is a handle; position has 3 numbers, quaternion 4.
  */
-percuss_status percuss_workspace_set_base(struct percuss_workspace *workspace,
+PERCUSS_NODISCARD percuss_status percuss_workspace_set_base(struct percuss_workspace *workspace,
                                           const double *position,
                                           const double *quaternion);
 
@@ -2053,7 +2062,7 @@ percuss_status percuss_workspace_set_base(struct percuss_workspace *workspace,
  Pointers:
  assembly is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
  */
-percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
+PERCUSS_NODISCARD percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
                                  const struct percuss_contact *contact,
                                  size_t threads,
                                  struct percuss_batch **batch);
@@ -2067,7 +2076,7 @@ percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
  Pointers:
  workspace is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
  */
-percuss_status percuss_workspace_batch(struct percuss_workspace *workspace,
+PERCUSS_NODISCARD percuss_status percuss_workspace_batch(struct percuss_workspace *workspace,
                                        const struct percuss_contact *contact,
                                        size_t threads,
                                        struct percuss_batch **batch);
@@ -2100,7 +2109,7 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
  Pointers:
  batch is a handle; every array has the stated number of values; watch may be called with user.
  */
-percuss_status percuss_batch_run(const struct percuss_batch *batch,
+PERCUSS_NODISCARD percuss_status percuss_batch_run(const struct percuss_batch *batch,
                                  const double *positions,
                                  size_t length,
                                  percuss_layout layout,
@@ -2121,7 +2130,7 @@ percuss_status percuss_batch_run(const struct percuss_batch *batch,
  Pointers:
  pose is a handle; rotation has space for 9 numbers, origin for 3.
  */
-percuss_status percuss_pose_link_frame(const struct percuss_pose *pose, size_t link, double *rotation, double *origin);
+PERCUSS_NODISCARD percuss_status percuss_pose_link_frame(const struct percuss_pose *pose, size_t link, double *rotation, double *origin);
 
 /*
  Gradient g of m̄ by the velocities of all joints, in joint order: dm̄/dt = g · v (kg/rad, kg/m) for every admissible motion v; count
@@ -2134,7 +2143,7 @@ percuss_status percuss_pose_link_frame(const struct percuss_pose *pose, size_t l
  pose is a handle; contact is null or points to a contact; gradient has space for count numbers; outcome and effective_mass are
  null or point to storage.
  */
-percuss_status percuss_pose_gradient(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_gradient(const struct percuss_pose *pose,
                                      const struct percuss_contact *contact,
                                      double *gradient,
                                      size_t count,
@@ -2150,7 +2159,7 @@ percuss_status percuss_pose_gradient(const struct percuss_pose *pose,
  Pointers:
  pose is a handle; contact is null or points to a contact; values has space for 36 numbers.
  */
-percuss_status percuss_pose_inverse_inertia(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_inverse_inertia(const struct percuss_pose *pose,
                                             const struct percuss_contact *contact,
                                             double *values);
 
@@ -2168,7 +2177,7 @@ percuss_status percuss_pose_inverse_inertia(const struct percuss_pose *pose,
  Pointers:
  batch is a handle; every array has the stated number of values, or is null where this is permitted.
  */
-percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
+PERCUSS_NODISCARD percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
                                          const double *positions,
                                          size_t length,
                                          percuss_layout layout,
@@ -2190,7 +2199,7 @@ percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
  Pointers:
  pose is a handle; state is null or points to storage for a percuss_pose_state.
  */
-percuss_status percuss_pose_describe(const struct percuss_pose *pose, struct percuss_pose_state *state);
+PERCUSS_NODISCARD percuss_status percuss_pose_describe(const struct percuss_pose *pose, struct percuss_pose_state *state);
 
 /*
  m̄ of count contacts of a link at one pose, by the inverse operational inertia of the link: some nanoseconds per contact.
@@ -2205,7 +2214,7 @@ percuss_status percuss_pose_describe(const struct percuss_pose *pose, struct per
  Pointers:
  pose is a handle; every array has the stated number of values, or is null where this is permitted.
  */
-percuss_status percuss_pose_contact_map(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_pose_contact_map(const struct percuss_pose *pose,
                                         size_t link,
                                         size_t against,
                                         const double *points,
@@ -2227,7 +2236,7 @@ percuss_status percuss_pose_contact_map(const struct percuss_pose *pose,
  pose is a handle; contact is null or points to a contact; joints has joint_count numbers; path is null or points to storage for a
  pointer.
  */
-percuss_status percuss_path_new(const struct percuss_pose *pose,
+PERCUSS_NODISCARD percuss_status percuss_path_new(const struct percuss_pose *pose,
                                 const struct percuss_contact *contact,
                                 const size_t *joints,
                                 size_t joint_count,
@@ -2255,7 +2264,7 @@ percuss_status percuss_path_free(struct percuss_path **path);
  Pointers:
  path is a handle; every array has the stated number of values; done is null or points to storage.
  */
-percuss_status percuss_path_follow(struct percuss_path *path,
+PERCUSS_NODISCARD percuss_status percuss_path_follow(struct percuss_path *path,
                                    const double *values,
                                    size_t length,
                                    size_t count,
@@ -2274,7 +2283,7 @@ percuss_status percuss_path_follow(struct percuss_path *path,
  Pointers:
  path and pose are handles.
  */
-percuss_status percuss_path_restart(struct percuss_path *path,
+PERCUSS_NODISCARD percuss_status percuss_path_restart(struct percuss_path *path,
                                     const struct percuss_pose *pose);
 
 /*
@@ -2288,7 +2297,7 @@ size_t percuss_law_count(void);
  Pointers:
  name is null or points to storage for a pointer.
  */
-percuss_status percuss_law_name(percuss_law law, const char **name);
+PERCUSS_NODISCARD percuss_status percuss_law_name(percuss_law law, const char **name);
 
 /*
  The law of this name or alias, upper and lower case alike. Errors: PERCUSS_ERROR_NAME, with the most similar name.
@@ -2296,7 +2305,7 @@ percuss_status percuss_law_name(percuss_law law, const char **name);
  Pointers:
  name ends with a zero byte; law is null or points to storage for a number.
  */
-percuss_status percuss_law_find(const char *name, percuss_law *law);
+PERCUSS_NODISCARD percuss_status percuss_law_find(const char *name, percuss_law *law);
 
 /*
  The damper of a law for the restitution e on this spring, at the approach speed in m/s; speed 0 means unknown
@@ -2307,7 +2316,7 @@ percuss_status percuss_law_find(const char *name, percuss_law *law);
  Pointers:
  spring is null or points to one; damper is null or points to storage for one.
  */
-percuss_status percuss_law_damper(percuss_law law,
+PERCUSS_NODISCARD percuss_status percuss_law_damper(percuss_law law,
                                   const struct percuss_spring *spring,
                                   double restitution,
                                   double speed,
@@ -2322,7 +2331,7 @@ percuss_status percuss_law_damper(percuss_law law,
  Pointers:
  spring and damper are null or point to one; restitution is null or points to storage for a number.
  */
-percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
+PERCUSS_NODISCARD percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
                                           const struct percuss_spring *spring,
                                           double speed,
                                           double *restitution);
@@ -2335,7 +2344,7 @@ percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
  Pointers:
  spring and damper are null or point to one; impact is null or points to storage for one.
  */
-percuss_status percuss_damper_impact(const struct percuss_damper *damper,
+PERCUSS_NODISCARD percuss_status percuss_damper_impact(const struct percuss_damper *damper,
                                      const struct percuss_spring *spring,
                                      double speed,
                                      struct percuss_impact *impact);
@@ -2349,7 +2358,7 @@ percuss_status percuss_damper_impact(const struct percuss_damper *damper,
  Pointers:
  path ends with a zero byte; suspension is null or points to storage for a pointer.
  */
-percuss_status percuss_suspension_load_file(const char *path, struct percuss_suspension **suspension);
+PERCUSS_NODISCARD percuss_status percuss_suspension_load_file(const char *path, struct percuss_suspension **suspension);
 
 /*
  Reads a suspension from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
@@ -2360,7 +2369,7 @@ percuss_status percuss_suspension_load_file(const char *path, struct percuss_sus
  Pointers:
  name ends with a zero byte; bytes has length bytes; suspension is null or points to storage for a pointer.
  */
-percuss_status percuss_suspension_load_memory(const char *name,
+PERCUSS_NODISCARD percuss_status percuss_suspension_load_memory(const char *name,
                                               const char *bytes,
                                               size_t length,
                                               struct percuss_suspension **suspension);
@@ -2380,7 +2389,7 @@ percuss_status percuss_suspension_free(struct percuss_suspension **suspension);
  Pointers:
  suspension is a handle; model is null or points to storage for a pointer.
  */
-percuss_status percuss_suspension_model(const struct percuss_suspension *suspension, struct percuss_model **model);
+PERCUSS_NODISCARD percuss_status percuss_suspension_model(const struct percuss_suspension *suspension, struct percuss_model **model);
 
 /*
  Sets all travels to 0 and all data of the vehicle to unknown.
@@ -2388,7 +2397,7 @@ percuss_status percuss_suspension_model(const struct percuss_suspension *suspens
  Pointers:
  vehicle is null or points to storage for one.
  */
-percuss_status percuss_vehicle_init(struct percuss_vehicle *vehicle);
+PERCUSS_NODISCARD percuss_status percuss_vehicle_init(struct percuss_vehicle *vehicle);
 
 /*
  Camber, toe, roll centre, motion ratios, wheel rates and all other quantities of docs/howto/KINEMATICS.md at the given
@@ -2402,7 +2411,7 @@ percuss_status percuss_vehicle_init(struct percuss_vehicle *vehicle);
  Pointers:
  values has count numbers; vehicle is null or points to one; table is null or points to storage for a pointer.
  */
-percuss_status percuss_suspension_kinematics(const struct percuss_suspension *suspension,
+PERCUSS_NODISCARD percuss_status percuss_suspension_kinematics(const struct percuss_suspension *suspension,
                                              percuss_wheel_motion variable,
                                              const double *values,
                                              size_t count,
@@ -2423,7 +2432,7 @@ percuss_status percuss_kinematics_free(struct percuss_kinematics **table);
  Pointers:
  Every pointer is null or points to storage for a number.
  */
-percuss_status percuss_kinematics_counts(const struct percuss_kinematics *table, size_t *rows, size_t *columns);
+PERCUSS_NODISCARD percuss_status percuss_kinematics_counts(const struct percuss_kinematics *table, size_t *rows, size_t *columns);
 
 /*
  Column number index, from 0.
@@ -2431,7 +2440,7 @@ percuss_status percuss_kinematics_counts(const struct percuss_kinematics *table,
  Pointers:
  column is null or points to storage for one.
  */
-percuss_status percuss_kinematics_column(const struct percuss_kinematics *table,
+PERCUSS_NODISCARD percuss_status percuss_kinematics_column(const struct percuss_kinematics *table,
                                          size_t index,
                                          struct percuss_column *column);
 
@@ -2441,7 +2450,7 @@ percuss_status percuss_kinematics_column(const struct percuss_kinematics *table,
  Pointers:
  values has space for length numbers.
  */
-percuss_status percuss_kinematics_values(const struct percuss_kinematics *table, double *values, size_t length);
+PERCUSS_NODISCARD percuss_status percuss_kinematics_values(const struct percuss_kinematics *table, double *values, size_t length);
 
 /*
  The reason why row number row, from 0, has no pose; null for a row with a pose. Valid as long as the table.
@@ -2449,7 +2458,7 @@ percuss_status percuss_kinematics_values(const struct percuss_kinematics *table,
  Pointers:
  problem is null or points to storage for a pointer.
  */
-percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table, size_t row, const char **problem);
+PERCUSS_NODISCARD percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table, size_t row, const char **problem);
 
 /*
  Results of the tables of a request: effective mass, damper and parameters of simulators, impact, extremes, sweep, comparison,
@@ -2465,7 +2474,7 @@ percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table
  Pointers:
  model is a handle; request ends with a zero byte; report is null or points to storage for a pointer.
  */
-percuss_status percuss_ask(const struct percuss_model *model,
+PERCUSS_NODISCARD percuss_status percuss_ask(const struct percuss_model *model,
                            const char *request,
                            struct percuss_report **report);
 
@@ -2475,7 +2484,7 @@ percuss_status percuss_ask(const struct percuss_model *model,
  Pointers:
  report is a handle; json is null or points to storage for a pointer.
  */
-percuss_status percuss_report_json(const struct percuss_report *report, const char **json);
+PERCUSS_NODISCARD percuss_status percuss_report_json(const struct percuss_report *report, const char **json);
 
 /*
  Frees a report and sets the handle to null; a null handle is ignored.
@@ -2491,7 +2500,7 @@ percuss_status percuss_report_free(struct percuss_report **report);
  Pointers:
  options is null or points to storage for a percuss_matrix_options.
  */
-percuss_status percuss_matrix_options_init(struct percuss_matrix_options *options);
+PERCUSS_NODISCARD percuss_status percuss_matrix_options_init(struct percuss_matrix_options *options);
 
 /*
  m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system given by its matrices: mass is M, n×n, symmetric, positive
@@ -2508,7 +2517,7 @@ percuss_status percuss_matrix_options_init(struct percuss_matrix_options *option
  Pointers:
  Every pointer is null or points to the stated values; the arrays of the matrices have the stated lengths.
  */
-percuss_status percuss_effective_mass(const struct percuss_matrix *mass,
+PERCUSS_NODISCARD percuss_status percuss_effective_mass(const struct percuss_matrix *mass,
                                       const double *contact_row,
                                       size_t count,
                                       const struct percuss_matrix *constraints,

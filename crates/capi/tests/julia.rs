@@ -106,7 +106,10 @@ fn types_in_c(julia: &str) -> &'static [&'static str] {
 
 #[test]
 fn calls_agree_with_the_header() {
-    let (header, julia) = (without_comments(&text("include/percuss.h")), text("examples/two_links.jl"));
+    let (header, julia) = (
+        without_comments(&text("include/percuss.h").replace("PERCUSS_NODISCARD ", "")),
+        text("examples/two_links.jl"),
+    );
     let aliases = aliases(&header);
     let mut compared = 0;
     for call in julia.split("@ccall percuss.").skip(1) {
@@ -134,7 +137,10 @@ fn calls_agree_with_the_header() {
 
 #[test]
 fn structure_and_constant_agree_with_the_header() {
-    let (header, julia) = (without_comments(&text("include/percuss.h")), text("examples/two_links.jl"));
+    let (header, julia) = (
+        without_comments(&text("include/percuss.h").replace("PERCUSS_NODISCARD ", "")),
+        text("examples/two_links.jl"),
+    );
     let aliases = aliases(&header);
     let at = header.find("typedef struct percuss_contact {").expect("the structure");
     let members = in_brackets(&header[at + header[at..].find('{').expect("a bracket")..]);

@@ -33,8 +33,8 @@ import percuss
 #: Time of one call with an invalid argument, s. Reports of valid questions of this file take less than one.
 TIME = 60
 #: Arguments that a message names otherwise: a file by its path, a text by its line, a limit by the file that exceeds it, a
-#: request by its keys.
-OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass", "request"}
+#: request by its keys, a density by the masses.
+OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass", "request", "shape_density"}
 #: Values that are valid alone: the message names the part that does not fit to them.
 VALID_ALONE = {"a model", "another model", "another contact", "a pose of another model"}
 #: Values whose results are out of range: the message names the result.
@@ -78,25 +78,25 @@ CASES: dict[str, Call] = {
     "suspension.load": Call(
         percuss.suspension.load,
         {"path": ROOT / "models/suspensions/double-wishbone.toml", "side": None, "unit": None, "axes": None, "template": None,
-         "wheel": None, "rack_mass": None, "move": {}, "allow_outside": False, "worksheet": None},
+         "wheel": None, "rack_mass": None, "move": {}, "allow_outside": False, "worksheet": None, "names": None},
     ),
     "suspension.template": Call(percuss.suspension.template, {"name": "double-wishbone", "unit": "mm", "axes": "iso"}),
     "suspension.templates": Call(percuss.suspension.templates, {}),
     "contact_law.laws": Call(percuss.contact_law.laws, {}),
     "contact_law.tools": Call(percuss.contact_law.tools, {}),
-    "regions": Call(percuss.reports.regions, {}),
+    "reports.regions": Call(percuss.reports.regions, {}),
     "study.schema": Call(percuss.study.schema, {}),
     "set_threads": Call(percuss.set_threads, {"threads": 2}),
-    "check": Call(percuss.reports.check, {"model": ARM}),
-    "mass": Call(percuss.mass, {"model": ARM, "contact": TOOL, "conditions": None, "damping": None}),
-    "sweep_report": Call(
+    "reports.check": Call(percuss.reports.check, {"model": ARM}),
+    "mass": Call(percuss.mass, {"model": ARM, "contact": TOOL, "conditions": None, "damping": None, "certify": False}),
+    "reports.sweep_report": Call(
         percuss.reports.sweep_report, {"model": ARM, "contact": TOOL, "conditions": None, **ROWS, "gradient": False}
     ),
     "map": Call(
         percuss.map,
         {"model": SHAPED, "conditions": None, "against": None, "links": ["finger"], "shapes": "auto", "edge": 0.05, "packages": {}},
     ),
-    "map_point": Call(percuss.reports.map_point, {"model": ARM, "contact": TOOL, "directions": 20, "conditions": None}),
+    "reports.map_point": Call(percuss.reports.map_point, {"model": ARM, "contact": TOOL, "directions": 20, "conditions": None}),
     "contact_law.damp": Call(percuss.contact_law.damp, {"mass": 2.0, "damping": DAMPING}),
     "contact_law.damp_contact": Call(
         percuss.contact_law.damp_contact, {"model": CORNER, "contact": "bump_stop", "damping": DAMPING, "conditions": None}
@@ -105,12 +105,12 @@ CASES: dict[str, Call] = {
         percuss.contact_law.damp_stop, {"model": ARM, "joint": "elbow", "damping": DAMPING, "conditions": None, "end": "upper"}
     ),
     "contact_law.impact_history": Call(percuss.contact_law.impact_history, {"mass": 2.0, "damping": DAMPING, "samples": 20}),
-    "explain": Call(percuss.reports.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
-    "friction_thresholds": Call(percuss.reports.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
-    "reflected_inertias": Call(
+    "reports.explain": Call(percuss.reports.explain, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "reports.friction_thresholds": Call(percuss.reports.friction_thresholds, {"model": ARM, "contact": TOOL, "conditions": None}),
+    "reports.reflected_inertias": Call(
         percuss.reports.reflected_inertias, {"model": BAR, "joints": ["crank_hinge"], "conditions": None}
     ),
-    "tolerate": Call(
+    "reports.tolerate": Call(
         percuss.reports.tolerate,
         {"model": ARM, "contact": TOOL, "tolerance": "mass=2%", "conditions": None, "samples": 5, "seed": 0},
     ),
@@ -126,7 +126,7 @@ CASES: dict[str, Call] = {
          "percussion": [], "restitution_law": None, "also": [], "sticking": False, "stiffness_ratio": [],
          "contact_exponent": None, "in_time": False, "gravity": None, "also_restitution": [], "gear_limit": None,
          "point_error": None, "joint_spring": None, "stiffness_curve": None, "springs": None, "spring": [], "damper": [],
-         "drive": [], "reach": False, "damping": None, "hunt_crossley": None},
+         "drive": [], "reach": False, "damping": None, "hunt_crossley": None, "compliance": False},
     ),
     "extremes": Call(
         percuss.extremes,
@@ -136,7 +136,7 @@ CASES: dict[str, Call] = {
     "safe_speed": Call(
         percuss.safe_speed, {"model": ARM, "contact": TOOL, "region": "chest", "conditions": None, **LIMITS, **ROWS}
     ),
-    "safe_speed_directions": Call(
+    "reports.safe_speed_directions": Call(
         percuss.reports.safe_speed_directions,
         {"model": ARM, "contact": TOOL, "region": "chest", "directions": [[0, 1, 0]], "conditions": None, "worst": False, **LIMITS},
     ),
@@ -159,8 +159,12 @@ CASES: dict[str, Call] = {
         {"model": ARM, "contacts": [TOOL], "state": STATE, "restitution": 0.5, "law": "newton", "reactions": True, "impact_map": False,
          "threads": 1, "progress": None},
     ),
+    "contact_law.friction_thresholds": Call(
+        percuss.contact_law.friction_thresholds,
+        {"model": ARM, "contact": TOOL, "q": Q[:2], "base_pose": None, "threads": 1, "progress": None},
+    ),
     "safe_speeds": Call(percuss.safe_speeds, {"mass": [1.0, 2.0], "region": "chest", **{name: LIMITS[name] for name in list(LIMITS)[:5]}}),
-    "position_gradient": Call(percuss.converters.position_gradient, {"model": ARM, "q": Q[:1], "gradient": np.ones((1, 6))}),
+    "converters.position_gradient": Call(percuss.converters.position_gradient, {"model": ARM, "q": Q[:1], "gradient": np.ones((1, 6))}),
     "effective_mass": Call(percuss.effective_mass, MATRICES),
     "effective_masses": Call(percuss.effective_masses, {**MATRICES, "M": np.stack([MASS, MASS]), "A": None}),
     "Conditions": Call(
@@ -181,7 +185,11 @@ CASES: dict[str, Call] = {
         {"link": "tool", "axis": [0, 0, 1], "against": "forearm", "axis_frame": "link"},
     ),
     "Model.contact": Call(ARM.contact, {"name": "elbow:upper"}),
-    "Model.changed": Call(ARM.changed, {"link_mass": {"tool": 1.0}, "link_com": {"tool": [0, 0, 0]}, "link_inertia": {"tool": [1e-3, 1e-3, 1e-3]}, "move": {}}),
+    "Model.changed": Call(
+        ARM.changed,
+        {"link_mass": {"tool": 1.0}, "link_com": {"tool": [0, 0, 0]}, "link_inertia": {"tool": [1e-3, 1e-3, 1e-3]}, "move": {}, "shape_density": None,
+         "total_mass": None},
+    ),
     "Model.to_urdf": Call(ARM.to_urdf, {}),
     "Model.to_mjcf": Call(ARM.to_mjcf, {}),
     "Model.to_sdf": Call(ARM.to_sdf, {}),
@@ -225,7 +233,7 @@ CASES: dict[str, Call] = {
     "Pose.outside_limits": Call(POSE.outside_limits, {}),
     "Pose.rank": Call(POSE.rank, {}),
     "Pose.respond": Call(POSE.respond, {"contact": TOOL, "route": "auto"}),
-    "Travel": Call(percuss.suspension.Travel, {"pose": CLOSED, "link": "coupler", "point": [0, 0, 0], "direction": [0, 1, 0]}),
+    "suspension.Travel": Call(percuss.suspension.Travel, {"pose": CLOSED, "link": "coupler", "point": [0, 0, 0], "direction": [0, 1, 0]}),
     "Travel.displacement": Call(TRAVEL.displacement, {"pose": CLOSED}),
     "Travel.rate": Call(TRAVEL.rate, {"pose": CLOSED, "joint": "crank_hinge"}),
     "Travel.driver": Call(TRAVEL.driver, {"pose": CLOSED, "set": []}),
@@ -277,7 +285,7 @@ VALUES: dict[str, Any] = {
 
 
 def test_every_call_has_arguments() -> None:
-    assert {WITHIN.get(name, name) for name in CALLS - APART} - {"MatrixBatch"} - set(CASES) == set(), "without arguments"
+    assert {WITHIN.get(name, name) for name in CALLS - APART} - {"results.MatrixBatch"} - set(CASES) == set(), "without arguments"
     functions = {name for name in percuss.__all__ if name not in NO_CALLS and inspect.isroutine(getattr(percuss, name))}
     assert functions - set(CASES) == set(), "without arguments"
     for name, call in CASES.items():

@@ -56,7 +56,8 @@ def friction_thresholds(
     if isinstance(q, State):
         if base_pose is not None:
             raise InputError("base_pose: the State has its own; expected a State without base_pose, or no base_pose")
-        q, base_pose = q.positions, q.base_pose
+        base_pose = q.base_pose
+        q = q.positions
     base = None if base_pose is None else array_of(base_pose, "base_pose")
     # Columns of a table are matched by their names.
     rows = q if hasattr(q, "columns") else np.atleast_2d(array_of(q, "q"))

@@ -390,6 +390,8 @@ class ConditionsRecord(Record):
 
     base: str
     """"fixed" or "floating"."""
+    base_pose: list[float] | None
+    """Pose of the root link in the world, x, y, z (m), w, x, y, z; None at the origin of the world."""
     lock: list[str]
     """Joints locked by the question."""
     hold: list[HoldRecord]

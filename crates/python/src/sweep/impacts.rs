@@ -286,7 +286,7 @@ pub fn friction_rows<'py>(
     let solve = |row: usize| -> Result<[f64; 3], String> {
         let pose = match positions.pose(row) {
             Ok(pose) => pose,
-            Err(Refusal::State(reason)) => return Err(format!("row {row}: {reason}")),
+            Err(Refusal::State(reason)) => return Err(format!("q[{row}]: {reason}")),
             Err(Refusal::NoAnswer(_)) => return Ok([f64::NAN; 3]),
         };
         let found = pose.respond(&contact).ok().filter(|response| !response.singular_pose);

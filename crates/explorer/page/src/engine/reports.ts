@@ -60,8 +60,8 @@ export interface CompliantImpactRecord {
 }
 
 export interface ConditionsRecord {
-  base: string; lock: string[]; hold: HoldRecord[]; armature: Record<string, number[]>; against_mass: number | null;
-  guess: Record<string, string>; travel: TravelRecord[];
+  base: string; base_pose: [number, number, number, number, number, number, number] | null; lock: string[]; hold: HoldRecord[];
+  armature: Record<string, number[]>; against_mass: number | null; guess: Record<string, string>; travel: TravelRecord[];
 }
 
 export interface ContactListReport {
