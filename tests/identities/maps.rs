@@ -248,7 +248,6 @@ fn principal_masses_make_the_mass_in_every_direction() {
         };
         let alone = subject.pose.principal_masses(subject.contact.link, None, point).expect("a point");
         for (a, b) in principal.iter().zip(alone.expect("masses")) {
-            assert_eq!(a.direction, b.direction, "{}", subject.name);
             match (inverse(a.mass), inverse(b.mass)) {
                 (Some(a), Some(b)) => assert!((a - b).abs() <= 1e-7 * a.max(b), "{}: {a} {b}", subject.name),
                 (a, b) => assert_eq!(a, b, "{}", subject.name),

@@ -154,7 +154,7 @@ fn slides_over_many_decades_are_within_the_stated_error() {
     }
 }
 
-/// The quick solution has the exact m̄ within its stated error, which is at most ten times that of the other solution. Only finite masses
+/// The quick solution has the exact m̄ within its stated error, which is at most a hundred times that of the other solution. Only finite masses
 /// have one.
 #[test]
 fn regular_slides_are_within_the_stated_error() {
@@ -171,7 +171,11 @@ fn regular_slides_are_within_the_stated_error() {
         let EffectiveMass::Finite(exact) = slides.exact() else { panic!("{name}: {found} kg") };
         assert!((found - exact).abs() <= error, "{name}: {found} ± {error}, exactly {exact}");
         let other = effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order");
-        assert!(other.error.is_some_and(|other| error <= 10.0 * other), "{name}: {error}, {:?}", other.error);
+        assert!(
+            other.error.is_some_and(|other| error <= 100.0 * other),
+            "{name}: {error}, {:?}",
+            other.error
+        );
         solved += 1;
     }
     println!("{solved} of 20000");
