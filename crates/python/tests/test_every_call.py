@@ -28,7 +28,8 @@ warnings.simplefilter("ignore", percuss.ModelWarning)
 STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
 #: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
-    "check": "reports.check", "regions": "reports.regions", "Travel": "suspension.Travel", "compare": "study.compare", "compare_study": "study.compare_study", "damp": "contact_law.damp_contact",
+    "check": "reports.check", "regions": "reports.regions", "Travel": "suspension.Travel",
+    "compare": "study.compare", "compare_study": "study.compare_study", "damp": "contact_law.damp_contact",
     "damp_mass": "contact_law.damp", "extremes": "extremes", "impact": "impact", "impact_history": "contact_law.impact_history",
     "kinematics": "suspension.kinematics", "map_point_report": "reports.map_point", "map_report": "map", "mass_report": "mass",
     "matrix_findings": "results.MatrixBatch", "run_study": "study.run", "reflected_inertias": "reports.reflected_inertias", "safe_speed": "safe_speed",

@@ -281,7 +281,12 @@ def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, 
             "travel": [_travel(one) for one in given.travel],
             "file": None if given.pose is None or isinstance(given.pose, Pose) else os.fspath(given.pose),
         },
-        conditions={"lock": [given.lock] if isinstance(given.lock, str) else given.lock, "armature": given.armature, "gear_stiffness": given.gear_stiffness, "base": given.base},
+        conditions={
+            "lock": [given.lock] if isinstance(given.lock, str) else given.lock,
+            "armature": given.armature,
+            "gear_stiffness": given.gear_stiffness,
+            "base": given.base,
+        },
         hold=[_parts(one, "hold", ("link", "point", "normal"), 2) for one in given.hold],
         **further,
     )
