@@ -21,8 +21,9 @@ pub struct ChangedFile {
 
 /// File that contains the hardpoints of a sheet, with the points moved (m, in the axes of the sheet and on the side of its points).
 ///
-/// The file is the sheet itself (TOML, CSV, XLSX, JSON of Chrono::Vehicle) or the table that it names (CSV, XLSX, `.sub` of Adams/Car). A coordinate keeps its unit and
-/// its decimal mark; numbers have at most thirteen significant digits. Texts that were not UTF-8 are written in UTF-8.
+/// The file is the sheet itself (TOML, CSV, XLSX, JSON of Chrono::Vehicle, YAML, `.pm`) or the table that it names (also `.sub` of Adams/Car).
+/// A coordinate keeps its unit and its decimal mark; numbers have at most thirteen significant digits. Of a table with columns of both
+/// sides, those of the side of the sheet change. Texts that were not UTF-8 are written in UTF-8.
 ///
 /// # Errors
 /// The reason, in words: a sheet that cannot be read; a point without a number of its own in the file (a wheel centre from the half track, an

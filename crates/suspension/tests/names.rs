@@ -4,7 +4,8 @@ use super::sheets::{Car, sheet};
 use nalgebra::Vector3;
 use percuss_formats::{LoadError, Source};
 use percuss_suspension::{
-    ImportOptions, Imported, LengthUnit, TemplateOptions, VehicleAxes, import, template_names, template_sheet,
+    ImportOptions, Imported, LengthUnit, TemplateOptions, VehicleAxes, changed_file, import, template_names,
+    template_sheet,
 };
 
 /// Points of the template double-wishbone, in the order of [`STYLES`].
@@ -70,6 +71,11 @@ fn with_table_in(
     options: &ImportOptions,
     of_sheet: &TemplateOptions,
 ) -> Result<Imported, LoadError> {
+    with_files(table, keys, of_sheet, |source| import(source, options))
+}
+
+/// Reads such a sheet beside its table.
+fn with_files<T>(table: &str, keys: &str, of_sheet: &TemplateOptions, read: impl FnOnce(&Source) -> T) -> T {
     let text = template_sheet("double-wishbone", of_sheet).expect("a template");
     let bodies = text.split("\n[").filter(|section| {
         let name = section.split(']').next().unwrap_or_default();
@@ -86,9 +92,9 @@ fn with_table_in(
     std::fs::write(folder.join("points.csv"), table).expect("a table");
     let path = folder.join("my.toml");
     std::fs::write(&path, format!("{head}{keys}\n{bodies}")).expect("a sheet");
-    let imported = import(&Source::read(&path.to_string_lossy(), 1 << 20).expect("a sheet"), options);
+    let found = read(&Source::read(&path.to_string_lossy(), 1 << 20).expect("a sheet"));
     std::fs::remove_dir_all(folder).expect("the folder");
-    imported
+    found
 }
 
 /// Rows of a table: own names replaced.
@@ -321,6 +327,25 @@ fn generated_tables_are_the_sheet_they_were_written_from() {
                         axes.name(),
                         unit.name()
                     );
+                }
+                // The table with two points moved: two rows differ, and all points are those of the move.
+                let moves = [("upper_ball", [0.001, -0.002, 0.003]), ("tie_rod_inner", [0.0, 0.0015, 0.0])];
+                let moves = moves.map(|(name, by)| (name.to_owned(), by));
+                let changed = with_files(&table, keys, &of_sheet, |source| {
+                    changed_file(source, &ImportOptions::default(), &moves)
+                });
+                let changed = String::from_utf8(changed.expect(&table).bytes).expect("a text");
+                let differ = changed.lines().zip(table.lines()).filter(|(new, old)| new != old).count();
+                assert_eq!((changed.lines().count(), differ), (table.lines().count(), 2), "{changed}");
+                let again =
+                    with_table_in(&changed, keys, &ImportOptions::default(), &of_sheet).expect(&changed);
+                for ((name, at), (_, old)) in
+                    again.understood.coordinates.iter().zip(&imported.understood.coordinates)
+                {
+                    let by = moves.iter().find(|(known, _)| known == name).map_or([0.0; 3], |(_, by)| *by);
+                    // Thirteen digits of numbers below 1 m.
+                    let off = (Vector3::from(*at) - Vector3::from(*old) - Vector3::from(by)).amax();
+                    assert!(off < 1e-12, "{name}: {off}\n{changed}");
                 }
                 count += 1;
             }

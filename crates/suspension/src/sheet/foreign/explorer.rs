@@ -151,9 +151,9 @@ fn read_points(
         let path: Vec<&str> = leaf.path.split('.').skip(1).collect();
         let axis = path.last().and_then(|last| ["x", "y", "z"].iter().position(|axis| axis == last));
         match (&path[..], axis) {
-            ([name, _], Some(k)) => found.entry(("", *name)).or_default()[k] = Some(leaf),
+            ([name, _], Some(k)) => found.entry(("", *name)).or_default()[k] = Some(*leaf),
             ([side @ ("left" | "right" | "center"), name, _], Some(k)) => {
-                found.entry((*side, *name)).or_default()[k] = Some(leaf);
+                found.entry((*side, *name)).or_default()[k] = Some(*leaf);
             }
             _ => {
                 let path = quoted(&path.join("."));

@@ -143,7 +143,7 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
         Err((at, why)) => return into.error("not-pm", "", at, format!("no suspension of rFactor: {why}")),
     };
     if let Some(other) = all.iter().find(|section| !KINDS.contains(&section.kind.as_str())) {
-        return into.error("unknown-key", &other.kind, other.at, "this section is not known");
+        into.warning("not-built", &other.kind, other.at, "this section is not known, and not read");
     }
     let start = match axle.unwrap_or("front") {
         "front" => "f",
