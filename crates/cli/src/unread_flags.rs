@@ -67,7 +67,7 @@ const UNREAD: [Unread; 14] = [
     },
     Unread {
         commands: "damp restitution identify",
-        flags: "masses total_mass link_mass link_com link_inertia move worksheet accept limit",
+        flags: "masses total_mass link_mass link_com link_inertia moves worksheet accept limit",
         with: "mass",
         without: "",
         reason: "it belongs to a model, and --mass is given",
@@ -101,7 +101,7 @@ const UNREAD: [Unread; 14] = [
         reason: "it belongs to a picture: -o FILE.svg",
     },
     Unread {
-        commands: "compare map",
+        commands: "map",
         flags: "unit decimal",
         with: "",
         without: "output format",
@@ -131,7 +131,7 @@ pub fn refuse_unread(matches: &ArgMatches) -> Result<(), Failure> {
     match rules.find_map(|rule| Some((words(rule.flags).find(is_given)?, rule.reason))) {
         Some((flag, reason)) => Err(Failure::bad_input(format!(
             "--{}: it has no influence in this call of percuss {command}: {reason}",
-            flag.replace('_', "-")
+            if flag == "moves" { "move".to_owned() } else { flag.replace('_', "-") }
         ))),
         None => Ok(()),
     }

@@ -254,7 +254,7 @@ fn headers_in_comments_and_titles() {
         ("## Hardpoint,Lateral,Longitudinal,Vertical", true),
         ("# y x z", false),
         ("order: y x z", false),
-        ("Points (Y, X, Z)", false),
+        ("Points (Y, X, Z)", true),
         ("# name,y,x,z\nname,y,x,z", true),
     ] {
         assert_eq!(is_read(&plain.replace("HEADER", header), &car), is_read_, "{header}");

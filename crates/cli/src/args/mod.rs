@@ -57,7 +57,7 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line, without the flags of a contact that do not apply to a map, to generated code, to an exported impact or to a single number.
+    /// Command line, without the flags of a contact that do not apply to a map, to generated code or to an exported impact.
     pub fn definition() -> clap::Command {
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
             "normal" | "along_line" | "turning_normal" | "cable" | "normal_frame" | "estimate"
@@ -74,14 +74,8 @@ impl Cli {
             | "against_mass" => argument.hide(true),
             _ => argument,
         };
-        let command = ["damp", "restitution", "identify", "response", "safe-speed", "extremes"]
-            .into_iter()
-            .fold(Self::command(), |command, name| {
-                command.mut_subcommand(name, |c| c.mut_args(without_reports))
-            });
-        command
+        Self::command()
             .bin_name("percuss")
-            .mut_subcommand("sweep", |c| c.mut_arg("ratio_at", |argument| argument.hide(true)))
             .mut_subcommand("map", |c| c.mut_args(hidden))
             .mut_subcommand("generate", |c| c.mut_args(without_reports))
             .mut_subcommand("export", |c| c.mut_args(of_impact))

@@ -146,7 +146,7 @@ fn flags_without_influence_are_refused() {
             format!("map {bar} --link coupler --point 0,0,0 --directions 3"),
             &["--ratio-at crank:0,0,0:0,1,0", "--normal-frame world", "--unit mm"],
         ),
-        (format!("compare {bar} {of_model}"), &["--estimate crank", "--title x", "--unit mm"]),
+        (format!("compare {bar} {of_model}"), &["--estimate crank", "--title x"]),
         (format!("damp --mass 3 {law}"), &of_file),
         ("restitution --mass 3 --stiffness 1e5 --damping 10 --speed 1".to_owned(), &of_file),
         ("restitution --mass 3 --stiffness 1e5 --damping 10 --speed 1".to_owned(), &["--parameter k=1"]),

@@ -99,7 +99,9 @@ pub(crate) fn check_element(node: Node<'_>, (tag, rule): (&'static str, &Element
         let Some((found_tag, found)) = tags(children).find(|(tag, _)| is_named(child, tag)) else {
             match tag_language(child) {
                 Language::Urdf | Language::Drake => warn_unknown_element(child, (tag, rule), report),
-                Language::Foreign if child.tag_name().name() == "include" => {
+                Language::Foreign
+                    if child.tag_name().namespace().is_some_and(|uri| uri.contains("XInclude")) =>
+                {
                     report.warning("unknown-element", Place::Element(child), || {
                         "an <include> of another file is not read: write its contents into this file"
                             .to_owned()
