@@ -57,7 +57,7 @@ fn explorer_name(point: &str) -> Option<String> {
     if let Some((_, name)) = pairs.iter().find(|(known, _)| *known == point) {
         return Some((*name).to_owned());
     }
-    let (link, end) = point.split_once("_link_")?;
+    let (link, end) = point.split_once("_link_").filter(|(link, _)| *link != "drop")?;
     let end = if end == "chassis" { "inboard" } else { "outboard" };
     Some(format!("{}_link_{end}", link.replace("back", "rear")))
 }
