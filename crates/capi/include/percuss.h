@@ -180,6 +180,11 @@
 #define PERCUSS_DAMPER_HUNT_CROSSLEY 1
 
 /*
+ F = k xᵖ (1 + (π/2) η sgn ẋ).
+ */
+#define PERCUSS_DAMPER_LOSS_FACTOR 2
+
+/*
  The position of the axle is unknown: no support angles.
  */
 #define PERCUSS_AXLE_UNKNOWN 0
@@ -725,7 +730,7 @@ typedef int32_t percuss_separation;
  */
 typedef struct percuss_damper {
   /*
-   PERCUSS_DAMPER_KELVIN_VOIGT or PERCUSS_DAMPER_HUNT_CROSSLEY.
+   PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY or PERCUSS_DAMPER_LOSS_FACTOR.
    */
   int32_t kind;
   /*
@@ -737,7 +742,7 @@ typedef struct percuss_damper {
    */
   double coefficient;
   /*
-   Damping ratio ζ of a Kelvin–Voigt damper on its design contact; else NaN.
+   Damping ratio ζ of a Kelvin–Voigt damper on its design contact; loss factor η; else NaN.
    */
   double ratio;
   /*

@@ -25,6 +25,8 @@ pub const PERCUSS_GAP_CLOSES: percuss_separation = 1;
 pub const PERCUSS_DAMPER_KELVIN_VOIGT: i32 = 0;
 /// F = k xᵖ (1 + d ẋ).
 pub const PERCUSS_DAMPER_HUNT_CROSSLEY: i32 = 1;
+/// F = k xᵖ (1 + (π/2) η sgn ẋ).
+pub const PERCUSS_DAMPER_LOSS_FACTOR: i32 = 2;
 
 /// An effective mass and the spring between the two surfaces: force k xᵖ at the penetration x.
 #[repr(C)]
@@ -42,13 +44,13 @@ pub struct percuss_spring {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_damper {
-    /// PERCUSS_DAMPER_KELVIN_VOIGT or PERCUSS_DAMPER_HUNT_CROSSLEY.
+    /// PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY or PERCUSS_DAMPER_LOSS_FACTOR.
     pub kind: i32,
     /// End of the contact, for a Kelvin–Voigt damper.
     pub separation: percuss_separation,
     /// c of a Kelvin–Voigt damper, N·s/m^((p+1)/2), N·s/m for p = 1; else NaN.
     pub coefficient: f64,
-    /// Damping ratio ζ of a Kelvin–Voigt damper on its design contact; else NaN.
+    /// Damping ratio ζ of a Kelvin–Voigt damper on its design contact; loss factor η; else NaN.
     pub ratio: f64,
     /// d of a Hunt–Crossley damper, s/m; else NaN.
     pub dissipation: f64,
@@ -91,6 +93,7 @@ const NAMES: [&CStr; Law::ALL.len()] = [
     c"carvalho-martins",
     c"safaeifar-farshidianfar",
     c"exudyn-mixed",
+    c"loss-factor",
 ];
 
 /// Converts the error of a contact law to a failure with PERCUSS_ERROR_LAW.
@@ -127,18 +130,26 @@ impl percuss_damper {
                 ratio: f64::NAN,
                 dissipation,
             },
+            Damper::LossFactor { loss_factor } => Self {
+                kind: PERCUSS_DAMPER_LOSS_FACTOR,
+                separation: PERCUSS_FORCE_VANISHES,
+                coefficient: f64::NAN,
+                ratio: loss_factor,
+                dissipation: f64::NAN,
+            },
         }
     }
 
     /// Damper on this contact: its force depends on the coefficient.
     fn to_damper(self, contact: CompliantContact) -> Result<Damper, Failure> {
-        let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
+        let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY, PERCUSS_DAMPER_LOSS_FACTOR];
         match enumeration_value(&kinds, self.kind, "kind of the damper")? {
             PERCUSS_DAMPER_KELVIN_VOIGT => {
                 let separation = enumeration_value(&Separation::ALL, self.separation, "separation")?;
                 with_law_status(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
             }
-            _ => with_law_status(Damper::hunt_crossley(self.dissipation)),
+            PERCUSS_DAMPER_HUNT_CROSSLEY => with_law_status(Damper::hunt_crossley(self.dissipation)),
+            _ => with_law_status(Damper::loss_factor(self.ratio)),
         }
     }
 }

@@ -157,6 +157,20 @@ impl ForceCurve {
         if curve.works[1] > 0.0 { Ok(curve) } else { refuse("the force is 0 everywhere".to_owned()) }
     }
 
+    /// Same curve with all forces multiplied by a factor above 0.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Curve`]: forces that are infinite or negative.
+    pub fn scaled(&self, factor: f64) -> Result<Self, ContactLawError> {
+        if self.powers.is_empty() {
+            return Self::new(
+                self.deflections.clone(),
+                self.forces.iter().map(|force| force * factor).collect(),
+            );
+        }
+        Self::powers(self.powers.iter().map(|(c, p)| (c * factor, *p)).collect(), self.deflections[1])
+    }
+
     /// Σ cᵢ x^r, with r a function of pᵢ.
     fn sum(&self, x: f64, exponent: impl Fn(f64) -> f64) -> f64 {
         self.powers.iter().map(|(c, p)| c * x.powf(exponent(*p))).sum()

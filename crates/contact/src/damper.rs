@@ -3,9 +3,11 @@
 use crate::error::{LawParameter, not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
 use crate::limits;
+use crate::solutions::loss_factor;
 use crate::stepping::{MOST_STEPS, Stepping, step_on_curve};
-use crate::trajectory::{Dissipative, OnCurve, Oscillator, Trajectory};
+use crate::trajectory::{Dissipative, Hysteretic, OnCurve, Oscillator, Trajectory};
 use crate::{CompliantContact, ContactLawError, Separation, StiffnessLaw, kelvin_voigt};
+use std::f64::consts::FRAC_PI_2;
 
 /// Damper law with its coefficient. A [`CompliantContact`], a damper and an approach speed define an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +27,12 @@ pub enum Damper {
     HuntCrossley {
         /// d, in s/m.
         dissipation: f64,
+    },
+    /// F = F_s(x) (1 + (π/2) η sgn ẋ), F_s = k xᵖ or a force curve: hysteresis that does not depend on the speed. The force jumps where the
+    /// rate changes its sign.
+    LossFactor {
+        /// η, from 0 to less than 2/π: energy lost in a full cycle over 2π times the largest stored energy.
+        loss_factor: f64,
     },
 }
 
@@ -60,6 +68,11 @@ impl Damper {
     /// Hunt–Crossley damper with a dissipation d, in s/m. Errors: d is negative, NaN or infinite.
     pub fn hunt_crossley(dissipation: f64) -> Result<Self, ContactLawError> {
         Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
+    }
+
+    /// Hysteresis with a loss factor η. Errors: η is not from 0 to less than 2/π.
+    pub fn loss_factor(loss_factor: f64) -> Result<Self, ContactLawError> {
+        loss_factor::hysteresis(loss_factor).map(|_| Self::LossFactor { loss_factor })
     }
 
     /// Linear damper c beside a force curve that gives the restitution e at the approach speed (m/s), by a search over c with the integrated
@@ -135,7 +148,27 @@ impl Damper {
                 spring + coefficient * x.powf(power) * rate
             }
             Self::HuntCrossley { dissipation } => spring * (1.0 + dissipation * rate).max(0.0),
+            Self::LossFactor { .. } if rate == 0.0 => spring,
+            Self::LossFactor { loss_factor } => spring * (1.0 + (FRAC_PI_2 * loss_factor).copysign(rate)),
         }
+    }
+
+    /// Same damper with its coefficient multiplied by a factor. Errors: as for [`hunt_crossley`](Self::hunt_crossley) and
+    /// [`loss_factor`](Self::loss_factor).
+    pub fn scaled(self, factor: f64) -> Result<Self, ContactLawError> {
+        match self {
+            Self::KelvinVoigt { ratio, coefficient, separation } => {
+                let coefficient = not_negative("damping coefficient, N s/m^((p+1)/2)", coefficient * factor)?;
+                Ok(Self::KelvinVoigt { ratio: ratio * factor, coefficient, separation })
+            }
+            Self::HuntCrossley { dissipation } => Self::hunt_crossley(dissipation * factor),
+            Self::LossFactor { loss_factor } => Self::loss_factor(loss_factor * factor),
+        }
+    }
+
+    /// True if the force jumps where the rate changes its sign.
+    pub fn jumps_at_reversal(self) -> bool {
+        matches!(self, Self::LossFactor { loss_factor } if loss_factor > 0.0)
     }
 
     /// Restitution at a contact for an approach speed, in m/s. The value is exact for the force of the damper, also
@@ -218,6 +251,7 @@ impl Damper {
         Ok(result(&Stepping {
             force: &force,
             ends_at_zero_force,
+            jumps_at_reversal: false,
             corners,
             step,
             speed,
@@ -252,6 +286,19 @@ impl Damper {
                         Box::new(OnCurve::new(curve, contact.mass(), speed, number, unit)?)
                     }
                 })
+            }
+            Self::LossFactor { loss_factor } => {
+                let h = loss_factor::hysteresis(loss_factor)?;
+                let (elastic, scale): (Box<dyn Trajectory>, f64) = match contact.stiffness() {
+                    StiffnessLaw::Power { exponent, .. } => {
+                        (Box::new(Dissipative::new(0.0, exponent)), (1.0 + h).powf(-1.0 / (exponent + 1.0)))
+                    }
+                    StiffnessLaw::Curve(curve) => {
+                        let unit = contact.undamped_penetration(speed)?;
+                        (Box::new(OnCurve::new(curve, contact.mass() / (1.0 + h), speed, 0.0, unit)?), 1.0)
+                    }
+                };
+                Ok(Box::new(Hysteretic::new(h, elastic, scale)))
             }
         }
     }

@@ -11,7 +11,7 @@
 //! | safe speed of a robot near a person        | [`TransientContact`]                                    |
 //!
 //! The stiffness is k xᵖ or a force curve ([`StiffnessLaw`]).
-//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]. The other laws are published approximations
+//! Three laws are solved exactly, [`kelvin_voigt`], [`hunt_crossley`] and a loss factor ([`Damper::LossFactor`]). The other laws are published approximations
 //! of the Hunt–Crossley damping, with known errors. All units are SI. No input causes a panic, a NaN or an infinity:
 //! overflow is an error.
 

@@ -4,6 +4,7 @@ use crate::error::{LawParameter, positive};
 use crate::impact::{self, Impact, Sample};
 use crate::{CompliantContact, ContactLawError};
 use serde::Serialize;
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Steps of the integration over the duration of the impact with the mass at the touch.
@@ -33,6 +34,8 @@ pub(crate) struct Stepping<'a> {
     pub force: &'a dyn Fn(f64, f64) -> f64,
     /// True if the contact ends when its force vanishes.
     pub ends_at_zero_force: bool,
+    /// True if the force jumps where the rate changes its sign. A step that crosses zero rate ends there.
+    pub jumps_at_reversal: bool,
     /// Penetrations at which the slope of the force jumps, m. A step that crosses one ends there.
     pub corners: &'a [f64],
     /// Length of a step, s.
@@ -59,18 +62,25 @@ impl Stepping<'_> {
         mut record: impl FnMut(Sample),
     ) -> Option<VaryingMassImpact> {
         let mass = |x: f64| interpolate(profile, x);
+        let is_closing = Cell::new(true);
+        // The force of one direction within a step.
+        let force = |x: f64, rate: f64| match (self.jumps_at_reversal, is_closing.get()) {
+            (false, _) => (self.force)(x, rate),
+            (true, true) => (self.force)(x, rate.max(f64::MIN_POSITIVE)),
+            (true, false) => (self.force)(x, rate.min(-f64::MIN_POSITIVE)),
+        };
         let rates = |(x, w): (f64, f64)| {
             let root = mass(x).sqrt();
-            (w / root, -((self.force)(x, w / root) + (self.beside)(x, w / root)) / root)
+            (w / root, -(force(x, w / root) + (self.beside)(x, w / root)) / root)
         };
         let rate = |(x, w): (f64, f64)| w / mass(x).sqrt();
         let mut state = (0.0, mass(0.0).sqrt() * self.speed);
-        let (mut deepest, mut peak_force) = (0.0f64, (self.force)(0.0, self.speed));
+        let (mut deepest, mut peak_force) = (0.0f64, force(0.0, self.speed));
         let sample = |time: f64, state: (f64, f64)| Sample {
             time,
             penetration: state.0,
             rate: rate(state),
-            force: (self.force)(state.0, rate(state)),
+            force: force(state.0, rate(state)),
         };
         record(sample(0.0, state));
         let (mut origin, mut steps) = (0.0, 0.0);
@@ -78,6 +88,16 @@ impl Stepping<'_> {
             let time = origin + steps * self.step;
             let mut length = self.step;
             let mut next = runge_kutta_step(state, length, &rates);
+            let reverses =
+                self.jumps_at_reversal && if is_closing.get() { next.1 < 0.0 } else { next.1 > 0.0 };
+            if reverses {
+                // Regula falsi: the rate is nearly linear over the step.
+                for _ in 0..CORNER_ITERATIONS {
+                    length *= state.1 / (state.1 - next.1);
+                    next = runge_kutta_step(state, length, &rates);
+                }
+                next.1 = 0.0;
+            }
             let (low, high) = (state.0.min(next.0), state.0.max(next.0));
             let mut crossed = self.corners.iter().copied().filter(|x| low < *x && *x < high);
             let corner = if next.0 > state.0 { crossed.next() } else { crossed.next_back() };
@@ -91,11 +111,11 @@ impl Stepping<'_> {
             }
             // The contact ends where this quantity falls below zero during the expansion.
             let remaining = |state: (f64, f64)| {
-                if self.ends_at_zero_force { (self.force)(state.0, rate(state)) } else { state.0 }
+                if self.ends_at_zero_force { force(state.0, rate(state)) } else { state.0 }
             };
             if next.1 < 0.0 && (remaining(next) <= 0.0 || next.0 <= 0.0) {
                 // A force curve with a force at the touch: the gap closes first.
-                let closes = next.0 <= 0.0 && (self.force)(0.0, rate(next)) > 0.0;
+                let closes = next.0 <= 0.0 && force(0.0, rate(next)) > 0.0;
                 let (before, after) =
                     if closes { (state.0, next.0) } else { (remaining(state), remaining(next)) };
                 let fraction = if before > after { (before / (before - after)).clamp(0.0, 1.0) } else { 1.0 };
@@ -109,9 +129,18 @@ impl Stepping<'_> {
                 });
             }
             deepest = deepest.max(next.0);
-            peak_force = peak_force.max((self.force)(next.0, rate(next)));
+            peak_force = peak_force.max(force(next.0, rate(next)));
             state = next;
-            (origin, steps) = if corner.is_some() { (time + length, 0.0) } else { (origin, steps + 1.0) };
+            if reverses && state.1 == 0.0 {
+                is_closing.set(!is_closing.get());
+                // The sides stay together if the force of the other direction does not drive the motion on.
+                let drives = rates(state).1;
+                if if is_closing.get() { drives <= 0.0 } else { drives >= 0.0 } {
+                    return None;
+                }
+            }
+            (origin, steps) =
+                if corner.is_some() || reverses { (time + length, 0.0) } else { (origin, steps + 1.0) };
             record(sample(time + length, state));
         }
         None

@@ -82,9 +82,17 @@ fn integrate(
         StiffnessLaw::Curve(curve) => (&curve.deflections()[1..], step_on_curve(contact, speed)?),
     };
     let force = |x: f64, rate: f64| damper.force(contact, x, rate);
-    let ends_at_zero_force = damper.ends_at_zero_force();
-    Ok(Stepping { force: &force, ends_at_zero_force, corners, step, speed, beside, most_steps: MOST_STEPS }
-        .run(profile, record))
+    Ok(Stepping {
+        force: &force,
+        ends_at_zero_force: damper.ends_at_zero_force(),
+        jumps_at_reversal: damper.jumps_at_reversal(),
+        corners,
+        step,
+        speed,
+        beside,
+        most_steps: MOST_STEPS,
+    }
+    .run(profile, record))
 }
 
 /// Restitution of a contact that prescribes accelerations of the joints, as MuJoCo's contacts do: j q̈ = −(ω² δ + 2ζω δ̇) while the

@@ -94,6 +94,7 @@ fn every_laws_damper_gives_the_predicted_rebound() {
             let force = |x: f64, rate: f64| match damper {
                 Damper::KelvinVoigt { coefficient, .. } => k * x.powf(p) + coefficient * x.powf(0.25) * rate,
                 Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
+                Damper::LossFactor { .. } => damper.force(contact, x, rate),
             };
             let impact = IntegratedImpact {
                 mass: contact.mass(),
@@ -164,7 +165,9 @@ fn the_exact_laws_reach_the_restitution() {
                 let e = f64::from(i) / 1000.0;
                 let damper = law.damper(contact(), e, Some(2.5), separation).unwrap();
                 let got = damper.restitution(contact(), 2.5).unwrap();
-                assert!(relative_difference(got, e) < 1e-12, "{law:?} {separation:?} {e}: {got}");
+                // The force of the return, e² of that of the approach, is a difference from 1.
+                let rounding = if law == Law::LossFactor { f64::EPSILON / (e * e) } else { 0.0 };
+                assert!(relative_difference(got, e) < 1e-12 + rounding, "{law:?} {separation:?} {e}: {got}");
                 assert_eq!(law.approximation_error(e).unwrap().achieved, e);
             }
         }
@@ -181,7 +184,7 @@ fn names_are_unique_and_are_parsed_back() {
         for text in [law.title(), law.formula(), law.source()] {
             assert!(!text.is_empty() && !text.contains("  "), "{law:?}: {text:?}");
         }
-        assert_eq!(law.needs_speed(), law != Law::KelvinVoigt);
+        assert_eq!(law.needs_speed(), ![Law::KelvinVoigt, Law::LossFactor].contains(&law));
     }
     assert_eq!(names.len(), Law::ALL.len());
     for alias in Law::ALIASES {

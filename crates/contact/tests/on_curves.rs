@@ -199,7 +199,7 @@ fn code_of_tools_has_the_curve() {
         request.options.own_mass = Some(150.0);
         let exact = Law::HuntCrossley.damper(contact, 0.3, Some(1.0), Separation::ForceVanishes).unwrap();
         let exact = exact.impact(contact, 1.0).unwrap();
-        for tool in [Tool::ADAMS, Tool::CHRONO, Tool::DRAKE, Tool::EXUDYN] {
+        for tool in [Tool::ADAMS, Tool::CHRONO, Tool::DRAKE, Tool::EXUDYN, Tool::SIMSCAPE] {
             let export = tool.export(&request).unwrap();
             let code = export.snippets.iter().find(|snippet| snippet.title == "force curve").expect("code");
             let numbers = |text: &str| -> Vec<f64> {
@@ -213,15 +213,21 @@ fn code_of_tools_has_the_curve() {
                 [["X = ", ", Y"], ["Y = ", "SFORCE"]]
             } else if tool == Tool::CHRONO {
                 [["x[] = {", "}"], ["f[] = {", "}"]]
+            } else if tool == Tool::SIMSCAPE {
+                [["deflections = {[", "]"], ["forces = {[", "]"]]
             } else {
                 [["DEFLECTIONS = [", "]"], ["FORCES = [", "]"]]
             };
             let [x, f] = [start, end].map(|[from, to]| numbers(&between(from, to)));
             let read = ForceCurve::new(x, f).unwrap();
-            let factor = if [Tool::ADAMS, Tool::CHRONO].contains(&tool) { "(1 - " } else { "(1 + " };
+            let factor = match tool {
+                tool if [Tool::ADAMS, Tool::CHRONO].contains(&tool) => "(1 - ",
+                tool if tool == Tool::SIMSCAPE => "dissipation = {",
+                _ => "(1 + ",
+            };
             let text = code.text.replace("(1-", "(1 - ");
             let dissipation = text.split_once(factor).expect("a factor").1;
-            let dissipation: f64 = dissipation.split(['*', ' ']).next().unwrap().parse().unwrap();
+            let dissipation: f64 = dissipation.split(['*', ' ', ',']).next().unwrap().parse().unwrap();
             let contact = CompliantContact::on_curve(150.0, &read).unwrap();
             let found = Damper::hunt_crossley(dissipation).unwrap().impact(contact, 1.0).unwrap();
             let close = |a: f64, b: f64| (a / b - 1.0).abs() < tolerance;
@@ -312,4 +318,59 @@ fn a_power_is_the_power_law() {
     ] {
         assert!(ForceCurve::powers(powers.clone(), to).is_err(), "{powers:?}");
     }
+}
+
+/// A loss factor gives its restitution on every curve, also with a mass that changes over the penetration; the energy balance gives the largest
+/// penetration, and the integration with a step that ends at the reversal the rest.
+#[test]
+fn a_loss_factor_gives_its_restitution() {
+    let mut rng = StdRng::seed_from_u64(19);
+    for case in 0..40 {
+        let curve = random_curve(&mut rng);
+        let (mass, speed) = (rng.random_range(5.0..120.0), rng.random_range(0.3..2.0));
+        let e = rng.random_range(0.05..1.0);
+        let contact = CompliantContact::on_curve(mass, &curve).expect("a contact");
+        let damper = Law::LossFactor.damper(contact, e, None, Separation::ForceVanishes).expect("a damper");
+        let Damper::LossFactor { loss_factor } = damper else { panic!("{damper:?}") };
+        let h = 0.5 * std::f64::consts::PI * loss_factor;
+        let found = damper.impact(contact, speed).expect("an impact");
+        let what = format!("{case}: {e} {found:?}");
+        // Rounding of e² = (1 − h)/(1 + h).
+        assert!((found.restitution - e).abs() < 1e-15 / (e * e), "{what}");
+        // Midpoints of 1e5 parts: 1e-10 of a smooth piece, 1e-5 of the part of a corner.
+        let (mut work, mut largest, part) = (0.0, 0.0f64, found.max_penetration / 1e5);
+        for i in 0..100_000 {
+            let force = curve.at((f64::from(i) + 0.5) * part).0;
+            (work, largest) = (work + force * part, largest.max(force));
+        }
+        let kinetic = 0.5 * mass * speed * speed;
+        assert!(((1.0 + h) * work / kinetic - 1.0).abs() < 1e-7, "{work} {what}");
+        assert!((found.energy_lost / (kinetic - (1.0 - h) * work) - 1.0).abs() < 1e-6 / (1.0 - e), "{what}");
+        assert!(((1.0 + h) * largest / found.peak_force - 1.0).abs() < 1e-4, "{largest} {what}");
+        for change in [0.0, -0.4, 1.5] {
+            let to = 2.0 * found.max_penetration;
+            let profile: Vec<(f64, f64)> =
+                (0..=16).map(|i| f64::from(i) / 16.0).map(|s| (to * s, mass * (1.0 + change * s))).collect();
+            let stepped =
+                impact_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end");
+            assert!((stepped.restitution - e).abs() < 2e-6, "{change} {stepped:?} {what}");
+            if change == 0.0 {
+                assert!((stepped.max_penetration / found.max_penetration - 1.0).abs() < 1e-6, "{what}");
+                assert!((stepped.peak_force / found.peak_force - 1.0).abs() < 1e-5, "{stepped:?} {what}");
+                let history = percuss_contact::history_with_varying_mass(damper, contact, &profile, speed);
+                let last = *history.unwrap().expect("an end").last().expect("an end");
+                assert!((last.time / found.duration.unwrap() - 1.0).abs() < 1e-5, "{last:?} {what}");
+            }
+        }
+        let samples = damper.history(contact, speed, 300).expect("a history");
+        let last = samples.last().expect("an end");
+        assert!((last.rate + e * speed).abs() < 1e-9 * speed / (e * e), "{what}");
+    }
+    for wrong in [-0.1, 2.0 / std::f64::consts::PI, f64::NAN] {
+        assert!(Damper::loss_factor(wrong).is_err(), "{wrong}");
+    }
+    let linear = CompliantContact::new(3.0, 2e4).expect("a contact");
+    let refused =
+        Law::LossFactor.damper(linear, 0.0, None, Separation::ForceVanishes).expect_err("no damper");
+    assert!(refused.to_string().contains("no force is left for the return"), "{refused}");
 }

@@ -86,6 +86,7 @@ fn a_bar_on_a_hinge_moves_as_its_own_equation_says() {
             let force = |x: f64, v: f64| match damper {
                 Damper::KelvinVoigt { coefficient, .. } => STIFFNESS * x + coefficient * v,
                 Damper::HuntCrossley { dissipation } => STIFFNESS * x * (1.0 + dissipation * v),
+                Damper::LossFactor { .. } => unreachable!("no damper of these cases"),
             };
             // Leapfrog with a step that is small enough for five digits.
             let (mut q, mut rate, step) = (touch, speed / (length * touch.cos()), 2e-8);

@@ -76,6 +76,6 @@ pub use time::compliant::impact::{
     compliant_impact, compliant_impact_of,
 };
 pub use time::conditions::TimeConditions;
-pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
+pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, SecondTouch, peak_over_time};
 pub use time::impact_in_time::impact_in_time;
 pub use time::motion_forces::forces_of_motion;

@@ -126,7 +126,7 @@ CASES: dict[str, Call] = {
          "percussion": [], "restitution_law": None, "also": [], "sticking": False, "stiffness_ratio": [],
          "contact_exponent": None, "in_time": False, "gravity": None, "also_restitution": [], "gear_limit": None,
          "point_error": None, "joint_spring": None, "stiffness_curve": None, "springs": None, "spring": [], "damper": [],
-         "drive": [], "reach": False, "damping": None, "hunt_crossley": None, "compliance": False},
+         "drive": [], "reach": False, "damping": None, "hunt_crossley": None, "loss_factor": None, "compliance": False},
     ),
     "extremes": Call(
         percuss.extremes,

@@ -124,7 +124,9 @@ pub use reports::impact::in_time::compliant::{
 pub use reports::impact::in_time::forces::{
     AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
-pub use reports::impact::in_time::{BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord};
+pub use reports::impact::in_time::{
+    BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, SecondTouchRecord,
+};
 pub use reports::impact::masses::MassStateRecord;
 pub use reports::impact::reactions::{
     JointConstraintKind, JointConstraintRecord, ReactionPlace, ReactionRecord,

@@ -94,6 +94,8 @@ pub(crate) const DIFFERENCE_OF_POINTS: f64 = 1e-6;
 pub(crate) const SPEED_ROUNDING: f64 = 1e-13;
 /// Displacement of a coordinate that shows its influence on the required values, relative to its range.
 pub(crate) const SMALL_PART: f64 = 1e-3;
+/// Largest factor of a search on the forces of a curve and on a damping; the least is its inverse.
+pub(crate) const LARGEST_FACTOR: f64 = 4.0;
 /// Least change of a required value by this displacement, in scales of the quantity: rounding is some 1e-10.
 pub(crate) const SMALLEST_INFLUENCE: f64 = 1e-8;
 /// Steps of a search that are shorter (m) do not change the coordinate.
@@ -208,6 +210,8 @@ pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
 /// Difference from the wanted restitution at which the search for the damping ends: above the error of the integration, below every shown digit.
 pub(crate) const REACHED_RESTITUTION: f64 = 1e-9;
+/// Greatest loss factor of this search: 0.999·2/π, the restitution 0.02 on the spring alone.
+pub(crate) const LARGEST_LOSS_FACTOR: f64 = 0.636;
 /// Greatest number of impacts of each part of this search.
 pub(crate) const STEPS_TO_REACH: usize = 60;
 /// Change of the restitution by springs during the contact above which there is a warning: the second digit.

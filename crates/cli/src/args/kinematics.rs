@@ -33,10 +33,11 @@ pub struct KinematicsArgs {
     pub steer: Option<String>,
     #[command(flatten)]
     pub vehicle: VehicleData,
-    /// Search a coordinate of a hardpoint or a mass: rocker_back.z, upright.mass.
+    /// Search a coordinate, a mass, a curve or a damper: rocker_back.z, upright.mass, bump_stop.curve.
     ///
     /// POINT.AXIS: x, y or z in the axes of the sheet. LINK.mass: the mass of a link, by at most half; its moments of inertia change in
-    /// proportion.
+    /// proportion. CONTACT.curve: factor on the forces of the curve (or on the stiffness) of a stop, and CONTACT.damping: its damping, each between a
+    /// quarter and four times; both require --speed.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
     pub solve: Vec<SearchUnknown>,
     /// Required value of a quantity: spring.motion_ratio=0.75, caster=4deg; as many as --solve.
@@ -45,12 +46,13 @@ pub struct KinematicsArgs {
     /// motion_ratio_bump_stop. bump_stop.mass is the effective mass at the touch of the stop, and so for every named contact.
     #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
-    /// Closing speed of the contact, for --for bump_stop.peak_force=4kN and bump_stop.compression=25mm.
+    /// Closing speed of the contact, for --for bump_stop.peak_force=4kN, .compression=25mm, .restitution=0.3.
     ///
-    /// The impact is that of `percuss damp` on the force curve of the stop in the sheet, or with --stiffness.
+    /// The impact is that of `percuss damp` on the force curve of the stop in the sheet, or with --stiffness; the restitution is that with the
+    /// springs, dampers, tyre and anti-roll bar of the sheet, to first order.
     #[arg(long, value_name = "V", requires = "solve", help_heading = SEARCH)]
     pub speed: Option<Speed>,
-    /// Restitution at this speed; default: 1, no damping.
+    /// Restitution at this speed, for the damping without these forces; default: 1, no damping.
     #[arg(long, value_name = "E", requires = "speed", help_heading = SEARCH)]
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact in place of the curve of the sheet.

@@ -164,6 +164,10 @@ fn results(report: &DampingReport) -> Vec<(String, String)> {
     let for_restitution = format!("for the restitution {}", number(damper.restitution));
     let mut results = Vec::new();
     match (damper.damping_ratio, damper.damping) {
+        (None, None) if damper.loss_factor.is_some() => results.push((
+            number(damper.loss_factor.unwrap_or_default()),
+            format!("loss factor {for_restitution} ({})", stiffness(report)),
+        )),
         (ratio, Some(c)) => {
             let power = unit_power(damper.exponent.map_or(1.0, |p| 0.5 * (p + 1.0)));
             let ratio = ratio.map_or_else(String::new, |ratio| format!(", damping ratio {}", number(ratio)));

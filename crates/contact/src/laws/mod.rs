@@ -5,7 +5,7 @@ mod exact;
 mod facts;
 
 use crate::error::{LawParameter, nearest, positive, unit_interval};
-use crate::solutions::{hunt_crossley, kelvin_voigt};
+use crate::solutions::{hunt_crossley, kelvin_voigt, loss_factor};
 use crate::{CompliantContact, ContactLawError, Damper, Separation};
 use approximate::{
     carvalho_martins, exudyn_mixed, flores, gharib_hurmuzlu, gonthier, herbert_mcwhannell, hu_guo,
@@ -47,6 +47,8 @@ pub enum Law {
     SafaeifarFarshidianfar,
     /// Mixed formula of EXUDYN.
     ExudynMixed,
+    /// Hysteresis with a loss factor, solved exactly.
+    LossFactor,
 }
 
 /// Alternative name of a law.
@@ -86,8 +88,8 @@ impl ApproximationError {
 }
 
 impl Law {
-    /// All laws; the exact laws are first.
-    pub const ALL: [Self; 14] = [
+    /// All laws. The order is that of the numbers in C.
+    pub const ALL: [Self; 15] = [
         Self::KelvinVoigt,
         Self::HuntCrossley,
         Self::HuntCrossley1975,
@@ -102,6 +104,7 @@ impl Law {
         Self::CarvalhoMartins,
         Self::SafaeifarFarshidianfar,
         Self::ExudynMixed,
+        Self::LossFactor,
     ];
 
     /// Alternative names of all laws.
@@ -192,9 +195,9 @@ impl Law {
         self.facts().approximation.is_none()
     }
 
-    /// True if the damping depends on the approach speed, which is then required. On a force curve the damping of every law depends on it.
+    /// True if the damping depends on the approach speed, which is then required. On a force curve that of Kelvin–Voigt depends on it too.
     pub fn needs_speed(self) -> bool {
-        self != Self::KelvinVoigt
+        !matches!(self, Self::KelvinVoigt | Self::LossFactor)
     }
 
     /// Damper of this law for the restitution e at a contact, for the approach speed in m/s if the law needs one
@@ -222,6 +225,7 @@ impl Law {
                     separation,
                 );
             }
+            Self::LossFactor => return Damper::loss_factor(loss_factor::loss_factor(restitution)?),
             _ => self.dissipation_number(restitution)?,
         };
         Damper::hunt_crossley(dissipation_number / needs_speed()?)
@@ -275,6 +279,7 @@ impl Law {
             Self::CarvalhoMartins => &carvalho_martins::FACTS,
             Self::SafaeifarFarshidianfar => &safaeifar_farshidianfar::FACTS,
             Self::ExudynMixed => &exudyn_mixed::FACTS,
+            Self::LossFactor => &exact::LOSS_FACTOR,
         }
     }
 }

@@ -13,11 +13,13 @@
 //! integrand dt/ds can be singular only at the start and at the end of the contact, so s is measured from both.
 
 mod dissipative;
+mod hysteretic;
 mod on_curve;
 mod oscillator;
 mod quadrature;
 
 pub(crate) use dissipative::Dissipative;
+pub(crate) use hysteretic::Hysteretic;
 pub(crate) use on_curve::OnCurve;
 pub(crate) use oscillator::Oscillator;
 

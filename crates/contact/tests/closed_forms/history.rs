@@ -117,7 +117,7 @@ fn the_history_agrees_with_the_figures_of_the_impact() {
                 assert!(last.force == 0.0 && last.penetration > 0.0, "{name}: {last:?}");
                 assert!(samples.iter().all(|sample| sample.force >= 0.0), "{name}");
             }
-            Damper::HuntCrossley { .. } => {
+            Damper::HuntCrossley { .. } | Damper::LossFactor { .. } => {
                 assert!(last.force == 0.0 && last.penetration == 0.0, "{name}: {last:?}");
                 assert!(samples.iter().all(|sample| sample.force >= 0.0), "{name}");
             }

@@ -27,6 +27,7 @@ fn run(law: Law, e: f64, contact: CompliantContact, speed: f64, separation: Sepa
             k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate
         }
         Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
+        Damper::LossFactor { .. } => unreachable!("no law of these cases"),
     };
     let kelvin_voigt = matches!(damper, Damper::KelvinVoigt { .. });
     let impact = IntegratedImpact {

@@ -15,6 +15,8 @@ pub struct TimeConditions {
     pub other_mass: Option<f64>,
     /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
     pub ends_without_force: bool,
+    /// True if the force jumps where the closing speed changes its sign, as that of a hysteresis. The steps of the integration end there.
+    pub jumps_at_reversal: bool,
     /// Springs, dampers and drives of joints.
     pub springs: Vec<JointSpring>,
     /// Springs, dampers and drives between points.

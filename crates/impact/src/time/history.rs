@@ -49,6 +49,15 @@ impl EnergyBalance {
     }
 }
 
+/// Second touch of the sides after the end of a contact, at the position of the first touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecondTouch {
+    /// Time after the end of the contact, s.
+    pub after_end: f64,
+    /// Closing speed, m/s.
+    pub closing_speed: f64,
+}
+
 /// Impact in time, from the touch to the separation.
 #[derive(Clone, Debug)]
 pub struct ImpactInTime {
@@ -67,19 +76,22 @@ pub struct ImpactInTime {
     pub mass_at_max_penetration: Option<f64>,
     /// Energies of the motion.
     pub energy: EnergyBalance,
+    /// Second touch within three durations of the contact after its end, which springs or gravity cause; computed with samples within the steps.
+    pub second_touch: Option<SecondTouch>,
     /// Samples at the steps of the integration; the last one is the end of the contact.
     pub samples: Vec<ImpactSample>,
 }
 
-/// Largest value of a smooth quantity and its time: vertex of the parabola through the largest sample and its neighbours.
-/// `None` without samples.
+/// Largest value of a smooth quantity and its time: vertex of the parabola through the largest sample and its neighbours. A quantity that jumps
+/// has two samples at one time. `None` without samples.
 ///
 /// # Panics
 /// If there are fewer times than values.
 pub fn peak_over_time(times: &[f64], values: &[f64]) -> Option<(f64, f64)> {
     let best = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
     let (time, largest) = (times[best], values[best]);
-    if best == 0 || best + 1 >= values.len() {
+    let jumps = |k: usize| times[k] == time;
+    if best == 0 || best + 1 >= values.len() || jumps(best - 1) || jumps(best + 1) {
         return Some((largest, time));
     }
     let point = |k: usize| (times[k] - time, values[k] - largest);

@@ -13,8 +13,7 @@ use crate::time::conditions::{TimeConditions, refuse_grounded_base, spring_force
 use crate::time::equations::{MotionEquations, base_motion, rates_of};
 use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
-    CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_TIME_STEPS, NO_REBOUND,
-    STEPS_WITHOUT_REBOUND, TIME_STEP_ERROR,
+    CORNER_DISTANCE, LARGEST_TIME_STEP, MOST_TIME_STEPS, NO_REBOUND, STEPS_WITHOUT_REBOUND, TIME_STEP_ERROR,
 };
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption};
@@ -23,8 +22,8 @@ use std::cell::{Cell, RefCell};
 
 /// Unit of the works, over the kinetic energy ½ m̄ c²: so large that their errors do not shorten the steps.
 const WORK_UNIT: f64 = 1e3;
-/// Distance of a point of the force curve, over the penetration without damping, within which a step is examined.
-const NEAR_CORNER: f64 = 0.01;
+/// Time after the contact in which a second touch is searched, over the duration of the contact.
+const WATCHED: f64 = 3.0;
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
 
@@ -68,13 +67,13 @@ pub fn impact_in_time(
 /// Motion in scaled variables, each of order one: displacements of the joints and of the base over `depth`, rates over the largest
 /// rate, penetration over `depth`, speed of the other body over the closing speed, work taken by the contact and work of the other forces over
 /// `work`; time over `depth`/closing speed.
-struct Motion<'a> {
-    start: &'a Pose,
-    contact: &'a Contact,
+pub(super) struct Motion<'a> {
+    pub(super) start: &'a Pose,
+    pub(super) contact: &'a Contact,
     force: &'a dyn Fn(f64, f64) -> f64,
-    conditions: &'a TimeConditions,
-    speed: f64,
-    depth: f64,
+    pub(super) conditions: &'a TimeConditions,
+    pub(super) speed: f64,
+    pub(super) depth: f64,
     /// Largest rate before the impact, m/s over scaled coordinates.
     rate: f64,
     /// Factor from a coordinate's rate to the rate of a displacement in metres.
@@ -84,6 +83,10 @@ struct Motion<'a> {
     evaluation: RefCell<Evaluation>,
     /// True if the last evaluation is beyond the end of the contact.
     is_over: Cell<bool>,
+    /// Direction of the motion, for a force that jumps at the reversal.
+    pub(super) is_closing: Cell<bool>,
+    /// True after the contact: its force is 0.
+    pub(super) is_free: Cell<bool>,
     springs: SpringForces,
     /// Unit of the works, J.
     work: f64,
@@ -98,11 +101,11 @@ struct Evaluation {
 }
 
 /// Contact, rates and contact force at one state (SI units).
-struct Instant {
+pub(super) struct Instant {
     contact: LocatedContact,
     rates: Vec<f64>,
-    penetration: f64,
-    closing: f64,
+    pub(super) penetration: f64,
+    pub(super) closing: f64,
     force: f64,
 }
 
@@ -146,13 +149,15 @@ impl<'a> Motion<'a> {
             initial,
             evaluation,
             is_over: Cell::new(false),
+            is_closing: Cell::new(true),
+            is_free: Cell::new(false),
             springs,
             work: WORK_UNIT * energy,
         }
     }
 
     /// Integrator from a state with the scaled rates `rate`.
-    fn integrator(&self, rate: Vec<f64>) -> MultistepIntegrator {
+    pub(super) fn integrator(&self, rate: Vec<f64>) -> MultistepIntegrator {
         let integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         integrator.with_kinks(self.springs.has_kinks())
     }
@@ -163,7 +168,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Contact, rates and force at a scaled state. Moves `pose` to the state; `None` if the contact does not exist there.
-    fn instant(&self, y: &[f64], pose: &mut Pose) -> Option<Instant> {
+    pub(super) fn instant(&self, y: &[f64], pose: &mut Pose) -> Option<Instant> {
         interruption::check();
         let (positions, rest) = y.split_at(self.start.positions().len());
         let (base, rest) = rest.split_at(BASE);
@@ -175,8 +180,18 @@ impl<'a> Motion<'a> {
         let rates: Vec<f64> = rates.iter().zip(&self.lengths).map(|(x, l)| x * self.rate / l).collect();
         let own: f64 = pose.contact_row(&contact).iter().zip(&rates).map(|(j, u)| j * u).sum();
         let (penetration, closing) = (self.depth * rest[0], own + self.speed * rest[1]);
-        let force = (self.force)(penetration, closing);
+        let rate = match (self.conditions.jumps_at_reversal, self.is_closing.get()) {
+            (false, _) => closing,
+            (true, true) => closing.max(f64::MIN_POSITIVE),
+            (true, false) => closing.min(-f64::MIN_POSITIVE),
+        };
+        let force = if self.is_free.get() { 0.0 } else { (self.force)(penetration, rate) };
         Some(Instant { contact, rates, penetration, closing, force })
+    }
+
+    /// True if springs, dampers, drives, supports or gravity act.
+    pub(super) fn has_other_forces(&self) -> bool {
+        !self.springs.is_empty() || self.conditions.gravity != Vector3::zeros()
     }
 
     /// Gravity in root axes.
@@ -185,7 +200,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Rates of the scaled state over scaled time; NaN if the contact does not exist.
-    fn derivative(&self, y: &[f64], out: &mut [f64]) {
+    pub(super) fn derivative(&self, y: &[f64], out: &mut [f64]) {
         if self.try_derivative(y, out).is_none() {
             out.fill(f64::NAN);
         }
@@ -260,7 +275,35 @@ impl<'a> Motion<'a> {
         let mut slow = [0; 2];
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
-            let passed = self.corner(&y, taken, (penetration, closing), &mut sampler.pose);
+            let reversal = self.reversal(&y, taken, &mut sampler.pose);
+            let within = reversal.as_ref().map_or(taken, |(_, _, h)| *h);
+            let passed = self.corner(&y, within, (penetration, closing), &mut sampler.pose);
+            // The contact can end before the point within the same step.
+            let passed = passed.filter(|(_, at, _)| !self.is_end(at));
+            if let (None, Some((state, at, taken))) = (&passed, reversal) {
+                let states = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+                // Both ends of the jump are samples.
+                sampler.add_within(self, time, taken, &states);
+                time += taken;
+                deepest = deeper(deepest, Some((at.penetration, finite_mass(&sampler.pose, self.contact))));
+                let mut rate = vec![0.0; state.len()];
+                f(&state, &mut rate);
+                sampler.add(self, time, &at, &rate);
+                self.is_closing.set(!self.is_closing.get());
+                f(&state, &mut rate);
+                let then = self.take_instant(&mut sampler.pose).ok_or_else(lost)?;
+                sampler.add(self, time, &then, &rate);
+                (y, closing, penetration) = (state, then.closing, then.penetration);
+                if self.sticks(&y) {
+                    // With more freedoms the sides can separate later.
+                    let is_single =
+                        self.start.degrees_of_freedom() == 1 && self.conditions.other_mass.is_none();
+                    slow[1] = if is_single { STEPS_WITHOUT_REBOUND + 1 } else { 0 };
+                    break;
+                }
+                integrator = self.integrator(rate);
+                continue;
+            }
             if let Some((state, at, taken)) = passed {
                 let states = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
                 if closing > 0.0 && at.closing <= 0.0 {
@@ -332,32 +375,6 @@ impl<'a> Motion<'a> {
         Ok(ImpactInTime { restitution: 0.0, separates: false, ..found })
     }
 
-    /// First point of the force curve that the penetration passes within a step of length `h` from `y`, where it is `penetration` (m): state,
-    /// values, and distance from `y`. Moves `pose` to the state. `None` without such a point.
-    fn corner(
-        &self,
-        y: &[f64],
-        h: f64,
-        (penetration, closing): (f64, f64),
-        pose: &mut Pose,
-    ) -> Option<(Vec<f64>, Instant, f64)> {
-        let corners = &self.conditions.corners;
-        // Far points are not reached: the speed changes little within a step, and the turning point is within a hundredth of the depth.
-        let most = (2.0 * closing.abs() / self.speed * h + NEAR_CORNER) * self.depth;
-        if corners.iter().all(|x| (x - penetration).abs() > most) {
-            return None;
-        }
-        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let states = |h: f64| step(&f, y, h, TIME_STEP_ERROR).0;
-        let reached = self.instant(&states(h), &mut self.start.clone())?.penetration;
-        let least = CORNER_DISTANCE * self.depth;
-        let sign = (reached - penetration).signum();
-        let ahead = |x: &&f64| sign * (**x - penetration) > least && sign * (reached - **x) > 0.0;
-        let nearest = |a: &&f64, b: &&f64| (**a - penetration).abs().total_cmp(&(**b - penetration).abs());
-        let corner = *corners.iter().filter(ahead).min_by(nearest)?;
-        self.locate(y, h, &states, &|at| sign * (corner - at.penetration) / self.depth, pose)
-    }
-
     /// True if a state is at or beyond the end of the contact: the sides separate, and the force or the penetration is not positive.
     fn is_end(&self, at: &Instant) -> bool {
         at.closing < 0.0 && self.remaining(at) <= 0.0
@@ -377,7 +394,10 @@ impl<'a> Motion<'a> {
         self.derivative(&end, &mut rate);
         sampler.add(self, time, &at, &rate);
         let found = self.result(sampler, time, &end, deepest.unwrap_or((at.penetration, None)));
-        Ok(ImpactInTime { restitution: -at.closing / self.speed, ..found })
+        // A search for a damping has no samples within the steps, and no motion after the contact.
+        let is_watched = self.conditions.samples_within_steps > 0;
+        let second_touch = if is_watched { self.second_touch(&end, WATCHED * time) } else { None };
+        Ok(ImpactInTime { restitution: -at.closing / self.speed, second_touch, ..found })
     }
 
     /// Result with the restitution 0 at the scaled state `end`.
@@ -400,9 +420,10 @@ impl<'a> Motion<'a> {
             duration: time * self.depth / self.speed,
             separates: true,
             max_penetration,
-            peak_force: sampler.peak_force(),
+            peak_force: sampler.peak_force(self),
             mass_at_max_penetration,
             energy,
+            second_touch: None,
             samples: sampler.samples,
         }
     }
@@ -415,63 +436,6 @@ impl<'a> Motion<'a> {
         let own = 0.5 * rates.dot(&(pose.mass_matrix() * &rates));
         let other = self.speed * y[y.len() - 3];
         own + self.conditions.other_mass.map_or(0.0, |mass| 0.5 * mass * other * other)
-    }
-
-    /// Largest penetration (m) within a step of length `h` from `y`, and m̄ (kg) there.
-    fn turning_point(
-        &self,
-        y: &[f64],
-        h: f64,
-        states: &dyn Fn(f64) -> Vec<f64>,
-    ) -> Option<(f64, Option<f64>)> {
-        let mut pose = self.start.clone();
-        let (_, turn, _) = self.locate(y, h, states, &|at| at.closing / self.speed, &mut pose)?;
-        Some((turn.penetration, finite_mass(&pose, self.contact)))
-    }
-
-    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method, with its values and its distance
-    /// from `y`. A value that stays zero, such as a force without pull, is not linear there: its first zero is found by bisection. `states`:
-    /// state at a distance from `y`. Moves `pose` to the state.
-    fn locate(
-        &self,
-        y: &[f64],
-        h: f64,
-        states: &dyn Fn(f64) -> Vec<f64>,
-        value: &dyn Fn(&Instant) -> f64,
-        pose: &mut Pose,
-    ) -> Option<(Vec<f64>, Instant, f64)> {
-        let mut above = value(&self.instant(y, pose)?);
-        let mut state = |h: f64| {
-            let next = states(h);
-            self.instant(&next, pose).map(|at| (next, at, h))
-        };
-        let (mut low, mut high) = (0.0, h);
-        let mut found = state(h)?;
-        let mut below = value(&found.1);
-        let mut side = 0;
-        for _ in 0..END_ITERATIONS {
-            if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
-                break;
-            }
-            let has_sign = below < 0.0;
-            let part = if has_sign { (above / (above - below)).clamp(0.0, 1.0) } else { 0.5 };
-            let middle = low + (high - low) * part;
-            found = state(middle)?;
-            let v = value(&found.1);
-            if has_sign && v.abs() <= CONTACT_ENDS {
-                break;
-            }
-            if v > 0.0 {
-                (low, above) = (middle, v);
-                below *= if side == 1 { 0.5 } else { 1.0 };
-                side = 1;
-            } else {
-                (high, below) = (middle, v);
-                above *= if side == -1 { 0.5 } else { 1.0 };
-                side = -1;
-            }
-        }
-        Some(found)
     }
 }
 
@@ -559,7 +523,16 @@ impl Sampler {
     }
 
     /// Largest force of the contact.
-    fn peak_force(&self) -> f64 {
+    fn peak_force(&self, motion: &Motion) -> f64 {
+        let largest = self.samples.iter().max_by(|a, b| a.force.total_cmp(&b.force));
+        let is_corner = |sample: &&ImpactSample| {
+            let near = |x: &f64| (x - sample.penetration).abs() <= CORNER_DISTANCE * motion.depth;
+            motion.conditions.corners.iter().any(near)
+        };
+        // No parabola across a point of the force curve.
+        if let Some(sample) = largest.filter(is_corner) {
+            return sample.force;
+        }
         let times: Vec<f64> = self.samples.iter().map(|sample| sample.time).collect();
         let forces: Vec<f64> = self.samples.iter().map(|sample| sample.force).collect();
         peak_over_time(&times, &forces).map_or(0.0, |(force, _)| force)
@@ -579,6 +552,6 @@ impl Sampler {
 }
 
 /// m̄ at a pose; `None` if it is not finite.
-fn finite_mass(pose: &Pose, contact: &Contact) -> Option<f64> {
+pub(super) fn finite_mass(pose: &Pose, contact: &Contact) -> Option<f64> {
     pose.respond(contact).ok()?.effective_mass.kilograms()
 }

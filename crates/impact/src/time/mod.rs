@@ -3,6 +3,7 @@
 pub(crate) mod compliant;
 pub(crate) mod conditions;
 pub(crate) mod equations;
+mod events;
 pub(crate) mod history;
 pub(crate) mod impact_in_time;
 pub(crate) mod motion_forces;

@@ -2,6 +2,7 @@
 
 mod compliant;
 mod forces;
+mod two_freedoms;
 
 use crate::cases::all;
 use nalgebra::{DVector, Matrix3, Vector3};

@@ -72,8 +72,8 @@ class BodyAlone(Record):
     mass: float
     """Mass, kg."""
     restitution: float | None
-    """Restitution on the real contact of a damper designed for this mass; None for laws of the Hunt–Crossley family, whose
-    dissipation does not depend on the mass."""
+    """Restitution on the real contact of a damper designed for this mass; None for laws with a damping that does not depend on
+    the mass (Hunt–Crossley, loss factor)."""
 
 
 class BodyShare(Record):
@@ -511,13 +511,15 @@ class DampingReport(Record):
     separation: str | None
     """Condition for the end of the contact: "force" or "gap"; None for laws with a force that vanishes with the gap."""
     damping_ratio: float | None
-    """Damping ratio ζ; None for laws of the Hunt–Crossley family and for a force curve."""
+    """Damping ratio ζ; None for other laws than Kelvin–Voigt and for a force curve."""
     damping: float | None
-    """Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring and for a force curve; None for laws of the
-    Hunt–Crossley family."""
+    """Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring and for a force curve; None for other laws
+    than Kelvin–Voigt."""
     dissipation: float | None
     """Dissipation d of the force F_s(x) (1 + d ẋ), F_s = k xᵖ or the force curve, s/m. For the Kelvin–Voigt law, the value of
     the exact Hunt–Crossley law, None without a speed."""
+    loss_factor: float | None
+    """Loss factor η of the force F_s(x) (1 + (π/2) η sgn ẋ); None for other laws."""
     achieved_restitution: float
     """Restitution that the damper achieves."""
     contact_duration: float | None
@@ -1217,9 +1219,11 @@ class ImpactTimeRecord(Record):
     """True if the damping was found for the requested restitution of the impact in time, and false if it is that of the contact
     alone."""
     damping: float | None
-    """Damping of the contact law, N·s/m^((p+1)/2); None for Hunt–Crossley."""
+    """Damping of the contact law, N·s/m^((p+1)/2); None for other laws than Kelvin–Voigt."""
     dissipation: float | None
-    """Dissipation of the contact law, s/m; None for a Kelvin–Voigt damper."""
+    """Dissipation of the contact law, s/m; None for other laws than those of the Hunt–Crossley family."""
+    loss_factor: float | None
+    """Loss factor of the contact law; None for other laws."""
     one_freedom: VaryingMassImpact | None
     """The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; None for others, with gravity, or if
     the motion ends before."""
@@ -1240,6 +1244,9 @@ class ImpactTimeRecord(Record):
     largest penetration and the closing speed v. It is no mass of the mechanism; None without drives."""
     springs_left_out: list[str]
     """Springs, dampers, tyres and anti-roll bars of the suspension sheet that are left out."""
+    second_touch: SecondTouchRecord | None
+    """Second touch of the contact within three of its durations after its end, without the force of the contact in between;
+    None if there is none."""
     energy: EnergyRecord
     """Energies of the motion."""
     loop_gap: float
@@ -2428,6 +2435,15 @@ class SampleRecord(Record):
 
 class SecondHitRecord(Record):
     """Second touch after the separation."""
+
+    time: float
+    """Time since the first touch, s."""
+    speed: float
+    """Closing speed, m/s."""
+
+
+class SecondTouchRecord(Record):
+    """Second touch of a contact after its end."""
 
     time: float
     """Time since the first touch, s."""

@@ -240,6 +240,7 @@ def impact(
     reach: bool = False,
     damping: float | None = None,
     hunt_crossley: float | None = None,
+    loss_factor: float | None = None,
     compliance: bool = False,
 ) -> records.ImpactReport:
     """Rigid impact at a contact (of a list, one impact at each): impulse, rates of all joints before and after, energy loss, and the reactions in all
@@ -262,7 +263,7 @@ def impact(
     spring: further springs between points, "LINK:X,Y,Z=LINK:X,Y,Z=RATE" or "…=RATE=FREE". damper: dampers between points,
     "LINK:X,Y,Z=LINK:X,Y,Z=DAMPING" or "…=SPEED:FORCE,SPEED:FORCE,…". drive: constant forces of drives, "JOINT=TORQUE" or
     "LINK:X,Y,Z=LINK:X,Y,Z=FORCE" (pushes apart). reach: the damping with which the impact in time reaches the restitution, with all these
-    forces. damping (N·s/m), hunt_crossley (s/m): damping of the contact in place of a restitution. compliance: adds the impact in time with the
+    forces. damping (N·s/m), hunt_crossley (s/m), loss_factor: damping of the contact in place of a restitution. compliance: adds the impact in time with the
     elastic bushes and gears of the model and conditions. The velocities of a State in place of the model are the rates. As ``percuss impact``; ``impacts`` takes arrays of states.
 
         >>> percuss.impact(arm, tool, restitution=0.5, speed=1.0).impulse
@@ -281,7 +282,7 @@ def impact(
             "law": law, "stiffness_curve": stiffness_curve, "springs": springs, "spring": spring, "damper": damper, "drive": drive,
             "in_time": in_time, "reach": reach, "compliance": compliance, "gravity": gravity,
             "joint_spring": joint_spring, "rate_limit": rate_limit, "gear_limit": gear_limit, "point_error": point_error,
-            "reflected": reflected, "percussion": percussion, "damping": damping, "hunt_crossley": hunt_crossley,
+            "reflected": reflected, "percussion": percussion, "damping": damping, "hunt_crossley": hunt_crossley, "loss_factor": loss_factor,
         },
     )
     contacts = [None if isinstance(one, str) else one for one in also]

@@ -45,14 +45,16 @@ pub struct DamperRecord {
     /// Condition for the end of the contact: `force` or `gap`; null for laws with a force that vanishes with
     /// the gap.
     pub separation: Option<&'static str>,
-    /// Damping ratio ζ; null for laws of the Hunt–Crossley family and for a force curve.
+    /// Damping ratio ζ; null for other laws than Kelvin–Voigt and for a force curve.
     pub damping_ratio: Option<f64>,
     /// Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring and for a force curve; null for
-    /// laws of the Hunt–Crossley family.
+    /// other laws than Kelvin–Voigt.
     pub damping: Option<f64>,
     /// Dissipation d of the force F_s(x) (1 + d ẋ), F_s = k xᵖ or the force curve, s/m. For the Kelvin–Voigt law, the value of the exact
     /// Hunt–Crossley law, null without a speed.
     pub dissipation: Option<f64>,
+    /// Loss factor η of the force F_s(x) (1 + (π/2) η sgn ẋ); null for other laws.
+    pub loss_factor: Option<f64>,
     /// Restitution that the damper achieves.
     pub achieved_restitution: f64,
     /// Time from first touch to separation, s; null if the duration depends on a speed that is not given, or is
@@ -90,8 +92,8 @@ pub struct Drift {
 pub struct BodyAlone {
     /// Mass, kg.
     pub mass: f64,
-    /// Restitution on the real contact of a damper designed for this mass; null for laws of the Hunt–Crossley
-    /// family, whose dissipation does not depend on the mass.
+    /// Restitution on the real contact of a damper designed for this mass; null for laws with a damping that does not
+    /// depend on the mass (Hunt–Crossley, loss factor).
     pub restitution: Option<f64>,
 }
 
@@ -174,12 +176,13 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
             _ => None,
         }
     };
-    let (damping_ratio, damping, dissipation, separation) = match damper {
+    let (damping_ratio, damping, dissipation, separation, loss_factor) = match damper {
         Damper::KelvinVoigt { ratio, coefficient, separation } => {
             let ratio = question.stiffness_curve.is_none().then_some(ratio);
-            (ratio, Some(coefficient), exact_dissipation(), Some(separation.name()))
+            (ratio, Some(coefficient), exact_dissipation(), Some(separation.name()), None)
         }
-        Damper::HuntCrossley { dissipation } => (None, None, Some(dissipation), None),
+        Damper::HuntCrossley { dissipation } => (None, None, Some(dissipation), None, None),
+        Damper::LossFactor { loss_factor } => (None, None, None, None, Some(loss_factor)),
     };
     Ok(DamperRecord {
         restitution: question.restitution(),
@@ -194,8 +197,11 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
         damping_ratio,
         damping,
         dissipation,
+        loss_factor,
         achieved_restitution: impact.restitution,
-        contact_duration: if question.exponent() == 1.0 || at_speed.is_some() {
+        contact_duration: if question.stiffness_curve.is_none() && question.exponent() == 1.0
+            || at_speed.is_some()
+        {
             impact.duration
         } else {
             None

@@ -89,6 +89,28 @@ impl<'a> PassedStops<'a> {
         self.findings_of(|gap| gap.at(pose))
     }
 
+    /// Findings about other stops than that of the question that are reached during an impact in time. `states`: time (s) and positions of all
+    /// joints; the first state is that at the touch.
+    pub fn reached<'m>(&self, states: impl Iterator<Item = (f64, &'m [f64])> + Clone) -> Vec<Finding> {
+        let others =
+            self.stops.iter().filter(|stop| self.question.at.as_deref() != Some(stop.contact.name()));
+        let reached = others.filter_map(|stop| {
+            let gaps = states.clone().map(|(time, positions)| (time, stop.gap.at_positions(&self.drawn, positions)));
+            let (time, _) = gaps.clone().find(|(_, gap)| *gap < -PASSED_STOP)?;
+            let deepest = gaps.map(|(_, gap)| gap).fold(0.0, f64::min);
+            (time > 0.0).then(|| {
+                let message = format!(
+                    "the impact reaches {} {:.2} ms after the touch and goes {} beyond its touch; the force of this stop is not included",
+                    stop.contact.name(),
+                    1e3 * time,
+                    self.model.length_unit().text(0.0 - deepest)
+                );
+                Finding::new(FindingKind::StopPassed, FindingSubject::Contact(stop.number), message)
+            })
+        });
+        reached.collect()
+    }
+
     /// Findings about the stops that are penetrated at the positions of all joints, in joint order.
     pub fn findings_at(&self, positions: &[f64]) -> Vec<Finding> {
         self.findings_of(|gap| gap.at_positions(&self.drawn, positions))

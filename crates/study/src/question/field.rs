@@ -160,6 +160,8 @@ fields! {
     ImpactDamping = "--damping", "impact.damping";
     /// Dissipation of the contact of an impact.
     ImpactDissipation = "--hunt-crossley", "impact.hunt_crossley";
+    /// Loss factor of the contact of an impact.
+    ImpactLossFactor = "--loss-factor", "impact.loss_factor";
     /// Closing speed of an impact.
     ClosingSpeed = "--speed", "impact.speed";
     /// Stiffness of the contact of an impact.

@@ -157,10 +157,7 @@ const EXPLAINED: [(&str, &[&str]); 24] = [
             "list_regions",
         ],
     ),
-    (
-        "impact",
-        &["at", "link", "point", "normal", "set", "restitution", "speed", "rates", "friction", "format"],
-    ),
+    ("impact", &["at", "link", "point", "normal", "set", "restitution", "speed", "rates", "format"]),
     ("convert", &["output", "to"]),
     (
         "export",

@@ -65,6 +65,15 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         );
         facts.push(("energy", text));
     }
+    if let Some(touch) = &found.second_touch {
+        let speed = ContactUnits::new(is_moment).speed;
+        let text = format!(
+            "{} ms after the first, at {} {speed}; this report ends with the first contact",
+            number(1e3 * touch.time),
+            number(touch.speed)
+        );
+        facts.push(("second touch", text));
+    }
     facts.extend(compliant::facts(report, found));
     if found.loop_gap > 0.0 && details_are_shown() {
         facts.push(("loops", format!("closed to {:.1e} m during the motion", found.loop_gap)));
@@ -158,6 +167,7 @@ pub fn motion(report: &ImpactReport, found: &ImpactTimeRecord) -> Vec<(String, S
         false => "of the contact alone",
     };
     results.extend(found.dissipation.map(|d| (with_unit(d, "s/m"), format!("dissipation {of}"))));
+    results.extend(found.loss_factor.map(|loss| (number(loss), format!("loss factor {of}"))));
     results.extend(found.damping.map(|c| {
         let exponent = report.contact_law.as_ref().and_then(|law| law.exponent).unwrap_or(1.0);
         let power = unit_power(0.5 * (exponent + 1.0));

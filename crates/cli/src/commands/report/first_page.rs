@@ -214,7 +214,10 @@ fn damper_numbers(report: &DampingReport, has_impact: bool) -> Vec<MainNumber> {
             MainNumber { label, value: load(c, &unit), note: format!("{}{hunt}", law_name(damper.law)) }
         }
         (None, Some(d)) => MainNumber { label, value: d, note: law_name(damper.law).to_owned() },
-        (None, None) => return Vec::new(),
+        (None, None) => match damper.loss_factor {
+            Some(loss) => MainNumber { label, value: number(loss), note: law_name(damper.law).to_owned() },
+            None => return Vec::new(),
+        },
     };
     let mut numbers = vec![first];
     let Some(v) = damper.speed.filter(|_| has_impact) else { return numbers };

@@ -127,9 +127,9 @@ fn show_search(
         )));
     }
     if args.output.is_some()
-        && search.unknowns.iter().any(|unknown| matches!(unknown, SearchUnknown::Mass(_)))
+        && search.unknowns.iter().any(|unknown| !matches!(unknown, SearchUnknown::Coordinate(..)))
     {
-        let why = "--output: the changed sheet has coordinates only; omit --output, and write the masses found into the sheet";
+        let why = "--output: the changed sheet has coordinates only; omit --output, and write the masses, curves and dampers found into the sheet";
         return Err(Failure::bad_input(why));
     }
     let report = search_targets(model, question, search)?;
@@ -171,7 +171,11 @@ fn check_format(path: &str, read: &str) -> Result<(), Failure> {
 fn search_text(report: &TargetReport) -> String {
     let mut table = Table::new(["", "old", "new", "required"]);
     for found in &report.coordinates {
-        let label = format!("{}, {}", found.coordinate, found.unit);
+        let label = if found.unit.is_empty() {
+            found.coordinate.clone()
+        } else {
+            format!("{}, {}", found.coordinate, found.unit)
+        };
         table.row([label, number(found.old), number(found.new), String::new()]);
     }
     for target in &report.targets {
@@ -197,6 +201,9 @@ fn search_text(report: &TargetReport) -> String {
     let count =
         if notes_are_shown() { format!("{} designs evaluated; ", report.evaluations) } else { String::new() };
     let loads = report.loads.as_ref().map_or_else(String::new, |loads| loads_line(loads) + "\n");
+    if moves.is_empty() {
+        return format!("{table}\n{loads}{count}×: factor on the forces of the curve or on the stiffness\n");
+    }
     format!("{table}\n{loads}{count}as flags, in m and the axes of the sheet:\n  {}\n", moves.join("\n  "))
 }
 

@@ -70,12 +70,23 @@ pub(super) fn add_snippet(export: &mut Export, curve: &ForceCurve, dissipation: 
              , AKISPL(0.1-DM(11,21), 0, 1)*(1-{dissipation:?}*VR(11,21))))\n"
         );
         text
+    } else if export.tool == Tool::SIMSCAPE {
+        format!(
+            "component stop\n% File stop.ssc, block Simscape Component. x: penetration, the negative separation distance; v: its rate; f: \
+             normal force,\n% for the input of Spatial Contact Force (Normal Force > Method: Provided by Input) or of a joint.\n  inputs\n    \
+             x = {{0, 'm'}};   % x\n    v = {{0, 'm/s'}}; % v\n  end\n  outputs\n    f = {{0, 'N'}};   % f\n  end\n  parameters\n    \
+             deflections = {{[{deflections}], 'm'}};\n    forces = {{[{forces}], 'N'}};\n    \
+             dissipation = {{{dissipation:?}, 's/m'}};\n  end\n  equations\n    if x > 0 && dissipation*v > -1\n      \
+             f == tablelookup(deflections, forces, x, interpolation=linear, extrapolation=linear)*(1 + dissipation*v);\n    \
+             else\n      f == {{0, 'N'}};\n    end\n  end\nend\n"
+        )
     } else {
         return;
     };
     let language = match export.tool {
         tool if tool == Tool::ADAMS => "adams",
         tool if tool == Tool::CHRONO => "cpp",
+        tool if tool == Tool::SIMSCAPE => "matlab",
         _ => "python",
     };
     export.add_snippet("force curve", language, text);
@@ -85,6 +96,7 @@ pub(super) fn add_snippet(export: &mut Export, curve: &ForceCurve, dissipation: 
         match export.tool {
             tool if tool == Tool::ADAMS => " Akima's spline deviates from the lines between the points. Not run in Adams.",
             tool if tool == Tool::CHRONO => " Not run in Chrono.",
+            tool if tool == Tool::SIMSCAPE => " Not run in Simscape.",
             _ => "",
         }
     ));

@@ -97,6 +97,7 @@ impl Impedance {
         let motion = Stepping {
             force: &force,
             ends_at_zero_force: self.per_mass[1] > 0.0,
+            jumps_at_reversal: false,
             corners: &self.solimp[2..3],
             step,
             speed,

@@ -77,10 +77,10 @@ export interface DampingReport {
   schema: 'percuss.damp/1'; percuss: string; inputs: Input[]; effective_mass: number; unit: string; is_moment: boolean;
   named_contact: NamedContactRecord | null; stop: StopRecord | null; restitution: number; stiffness: number | null; exponent: number | null;
   stiffness_curve: ForceCurveRecord | null; speed: number | null; law: string; law_alias: string | null; law_is_exact: boolean;
-  separation: string | null; damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
-  contact_duration: number | null; max_penetration: number | null; time_of_max_penetration: number | null; peak_force: number | null;
-  time_of_peak_force: number | null; energy_lost: number | null; rebound_speed: number | null; drift: Drift | null;
-  over_stroke: VaryingMassImpact | null; body_alone: BodyAlone | null; exports: Record<string, ExportRecord>;
+  separation: string | null; damping_ratio: number | null; damping: number | null; dissipation: number | null; loss_factor: number | null;
+  achieved_restitution: number; contact_duration: number | null; max_penetration: number | null; time_of_max_penetration: number | null;
+  peak_force: number | null; time_of_peak_force: number | null; energy_lost: number | null; rebound_speed: number | null;
+  drift: Drift | null; over_stroke: VaryingMassImpact | null; body_alone: BodyAlone | null; exports: Record<string, ExportRecord>;
   diagnostics: DiagnosticRecord[];
 }
 
@@ -183,11 +183,12 @@ export interface ImpactReport {
 
 export interface ImpactTimeRecord {
   restitution: number; duration: number | null; max_penetration: number; peak_force: number; mass_change: number | null;
-  restitution_is_reached: boolean; damping: number | null; dissipation: number | null; one_freedom: VaryingMassImpact | null;
-  gravity_world: Triple; springs: PointSpringRecord[]; dampers: PointDamperRecord[]; tyres: TyreRecord[];
-  anti_roll_bars: AntiRollBarRecord[]; drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[];
-  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
-  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
+  restitution_is_reached: boolean; damping: number | null; dissipation: number | null; loss_factor: number | null;
+  one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[];
+  dampers: PointDamperRecord[]; tyres: TyreRecord[]; anti_roll_bars: AntiRollBarRecord[]; drives: DriveRecord[];
+  effective_weight: number | null; springs_left_out: string[]; second_touch: SecondTouchRecord | null; energy: EnergyRecord;
+  loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[]; effective_mass: (number | null)[];
+  joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
 }
 
 export interface Input {
@@ -437,6 +438,10 @@ export interface SceneWheel {
 }
 
 export interface SecondHitRecord {
+  time: number; speed: number;
+}
+
+export interface SecondTouchRecord {
   time: number; speed: number;
 }
 

@@ -97,7 +97,7 @@ pub struct ImpactQuestion {
         arg(
             long,
             value_name = "E",
-            required_unless_present_any = ["reflected", "damping", "hunt_crossley"],
+            required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"],
             allow_hyphen_values = true,
             help_heading = IMPACT
         )
@@ -131,6 +131,20 @@ pub struct ImpactQuestion {
         )
     )]
     pub hunt_crossley: Option<Plain>,
+    /// Loss factor of the contact, in place of a restitution: η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
+    ///
+    /// Energy lost in a full cycle over 2π times the largest stored energy, from 0 to less than 2/π = 0.6366.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "ETA",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"],
+            help_heading = IMPACT
+        )
+    )]
+    pub loss_factor: Option<Plain>,
     /// Closing speed before the impact (m/s, km/h).
     ///
     /// Without rates, the motion of least energy with this speed is assumed. With rates, the speed follows from them; a given
@@ -402,14 +416,18 @@ impl ImpactQuestion {
     pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
         let damping = self.damping.map(|damping| damping.0.value);
-        let given = [("impact.damping", damping), ("impact.hunt_crossley", self.hunt_crossley.map(|d| d.0))];
+        let given = [
+            ("impact.damping", damping),
+            ("impact.hunt_crossley", self.hunt_crossley.map(|d| d.0)),
+            ("impact.loss_factor", self.loss_factor.map(|loss| loss.0)),
+        ];
         let given = given.iter().filter_map(|(key, value)| Some((*key, (*value)?)));
         let given: Vec<(&'static str, f64)> = given.collect();
         match (self.restitution, &given[..]) {
             (None, []) => {
                 return refuse("impact.restitution", "it is missing; expected a number from 0 to 1");
             }
-            (_, [_, (key, _)]) => return refuse(key, "`damping` is given too; remove one"),
+            (_, [_, (key, _), ..]) => return refuse(key, "another damping is given too; remove one"),
             (Some(_), [(key, _)]) => return refuse(key, "`restitution` is given too; remove one"),
             (None, [(key, value)]) if !(value.is_finite() && *value >= 0.0) => {
                 return refuse(key, "expected a number of 0 or above");

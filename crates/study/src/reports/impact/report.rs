@@ -339,9 +339,10 @@ fn with_restitution(
     impact: &ImpactQuestion,
     speed: f64,
 ) -> Result<ImpactQuestion, StudyError> {
-    let (field, law) = match (impact.damping, impact.hunt_crossley) {
-        (Some(_), _) => (Field::ImpactDamping, Law::KelvinVoigt),
-        (None, Some(_)) => (Field::ImpactDissipation, Law::HuntCrossley),
+    let (field, law) = match (impact.damping, impact.hunt_crossley, impact.loss_factor) {
+        (Some(_), _, _) => (Field::ImpactDamping, Law::KelvinVoigt),
+        (_, Some(_), _) => (Field::ImpactDissipation, Law::HuntCrossley),
+        (_, _, Some(_)) => (Field::ImpactLossFactor, Law::LossFactor),
         _ => return Ok(impact.clone()),
     };
     let Some(question) = impact.contact_law(speed) else {
@@ -366,7 +367,8 @@ fn with_restitution(
             }
             Damper::kelvin_voigt_from_coefficient(compliant, damping.0.value, question.separation())?
         }
-        (None, dissipation) => Damper::hunt_crossley(dissipation.map_or(0.0, |dissipation| dissipation.0))?,
+        (None, Some(dissipation)) => Damper::hunt_crossley(dissipation.0)?,
+        (None, None) => Damper::loss_factor(impact.loss_factor.map_or(0.0, |loss| loss.0))?,
     };
     let restitution = Some(Ratio(damper.restitution(compliant, speed)?));
     Ok(ImpactQuestion { restitution, law: Some(law.into()), ..impact.clone() })

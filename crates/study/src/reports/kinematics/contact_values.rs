@@ -1,10 +1,18 @@
-//! Quantities of named contacts as targets of a search: effective mass, and peak force and compression of an impact.
+//! Quantities of named contacts as targets of a search: effective mass, and peak force, compression and restitution of an impact.
 
+use crate::damper::damped_contact::finite_mass;
+use crate::damper::damping::{contact, contact_damper, require_stiffness};
+use crate::damper::sheet_forces::{force_beside, with_sheet_curve};
+use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
+use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
-use crate::reports::answer_mass::{mass, mass_with_damper};
+use crate::reports::answer_mass::mass;
+use crate::values::force_curve::GivenCurve;
+use percuss_contact::{Damper, restitution_beside_forces};
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue};
+use std::sync::Arc;
 
 /// Beginning of the quantity `CONTACT.mass`, the effective mass at a named contact.
 pub(super) const CONTACT_MASS: &str = "mass_";
@@ -32,31 +40,84 @@ fn missing_masses(model: &Model) -> Result<(), String> {
 }
 
 /// Beginnings of the quantities of an impact at a named contact.
-pub(super) const CONTACT_IMPACT: [&str; 2] = ["peak_force_", "compression_"];
+pub(super) const CONTACT_IMPACT: [&str; 3] = ["peak_force_", "compression_", "restitution_"];
 
-/// Peak force (N) and largest compression (m) of an impact at a named contact.
+/// Factors of a search on the forces of the curve of a contact, or on its stiffness, and on its damping.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ContactFactors {
+    pub curve: f64,
+    pub damping: f64,
+}
+
+/// Impact at a named contact.
+pub(super) struct ContactImpact {
+    pub damper: Damper,
+    /// N.
+    peak_force: f64,
+    /// Largest compression, m.
+    compression: f64,
+    /// Restitution with the springs, dampers, tyres and the anti-roll bar of the sheet, to first order; `None`: the contact does not end.
+    restitution: Option<f64>,
+}
+
+/// Impact at a named contact, a stop at its touch. The damper is that for the restitution of the question, times its factor.
+pub(super) fn contact_impact(
+    model: &Model,
+    name: &str,
+    impact: &DampingQuestion,
+    factors: ContactFactors,
+) -> Result<ContactImpact, StudyError> {
+    let at_contact = MassQuestion::without_contact().at_contact(name);
+    let evaluated = EvaluatedQuestion::new(model, &at_contact)?;
+    let (mut question, _) = with_sheet_curve(&evaluated, impact)?;
+    require_stiffness(&question)?;
+    if question.stiffness.is_some() {
+        question.stiffness = Some((question.stiffness() * factors.curve).into());
+    }
+    if let Some(given) = &mut question.stiffness_curve {
+        let curve = Arc::new(given.curve.scaled(factors.curve)?);
+        *given = GivenCurve { curve, stop: given.stop.take() };
+    }
+    let compliant = contact(&question, finite_mass(&evaluated)?)?;
+    let damper = contact_damper(&question, compliant)?.scaled(factors.damping)?;
+    let speed = question.speed().unwrap_or(f64::NAN);
+    let alone = damper.impact(compliant, speed)?;
+    let restitution = match force_beside(&evaluated) {
+        Some((_, beside)) => restitution_beside_forces(damper, compliant, speed, &beside)?,
+        None => Some(alone.restitution),
+    };
+    Ok(ContactImpact {
+        damper,
+        peak_force: alone.peak_force,
+        compression: alone.max_penetration,
+        restitution,
+    })
+}
+
+/// Peak force (N), largest compression (m) and restitution of an impact at a named contact.
 pub(super) fn impact_values(
     model: &Model,
     contact: &str,
     impact: Option<&DampingQuestion>,
-) -> [KinematicValue; 2] {
-    // A stop at its touch.
-    let question = MassQuestion::without_contact().at_contact(contact);
+    factors: ContactFactors,
+) -> [KinematicValue; 3] {
     let found = missing_masses(model).and_then(|()| impact.ok_or_else(|| "missing: --speed".to_owned()));
     let found = found.and_then(|impact| {
-        let report = mass_with_damper(model, &question, impact).map_err(|error| error.to_string())?;
-        let damper = report.damper.ok_or("the contact has no finite mass")?.damper;
-        damper.peak_force.zip(damper.max_penetration).ok_or_else(|| "the contact does not end".to_owned())
+        contact_impact(model, contact, impact, factors).map_err(|error| error.to_string())
     });
-    let value = |start: &str, unit, value| KinematicValue {
+    let value = |start: &str, unit, value: fn(&ContactImpact) -> Option<f64>| KinematicValue {
         name: format!("{start}{contact}"),
         side: "",
         unit,
-        value,
+        value: found
+            .as_ref()
+            .map_err(Clone::clone)
+            .and_then(|found| value(found).ok_or_else(|| "the contact does not end".to_owned())),
     };
-    let [force, depth] = CONTACT_IMPACT;
+    let [force, depth, restitution] = CONTACT_IMPACT;
     [
-        value(force, KinematicUnit::Force, found.clone().map(|(force, _)| force)),
-        value(depth, KinematicUnit::Length, found.map(|(_, depth)| depth)),
+        value(force, KinematicUnit::Force, |found| Some(found.peak_force)),
+        value(depth, KinematicUnit::Length, |found| Some(found.compression)),
+        value(restitution, KinematicUnit::Ratio, |found| found.restitution),
     ]
 }

@@ -3,16 +3,22 @@
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::reports::kinematics::column_names::column_name;
-use percuss_units::{Dimension, Quantity};
+use percuss_suspension::kinematics::KinematicUnit;
+use percuss_units::{Dimension, LengthUnit, Quantity};
 use std::str::FromStr;
 
-/// Unknown of a search: coordinate of a hardpoint, `POINT.AXIS`, or mass of a link, `LINK.mass`.
+/// Unknown of a search: coordinate of a hardpoint, `POINT.AXIS`, mass of a link, `LINK.mass`, force curve (or stiffness) of a stop,
+/// `CONTACT.curve`, or its damping, `CONTACT.damping`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SearchUnknown {
     /// Coordinate of a hardpoint in the axes of the sheet: 0 to 2 for x, y, z.
     Coordinate(String, usize),
     /// Mass of a link; its moments of inertia change in proportion.
     Mass(String),
+    /// Factor on the forces of the curve of a contact, or on its stiffness.
+    Curve(String),
+    /// Factor on the damping of a contact.
+    Damping(String),
 }
 
 /// Names of the axes.
@@ -25,17 +31,23 @@ impl FromStr for SearchUnknown {
         match AXES.iter().position(|axis| *axis == last) {
             Some(axis) if !name.is_empty() => Ok(Self::Coordinate(name.to_owned(), axis)),
             None if !name.is_empty() && last == "mass" => Ok(Self::Mass(name.to_owned())),
-            _ => Err("expected POINT.AXIS or LINK.mass, such as rocker_back.z or lower_arm.mass".to_owned()),
+            None if !name.is_empty() && last == "curve" => Ok(Self::Curve(name.to_owned())),
+            None if !name.is_empty() && last == "damping" => Ok(Self::Damping(name.to_owned())),
+            _ => Err("expected POINT.AXIS, LINK.mass, CONTACT.curve or CONTACT.damping, such as rocker_back.z, lower_arm.mass or \
+                      bump_stop.curve"
+                .to_owned()),
         }
     }
 }
 
 impl SearchUnknown {
-    /// Name `POINT.AXIS` or `LINK.mass`.
+    /// Name `POINT.AXIS`, `LINK.mass`, `CONTACT.curve` or `CONTACT.damping`.
     pub fn name(&self) -> String {
         match self {
             Self::Coordinate(point, axis) => format!("{point}.{}", AXES[*axis]),
             Self::Mass(link) => format!("{link}.mass"),
+            Self::Curve(contact) => format!("{contact}.curve"),
+            Self::Damping(contact) => format!("{contact}.damping"),
         }
     }
 }
@@ -52,7 +64,7 @@ pub struct KinematicTarget {
 }
 
 /// Units of quotients, as in tables.
-pub(crate) const QUOTIENTS: [&str; 6] = ["deg/m", "1/m", "deg/kN", "mm/kN", "deg/(kN·m)", "mm/(kN·m)"];
+const QUOTIENTS: [&str; 6] = ["deg/m", "1/m", "deg/kN", "mm/kN", "deg/(kN·m)", "mm/(kN·m)"];
 
 impl FromStr for KinematicTarget {
     type Err = String;
@@ -77,18 +89,71 @@ impl FromStr for KinematicTarget {
     }
 }
 
-/// Search for coordinates and masses.
+/// Dimension of a value of a unit.
+fn dimension(unit: KinematicUnit) -> Dimension {
+    match unit {
+        KinematicUnit::Length => Dimension::Length,
+        KinematicUnit::Angle => Dimension::Angle,
+        KinematicUnit::Ratio | KinematicUnit::Percent => Dimension::Ratio,
+        KinematicUnit::Stiffness => Dimension::Stiffness,
+        KinematicUnit::Force => Dimension::Force,
+        KinematicUnit::Mass => Dimension::Mass,
+        KinematicUnit::AnglePerLength
+        | KinematicUnit::PerLength
+        | KinematicUnit::Frequency
+        | KinematicUnit::AnglePerForce
+        | KinematicUnit::AnglePerMoment
+        | KinematicUnit::LengthPerForce
+        | KinematicUnit::LengthPerMoment => Dimension::Plain,
+    }
+}
+
+impl KinematicTarget {
+    /// Required value in SI units, for a quantity of a unit. Error: a value without its unit or with another one.
+    pub(crate) fn goal(&self, unit: KinematicUnit, length_unit: LengthUnit) -> Result<f64, String> {
+        let Self { quantity, value, .. } = self;
+        let text = value.to_string();
+        let (in_table, factor, _) = unit.of_table(length_unit);
+        // A number without a unit is in SI units, which few users mean.
+        let needs_unit =
+            matches!(unit, KinematicUnit::Length | KinematicUnit::Angle | KinematicUnit::Stiffness);
+        if needs_unit && value.dimension.is_none() && value.value != 0.0 {
+            return Err(format!("--for {quantity}={text}: the number has no unit; write {text}{in_table}"));
+        }
+        let is_quotient = QUOTIENTS.contains(&in_table);
+        let is_other = self.quotient.is_some_and(|given| given != in_table);
+        let goal = value.in_dimension(dimension(unit), &text).map_err(|error| error.to_string());
+        let goal = goal.and_then(|goal| {
+            if is_other { Err(format!("it is in {}", self.quotient.unwrap_or_default())) } else { Ok(goal) }
+        });
+        let goal = goal.map_err(|why| {
+            if is_quotient {
+                format!(
+                    "--for {quantity}={text}: a number in {in_table} is expected, such as -3{}",
+                    in_table.trim_start_matches('1')
+                )
+            } else {
+                format!("--for {quantity}: {why}")
+            }
+        })?;
+        // Quotients are given in the unit of the tables.
+        Ok(if is_quotient { goal / factor } else { goal })
+    }
+}
+
+/// Search for coordinates, masses, curves and dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetSearch {
-    /// Unknown coordinates and masses.
+    /// Unknowns.
     pub unknowns: Vec<SearchUnknown>,
     /// Required values, as many as unknowns.
     pub targets: Vec<KinematicTarget>,
-    /// Largest change of each coordinate, m. A mass changes by at most half.
+    /// Largest change of each coordinate, m. A mass changes by at most half, a curve or a damping by a factor between a quarter and four.
     pub within: f64,
     /// Question of the quantity `effective_mass`; `None` without such a target.
     pub mass: Option<MassQuestion>,
-    /// Speed, restitution and stiffness of the contacts, for the quantities `CONTACT.peak_force` and `CONTACT.compression`; the default stiffness
+    /// Speed, restitution and stiffness of the contacts, for the quantities `CONTACT.peak_force`, `CONTACT.compression` and
+    /// `CONTACT.restitution`; the default stiffness
     /// is the force curve of the stop in the sheet.
     pub impact: Option<DampingQuestion>,
 }

@@ -1,4 +1,4 @@
-//! Search for coordinates of hardpoints and masses of links at which quantities have required values.
+//! Search for coordinates of hardpoints, masses of links, and factors on curves and dampers of stops at which quantities have required values.
 //!
 //! One unknown: Newton's method with a derivative by differences; once two values have opposite signs, a step outside of
 //! their interval is replaced by its middle. Without two such values, the range is scanned. Several unknowns: damped
@@ -9,29 +9,32 @@ use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::reports::kinematics::column_names::{target_column, unknown_column};
-use crate::reports::kinematics::contact_values::{CONTACT_IMPACT, CONTACT_MASS, impact_values, mass_value};
+use crate::reports::kinematics::contact_values::{
+    CONTACT_IMPACT, CONTACT_MASS, ContactFactors, contact_impact, impact_values, mass_value,
+};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::load_cases::KinematicLoads;
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
-use crate::reports::kinematics::target_question::{KinematicTarget, QUOTIENTS, SearchUnknown, TargetSearch};
+use crate::reports::kinematics::target_question::{KinematicTarget, SearchUnknown, TargetSearch};
 use crate::thresholds::{
-    DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALL_PART,
-    SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
+    DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, LARGEST_FACTOR, MOST_EVALUATIONS, SCANNED_COORDINATES,
+    SMALL_PART, SMALLEST_INFLUENCE, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
+use percuss_contact::Damper;
 use percuss_mechanism::near_names;
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue, KinematicValues};
-use percuss_units::{Dimension, LengthUnit};
+use percuss_units::LengthUnit;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Coordinate or mass before and after a search, in the unit and axes of the sheet; masses in kg.
+/// Unknown before and after a search: coordinates in the unit and axes of the sheet, masses in kg.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FoundCoordinate {
-    /// Name `POINT.AXIS` or `LINK.mass`.
+    /// Name `POINT.AXIS`, `LINK.mass`, `CONTACT.curve` or `CONTACT.damping`.
     pub coordinate: String,
-    /// Unit.
+    /// Unit; × for a factor on the forces of a curve or on a stiffness.
     pub unit: &'static str,
     /// Value in the sheet.
     pub old: f64,
@@ -124,23 +127,9 @@ fn scale(unit: KinematicUnit) -> f64 {
     }
 }
 
-/// Dimension of a value of a unit.
-fn dimension(unit: KinematicUnit) -> Dimension {
-    match unit {
-        KinematicUnit::Length => Dimension::Length,
-        KinematicUnit::Angle => Dimension::Angle,
-        KinematicUnit::Ratio | KinematicUnit::Percent => Dimension::Ratio,
-        KinematicUnit::Stiffness => Dimension::Stiffness,
-        KinematicUnit::Force => Dimension::Force,
-        KinematicUnit::Mass => Dimension::Mass,
-        KinematicUnit::AnglePerLength
-        | KinematicUnit::PerLength
-        | KinematicUnit::Frequency
-        | KinematicUnit::AnglePerForce
-        | KinematicUnit::AnglePerMoment
-        | KinematicUnit::LengthPerForce
-        | KinematicUnit::LengthPerMoment => Dimension::Plain,
-    }
+/// True if a quantity or an unknown names a contact, with or without its side.
+fn is_named(contact: &str, name: &str) -> bool {
+    contact.strip_prefix(name).is_some_and(|side| ["", "_left", "_right"].contains(&side))
 }
 
 /// Mass of a link, kg; `None` for an unknown link and a link without mass.
@@ -150,6 +139,20 @@ fn mass_of(model: &Model, link: &str) -> Option<f64> {
 }
 
 impl Designs<'_> {
+    /// Factors on the curve and the damping of a contact.
+    fn factors(&self, x: &DVector<f64>, contact: &str) -> ContactFactors {
+        let mut factors = ContactFactors { curve: 1.0, damping: 1.0 };
+        for (unknown, by) in self.search.unknowns.iter().zip(x.iter()) {
+            let factor = LARGEST_FACTOR.powf(by / self.search.within);
+            match unknown {
+                SearchUnknown::Curve(name) if is_named(contact, name) => factors.curve *= factor,
+                SearchUnknown::Damping(name) if is_named(contact, name) => factors.damping *= factor,
+                _ => {}
+            }
+        }
+        factors
+    }
+
     /// Changes of the design. A mass unknown changes the mass by half at the largest displacement.
     fn changes(&self, x: &DVector<f64>) -> Changes {
         let mut changes = Changes::default();
@@ -159,6 +162,7 @@ impl Designs<'_> {
                     let mass = mass_of(self.model, link).unwrap_or_default();
                     changes.link_mass.push((link.clone(), mass * (1.0 + 0.5 * by / self.search.within)));
                 }
+                SearchUnknown::Curve(_) | SearchUnknown::Damping(_) => {}
                 SearchUnknown::Coordinate(point, axis) => {
                     match changes.moves.iter_mut().find(|(known, _)| known == point) {
                         Some((_, shift)) => shift[*axis] += by,
@@ -185,14 +189,17 @@ impl Designs<'_> {
             for contact in model.mechanism.contacts() {
                 let is_required = |start: &str| {
                     let name = format!("{start}{}", contact.name());
-                    self.search.targets.iter().any(|target| {
-                        // A name without a side is that of the first side.
-                        let rest = name.strip_prefix(&target.quantity);
-                        rest.is_some_and(|side| ["", "_left", "_right"].contains(&side))
-                    })
+                    // A name without a side is that of the first side.
+                    self.search.targets.iter().any(|target| is_named(&name, &target.quantity))
                 };
                 if CONTACT_IMPACT.into_iter().any(is_required) {
-                    values.0.extend(impact_values(&model, contact.name(), self.search.impact.as_ref()));
+                    let factors = self.factors(x, contact.name());
+                    values.0.extend(impact_values(
+                        &model,
+                        contact.name(),
+                        self.search.impact.as_ref(),
+                        factors,
+                    ));
                 }
                 if is_required(CONTACT_MASS) {
                     let name = format!("{CONTACT_MASS}{}", contact.name());
@@ -411,7 +418,7 @@ fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
     }
 }
 
-/// Searches coordinates of hardpoints and masses of links at which quantities have required values.
+/// Searches coordinates of hardpoints, masses of links and factors on curves and dampers of stops at which quantities have required values.
 ///
 /// # Errors
 /// [`KinematicsError`]: unknown hardpoints or quantities, a value in another unit, another number of unknowns and
@@ -461,36 +468,7 @@ pub fn search_targets(
         find(&values, &target.quantity)
             .map_err(|why| KinematicsError::Search { why: format!("--for: {why}") })?;
         let unit = unit_of(&values, &target.quantity);
-        let text = target.value.to_string();
-        // A number without a unit is in SI units, which few users mean.
-        let needs_unit =
-            matches!(unit, KinematicUnit::Length | KinematicUnit::Angle | KinematicUnit::Stiffness);
-        if needs_unit && target.value.dimension.is_none() && target.value.value != 0.0 {
-            let (shown, ..) = unit.of_table(model.length_unit());
-            return Err(refuse(format!(
-                "--for {}={text}: the number has no unit; write {text}{shown}",
-                target.quantity
-            )));
-        }
-        let (in_table, factor, _) = unit.of_table(model.length_unit());
-        let is_quotient = QUOTIENTS.contains(&in_table);
-        let goal = target.value.in_dimension(dimension(unit), &text);
-        let is_other = target.quotient.is_some_and(|given| given != in_table);
-        let goal = goal.map_err(|error| error.to_string()).and_then(|goal| {
-            if is_other { Err(format!("it is in {}", target.quotient.unwrap_or_default())) } else { Ok(goal) }
-        });
-        let goal = goal.map_err(|why| KinematicsError::Search {
-            why: if is_quotient {
-                format!(
-                    "--for {}={text}: a number in {in_table} is expected, such as -3{in_table}",
-                    target.quantity
-                )
-            } else {
-                format!("--for {}: {why}", target.quantity)
-            },
-        })?;
-        // Quotients are given in the unit of the tables.
-        let goal = if is_quotient { goal / factor } else { goal };
+        let goal = target.goal(unit, model.length_unit()).map_err(refuse)?;
         designs.required.push((goal, scale(unit)));
     }
     let coordinates = model.origin.sheet.as_deref().map(|origin| &origin.understood.coordinates[..]);
@@ -503,19 +481,43 @@ pub fn search_targets(
         );
         refuse(format!("no {what} \"{name}\" in the sheet (--solve){near}"))
     };
+    let contact_of = |name: &str| {
+        let contacts = || model.mechanism.contacts().iter().map(|contact| contact.name());
+        let found = contacts().find(|contact| is_named(contact, name));
+        found.ok_or_else(|| unknown_name("contact", name, contacts().collect()))
+    };
+    let one = ContactFactors { curve: 1.0, damping: 1.0 };
+    let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.understood.unit);
     let old = |unknown: &SearchUnknown| match unknown {
         SearchUnknown::Coordinate(name, axis) => {
-            let found = coordinates.iter().find(|(point, _)| point == name).map(|(_, at)| at[*axis]);
+            let found =
+                coordinates.iter().find(|(point, _)| point == name).map(|(_, at)| (at[*axis], unit.name()));
             let names = || coordinates.iter().map(|(point, _)| point.as_str()).collect();
             found.ok_or_else(|| unknown_name("hardpoint", name, names()))
         }
         SearchUnknown::Mass(name) => {
             let links = model.mechanism.links().iter().map(|link| link.name());
             let names = || links.filter(|link| mass_of(model, link).is_some()).collect();
-            mass_of(model, name).ok_or_else(|| unknown_name("link with mass", name, names()))
+            let mass = mass_of(model, name).map(|mass| (mass, "kg"));
+            mass.ok_or_else(|| unknown_name("link with mass", name, names()))
+        }
+        SearchUnknown::Curve(name) => contact_of(name).map(|_| (1.0, "×")),
+        SearchUnknown::Damping(name) => {
+            let contact = contact_of(name)?;
+            let impact = search
+                .impact
+                .as_ref()
+                .ok_or_else(|| refuse(format!("--solve {name}.damping: missing: --speed")))?;
+            let found =
+                contact_impact(model, contact, impact, one).map_err(|error| refuse(error.to_string()))?;
+            Ok(match found.damper {
+                Damper::KelvinVoigt { coefficient, .. } => (coefficient, "N·s/m"),
+                Damper::HuntCrossley { dissipation } => (dissipation, "s/m"),
+                Damper::LossFactor { loss_factor } => (loss_factor, ""),
+            })
         }
     };
-    let old: Vec<f64> = search.unknowns.iter().map(old).collect::<Result<_, _>>()?;
+    let old: Vec<(f64, &str)> = search.unknowns.iter().map(old).collect::<Result<_, _>>()?;
     let first = designs.trial(&start).ok_or_else(|| KinematicsError::Search {
         why: "a required quantity has no value at the pose".to_owned(),
     })?;
@@ -534,27 +536,20 @@ pub fn search_targets(
     }
     let found =
         if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
-    let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.understood.unit);
     let changes = designs.changes(&found.x);
     let coordinate = |(k, unknown): (usize, &SearchUnknown)| {
-        let coordinate = unknown.name();
-        match unknown {
-            SearchUnknown::Coordinate(..) => FoundCoordinate {
-                coordinate,
-                unit: unit.name(),
-                old: unit.of_metres(old[k]),
-                new: unit.of_metres(old[k] + found.x[k]),
-            },
+        let (old, name) = old[k];
+        let (old, new) = match unknown {
+            SearchUnknown::Coordinate(..) => (unit.of_metres(old), unit.of_metres(old + found.x[k])),
             SearchUnknown::Mass(link) => {
                 let new = changes.link_mass.iter().find(|(changed, _)| changed == link);
-                FoundCoordinate {
-                    coordinate,
-                    unit: "kg",
-                    old: old[k],
-                    new: new.map_or(old[k], |(_, mass)| *mass),
-                }
+                (old, new.map_or(old, |(_, mass)| *mass))
             }
-        }
+            SearchUnknown::Curve(_) | SearchUnknown::Damping(_) => {
+                (old, old * LARGEST_FACTOR.powf(found.x[k] / search.within))
+            }
+        };
+        FoundCoordinate { coordinate: unknown.name(), unit: name, old, new }
     };
     let reached = |(k, target): (usize, &KinematicTarget)| ReachedTarget {
         quantity: target.quantity.clone(),

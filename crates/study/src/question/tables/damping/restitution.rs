@@ -103,6 +103,21 @@ pub struct RestitutionQuestion {
         )
     )]
     pub hunt_crossley: Option<Plain>,
+    /// Loss factor η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
+    ///
+    /// Energy lost in a full cycle over 2π times the largest stored energy, from 0 to less than 2/π = 0.6366; for one compression and return
+    /// the lost over π times the stored energy.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "ETA",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["damping", "hunt_crossley", "tool"],
+            help_heading = IMPACT
+        )
+    )]
+    pub loss_factor: Option<Plain>,
     /// End of the contact: when the force vanishes (the default), or when the gap closes.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "damping", help_heading = IMPACT))]
     pub separation: Option<SeparationName>,
@@ -131,7 +146,7 @@ impl RestitutionQuestion {
     /// [`InvalidKey`]: neither or both of a stiffness and a simulator, a value out of range, or no speed.
     pub fn check(&self) -> Result<(), InvalidKey> {
         let refuse = |key, why: String| Err(InvalidKey::with_names(key, why));
-        let expected = "give `stiffness` or `stiffness_curve` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
+        let expected = "give `stiffness` or `stiffness_curve` with `damping`, `hunt_crossley` or `loss_factor`, or `tool` with `parameter`";
         let has_stiffness = self.stiffness.is_some() || self.stiffness_curve.is_some();
         if has_stiffness && self.tool.is_some() {
             return refuse("restitution.tool", format!("a stiffness is given too; {expected}"));
@@ -148,8 +163,16 @@ impl RestitutionQuestion {
                 "it is the exponent of a stiffness; give `stiffness` too".into(),
             );
         }
-        if self.damping.is_some() && self.hunt_crossley.is_some() {
+        let [damping, dissipation, loss_factor] =
+            [self.damping.is_some(), self.hunt_crossley.is_some(), self.loss_factor.is_some()];
+        if damping && dissipation {
             return refuse("restitution.hunt_crossley", "`damping` is given too; remove one".into());
+        }
+        if loss_factor && (damping || dissipation) {
+            return refuse(
+                "restitution.loss_factor",
+                "`damping` or `hunt_crossley` is given too; remove one".into(),
+            );
         }
         if self.speed.is_empty() {
             return refuse("restitution.speed", "it is missing; give at least one approach speed".into());
@@ -171,9 +194,7 @@ impl RestitutionQuestion {
             let why = "its unit is not that of this contact; expected N/m, or a plain number in N/m^p with an exponent p";
             return refuse("restitution.stiffness", why.into());
         }
-        if self.tool.is_some()
-            && (self.damping.is_some() || self.hunt_crossley.is_some() || self.exponent.is_some())
-        {
+        if self.tool.is_some() && (damping || dissipation || loss_factor || self.exponent.is_some()) {
             return refuse("restitution.tool", format!("the spring or the damper is given too; {expected}"));
         }
         if self.separation.is_some() && self.damping.is_none() {
@@ -184,7 +205,12 @@ impl RestitutionQuestion {
         }
         let damping = self.damping.map(|damping| damping.0.value);
         let dissipation = self.hunt_crossley.map(|dissipation| dissipation.0);
-        for (key, given) in [("restitution.damping", damping), ("restitution.hunt_crossley", dissipation)] {
+        let loss_factor = self.loss_factor.map(|loss_factor| loss_factor.0);
+        for (key, given) in [
+            ("restitution.damping", damping),
+            ("restitution.hunt_crossley", dissipation),
+            ("restitution.loss_factor", loss_factor),
+        ] {
             if let Some(given) = given.filter(|given| !(given.is_finite() && *given >= 0.0)) {
                 return refuse(key, format!("{given:?}; expected a number of 0 or above"));
             }
@@ -217,7 +243,7 @@ impl RestitutionQuestion {
     /// [`StudyError`]: a number out of range, an unknown simulator or an invalid parameter.
     pub(crate) fn contacts(&self, mass: f64) -> Result<Vec<SimulatedContact<'_>>, StudyError> {
         if !self.has_law() {
-            let why = "nothing is given; give `stiffness` or `stiffness_curve` with `damping` or `hunt_crossley`, or `tool` with `parameter`";
+            let why = "nothing is given; give `stiffness` or `stiffness_curve` with `damping`, `hunt_crossley` or `loss_factor`, or `tool` with `parameter`";
             return Err(InvalidKey::with_names("restitution", why.into()).into());
         }
         if let Some(name) = &self.tool {
@@ -239,9 +265,10 @@ impl RestitutionQuestion {
                 CompliantContact::new(mass, stiffness)?.with_exponent(self.exponent())?
             }
         };
-        let damper = match self.hunt_crossley {
-            Some(dissipation) => Damper::hunt_crossley(dissipation.0)?,
-            None => {
+        let damper = match (self.hunt_crossley, self.loss_factor) {
+            (Some(dissipation), _) => Damper::hunt_crossley(dissipation.0)?,
+            (_, Some(loss_factor)) => Damper::loss_factor(loss_factor.0)?,
+            (None, None) => {
                 let separation = self.separation.map_or(Separation::ForceVanishes, Separation::from);
                 let damping = self.damping.map_or(0.0, |damping| damping.0.value);
                 Damper::kelvin_voigt_from_coefficient(contact, damping, separation)?

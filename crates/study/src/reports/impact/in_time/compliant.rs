@@ -132,6 +132,10 @@ pub(super) fn compliant(
         let why = "the model has no elastic bushes and gears: give bushes in the suspension sheet, or gear_stiffness";
         return Err(InvalidKey::with_names("impact.compliance", why.to_owned()).into());
     }
+    if damper.jumps_at_reversal() {
+        let why = "it has no contact with a loss factor, whose force jumps; expected another law";
+        return Err(InvalidKey::new("impact.compliance", why).into());
+    }
     let force = |penetration: f64, rate: f64| damper.force(contact, penetration, rate);
     let law = match (contact.stiffness(), damper) {
         (

@@ -160,7 +160,9 @@ impl ActingForces {
         if self.drives.is_empty() {
             return Vec::new();
         }
-        let samples = &found.samples;
+        // A force that jumps has two samples at one time.
+        let mut samples: Vec<&ImpactSample> = found.samples.iter().collect();
+        samples.dedup_by(|a, b| a.time == b.time);
         let times: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
         let depths: Vec<f64> = samples.iter().map(|sample| sample.penetration).collect();
         let deepest = peak_over_time(&times, &depths).map_or(0.0, |(_, time)| time);
@@ -187,7 +189,7 @@ impl ActingForces {
                     .map(|j| (deepest - times[j]) / (times[i] - times[j]))
                     .product::<f64>()
             };
-            let travel: f64 = near.clone().map(|i| weight(i) * travel(&drive.acts, &samples[i])).sum();
+            let travel: f64 = near.clone().map(|i| weight(i) * travel(&drive.acts, samples[i])).sum();
             DriveRecord {
                 name: drive.name.clone(),
                 value: drive.value,

@@ -8,6 +8,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::no_damper;
 use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
 use crate::damper::penetration::PenetrationPath;
+use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::StudyError;
@@ -19,7 +20,9 @@ use crate::reports::impact::in_time::forces::{
     ActingForces, AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
-use crate::thresholds::{CREATED_RESTITUTION, REACHED_RESTITUTION, STEPS_TO_REACH, STROKES};
+use crate::thresholds::{
+    CREATED_RESTITUTION, LARGEST_LOSS_FACTOR, REACHED_RESTITUTION, STEPS_TO_REACH, STROKES,
+};
 use percuss_contact::{Damper, Separation, StiffnessLaw, VaryingMassImpact};
 use percuss_dynamics::Pose;
 use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time, peak_over_time};
@@ -73,6 +76,15 @@ pub struct EnergyRecord {
     pub residual: f64,
 }
 
+/// Second touch of a contact after its end.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SecondTouchRecord {
+    /// Time since the first touch, s.
+    pub time: f64,
+    /// Closing speed, m/s.
+    pub speed: f64,
+}
+
 /// Impact in time with a compliant contact.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactTimeRecord {
@@ -89,10 +101,12 @@ pub struct ImpactTimeRecord {
     pub mass_change: Option<f64>,
     /// True if the damping was found for the requested restitution of the impact in time, and false if it is that of the contact alone.
     pub restitution_is_reached: bool,
-    /// Damping of the contact law, N·s/m^((p+1)/2); null for Hunt–Crossley.
+    /// Damping of the contact law, N·s/m^((p+1)/2); null for other laws than Kelvin–Voigt.
     pub damping: Option<f64>,
-    /// Dissipation of the contact law, s/m; null for a Kelvin–Voigt damper.
+    /// Dissipation of the contact law, s/m; null for other laws than those of the Hunt–Crossley family.
     pub dissipation: Option<f64>,
+    /// Loss factor of the contact law; null for other laws.
+    pub loss_factor: Option<f64>,
     /// The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; null for others, with gravity, or if the
     /// motion ends before.
     pub one_freedom: Option<VaryingMassImpact>,
@@ -113,6 +127,8 @@ pub struct ImpactTimeRecord {
     pub effective_weight: Option<f64>,
     /// Springs, dampers, tyres and anti-roll bars of the suspension sheet that are left out.
     pub springs_left_out: Vec<String>,
+    /// Second touch of the contact within three of its durations after its end, without the force of the contact in between; null if there is none.
+    pub second_touch: Option<SecondTouchRecord>,
     /// Energies of the motion.
     pub energy: EnergyRecord,
     /// Largest gap of the loops during the motion, m: error of the integration.
@@ -135,7 +151,7 @@ pub struct ImpactTimeRecord {
     pub compliant: Option<CompliantImpactRecord>,
 }
 
-/// Impact in time, and findings about dampers; `None` unless requested.
+/// Impact in time, and findings about dampers and other stops; `None` unless requested.
 pub(crate) fn in_time(
     evaluated: &EvaluatedQuestion,
     impact: &ImpactQuestion,
@@ -159,6 +175,7 @@ pub(crate) fn in_time(
             damper,
             Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. }
         ),
+        jumps_at_reversal: damper.jumps_at_reversal(),
         springs: acting.joints.clone(),
         point_springs: acting.lines.iter().map(|(_, spring)| spring.clone()).collect(),
         supports: acting.tyres.iter().map(|(_, support)| *support).collect(),
@@ -196,7 +213,9 @@ pub(crate) fn in_time(
     let drives = acting.drive_records(pose, &found);
     let work: f64 = drives.iter().map(|drive| drive.work).sum();
     let effective_weight = (!drives.is_empty()).then(|| mass + 2.0 * work / rigid.closing_speed.powi(2));
-    let of_dampers = acting.damper_findings(pose, &found);
+    let mut findings = acting.damper_findings(pose, &found);
+    let states = found.samples.iter().map(|sample| (sample.time, &sample.positions[..]));
+    findings.extend(PassedStops::of_joints(prepared).map(|stops| stops.reached(states)).unwrap_or_default());
     let record = ImpactTimeRecord {
         restitution: found.restitution,
         duration: found.separates.then_some(found.duration),
@@ -205,11 +224,15 @@ pub(crate) fn in_time(
         restitution_is_reached: impact.reach,
         damping: match damper {
             Damper::KelvinVoigt { coefficient, .. } => Some(coefficient),
-            Damper::HuntCrossley { .. } => None,
+            _ => None,
         },
         dissipation: match damper {
             Damper::HuntCrossley { dissipation } => Some(dissipation),
-            Damper::KelvinVoigt { .. } => None,
+            _ => None,
+        },
+        loss_factor: match damper {
+            Damper::LossFactor { loss_factor } => Some(loss_factor),
+            _ => None,
         },
         mass_change: found.mass_at_max_penetration.zip(own.kilograms()).map(|(most, m)| most / m - 1.0),
         one_freedom,
@@ -221,6 +244,10 @@ pub(crate) fn in_time(
         effective_weight,
         anti_roll_bars: acting.bars,
         springs_left_out: acting.left_out,
+        second_touch: found.second_touch.map(|touch| SecondTouchRecord {
+            time: found.duration + touch.after_end,
+            speed: touch.closing_speed,
+        }),
         energy: EnergyRecord {
             kinetic_before: found.energy.kinetic_before,
             kinetic_after: found.energy.kinetic_after,
@@ -238,7 +265,7 @@ pub(crate) fn in_time(
         bearings: bearings(pose, &found, rigid, held),
         compliant: with_bushes,
     };
-    Ok(Some((record, of_dampers)))
+    Ok(Some((record, findings)))
 }
 
 /// Damper of the kind of `start` with which the impact in time reaches a restitution. `restitution` of a damper; it falls with the damping.
@@ -256,10 +283,12 @@ fn reaching(
             Damper::KelvinVoigt { separation, ratio: unit * x, coefficient: x }
         }
         Damper::HuntCrossley { .. } => Damper::HuntCrossley { dissipation: x },
+        Damper::LossFactor { .. } => Damper::LossFactor { loss_factor: x },
     };
-    let first = match start {
-        Damper::KelvinVoigt { coefficient, .. } => coefficient,
-        Damper::HuntCrossley { dissipation } => dissipation,
+    let (first, most) = match start {
+        Damper::KelvinVoigt { coefficient, .. } => (coefficient, f64::INFINITY),
+        Damper::HuntCrossley { dissipation } => (dissipation, f64::INFINITY),
+        Damper::LossFactor { loss_factor } => (loss_factor, LARGEST_LOSS_FACTOR),
     };
     let elastic = restitution(with(0.0))?;
     if elastic <= wanted + REACHED_RESTITUTION {
@@ -276,10 +305,10 @@ fn reaching(
     let (mut low, mut high) = ((0.0, elastic - wanted), (first.max(f64::MIN_POSITIVE), f64::NAN));
     for _ in 0..STEPS_TO_REACH {
         high.1 = restitution(with(high.0))? - wanted;
-        if high.1 <= 0.0 {
+        if high.1 <= 0.0 || high.0 >= most {
             break;
         }
-        (low, high.0) = (high, 2.0 * high.0);
+        (low, high.0) = (high, (2.0 * high.0).min(most));
     }
     if high.1 > 0.0 {
         let why = format!("no damping reaches {wanted}; the impact in time has still {:.4}", high.1 + wanted);
